@@ -130,6 +130,7 @@ cli::Spec spec(app::slice::Options& o) {
                "a machine profile: refuse what is larger than its bed; several parts stand on it, left out: on that of "
                "marlin"}
             .not_a_setting());
+    options.push_back(Option{"plate", &o.plate, "N", "plate of a slicer's project, counted from 1"}.within(1, 1000));
     options.push_back(Option{"copies", &o.copies, "N", "how often each part is made"}.within(1, 10000));
     options.push_back(
         Option{"apart", &o.apart, "MM", "how far several parts keep from each other; left out: as the head needs it"}
@@ -150,7 +151,7 @@ cli::Spec spec(app::slice::Options& o) {
                        {"the file, and where the part stands",
                         {"unit", "deflection", "deflection-angle", "scale", "rotate", "translate", "center", "on-bed",
                          "no-on-bed"}},
-                       {"several parts", {"copies", "apart"}}},
+                       {"several parts", {"plate", "copies", "apart"}}},
             .examples = {{"slice part.stl > part.layers", "the layers of a part, 0.2 mm each"},
                          {"slice --layer-height 0.3 --rotate 0,0,45 --center 110,110 part.stl > part.layers",
                           "thicker layers of a part that is turned and put on the middle of the bed"},

@@ -15,11 +15,14 @@ struct Affine {
         for (int j = 0; j < 3; ++j) q[j] = p.x * a[0][j] + p.y * a[1][j] + p.z * a[2][j] + t[j];
         return {q[0], q[1], q[2]};
     }
-    // True if it turns a right hand into a left one.
-    [[nodiscard]] bool mirrors() const {
+    // By how much it changes volumes; negative if it turns a right hand into a left one.
+    [[nodiscard]] double determinant() const {
         const Vec3 x{a[0][0], a[0][1], a[0][2]}, y{a[1][0], a[1][1], a[1][2]}, z{a[2][0], a[2][1], a[2][2]};
-        return dot(cross(x, y), z) < 0;
+        return dot(cross(x, y), z);
     }
+    [[nodiscard]] bool mirrors() const { return determinant() < 0; }
+    // True if it maps all of space to a plane.
+    [[nodiscard]] bool flattens() const { return determinant() == 0; }
 };
 
 // First `inner`, then `outer`.

@@ -14,8 +14,8 @@ Mesh read_obj(std::string_view bytes, const std::string& name, Notes& notes);
 Mesh read_ply(std::string_view bytes, const std::string& name, Notes& notes);
 Mesh read_off(std::string_view bytes, const std::string& name, Notes& notes);
 
-// In mm; `bodies` gets what of it is not to be made.
-Mesh read_3mf(std::string_view bytes, const std::string& name, Notes& notes, std::vector<Body>& bodies);
+// Everything but the kind; in mm.  Of a slicer's project the plate of that number, from 1.
+void read_3mf(std::string_view bytes, const std::string& name, int plate, File& to);
 
 // What `bytes` are, as far as anyone can tell, with what to do: "a GLB file (binary glTF); export it as STL".  "" if
 // nobody can.  For messages about files that no reader takes.

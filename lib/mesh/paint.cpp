@@ -1,5 +1,7 @@
 #include "mesh/paint.hpp"
 
+#include "mesh/formats.hpp"
+
 #include <optional>
 #include <vector>
 
@@ -68,6 +70,40 @@ class Painted {
 bool each_painted(std::string_view text, const Corners& corners,
                   const std::function<void(Paint, const Corners&)>& put) {
     return Painted(text, put).run(corners);
+}
+
+namespace {
+
+void add_faces(Body::What what, const std::vector<Corners>& faces, File& to) {
+    if (faces.empty()) return;
+    Body& body = to.bodies.emplace_back();
+    body.what = what;
+    for (const Corners& c : faces) {
+        const auto first = static_cast<std::uint32_t>(body.mesh.vertices.size());
+        body.mesh.vertices.insert(body.mesh.vertices.end(), c.begin(), c.end());
+        body.mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+}
+
+} // namespace
+
+void add_painted(const std::vector<PaintedTriangle>& painted, File& to) {
+    std::vector<Corners> wanted, unwanted;
+    std::size_t unread = 0;
+    const auto& v = to.mesh.vertices;
+    for (const PaintedTriangle& p : painted) {
+        const auto& t = p.triangle;
+        const bool known = each_painted(p.digits, {v[t[0]], v[t[1]], v[t[2]]}, [&](Paint paint, auto& corners) {
+            if (paint == Paint::wanted) wanted.push_back(corners);
+            if (paint == Paint::unwanted) unwanted.push_back(corners);
+        });
+        if (!known) ++unread;
+    }
+    add_faces(Body::What::painted, wanted, to);
+    add_faces(Body::What::painted_blocker, unwanted, to);
+    if (unread == 0) return;
+    to.notes.push_back(note("painted triangle of a slicer's project that cannot be read left out", 0, ""));
+    to.notes.back().count = unread;
 }
 
 } // namespace filum::mesh

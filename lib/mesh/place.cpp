@@ -67,6 +67,16 @@ Affine placement_map(const Placement& p, double unit) {
     return then(map, rigid(p.rotate_deg, p.translate));
 }
 
+double longest_side(const Box3& b) { return std::max({b.hi.x - b.lo.x, b.hi.y - b.lo.y, b.hi.z - b.lo.z}); }
+
+bool within_limits(const Box3& b) {
+    for (const double v : {b.lo.x, b.lo.y, b.lo.z, b.hi.x, b.hi.y, b.hi.z})
+        if (!(std::abs(v) <= kMaxCoordinate)) return false;
+    return true;
+}
+
+} // namespace
+
 void drop_unused_vertices(Mesh& mesh) {
     constexpr std::uint32_t kUnused = ~std::uint32_t{0};
     std::vector<std::uint32_t> to(mesh.vertices.size(), kUnused);
@@ -83,16 +93,6 @@ void drop_unused_vertices(Mesh& mesh) {
     for (Triangle& t : mesh.triangles)
         for (auto& v : t) v = to[v];
 }
-
-double longest_side(const Box3& b) { return std::max({b.hi.x - b.lo.x, b.hi.y - b.lo.y, b.hi.z - b.lo.z}); }
-
-bool within_limits(const Box3& b) {
-    for (const double v : {b.lo.x, b.lo.y, b.lo.z, b.hi.x, b.hi.y, b.hi.z})
-        if (!(std::abs(v) <= kMaxCoordinate)) return false;
-    return true;
-}
-
-} // namespace
 
 Affine rigid(const std::vector<double>& rotate_deg, const std::vector<double>& translate) {
     Affine map;

@@ -44,6 +44,9 @@ Placed place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes);
 // Moves `mesh` by a map, as place() does.  Throws Error(bad_input) if a coordinate ends up beyond 1e7 mm.
 void move(Mesh& mesh, const Affine& map);
 
+// Takes vertices without a triangle out; the others keep their order.
+void drop_unused_vertices(Mesh& mesh);
+
 // Signed volume, mm3: positive if the triangles face outwards.
 double volume(const Mesh& mesh);
 

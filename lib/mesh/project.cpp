@@ -1,6 +1,7 @@
 #include "mesh/project.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <pugixml.hpp>
 #include <string_view>
@@ -45,21 +46,33 @@ Body body_of(What what, const pugi::xml_node& element) {
     return out;
 }
 
+// The value of an element's metadata of that name; "" if there is none.
+std::string metadata(const pugi::xml_node& element, const char* key) {
+    return element.find_child_by_attribute("metadata", "key", key).attribute("value").value();
+}
+
+Plate plate_of(const pugi::xml_node& element) {
+    Plate out{metadata(element, "plater_name"), {}};
+    for (const auto& instance : element.children("model_instance"))
+        out.items.emplace_back(metadata(instance, "object_id"), std::atoi(metadata(instance, "instance_id").c_str()));
+    return out;
+}
+
 } // namespace
 
-std::size_t Unmade::of_triangle(const std::string& object, std::size_t i) const {
+std::size_t Project::of_triangle(const std::string& object, std::size_t i) const {
     const auto found = triangles.find(object);
     if (found == triangles.end()) return kNone;
     const auto at = std::ranges::find_if(found->second, [&](const Range& r) { return r.first <= i && i <= r.last; });
     return at == found->second.end() ? kNone : at->body;
 }
 
-std::size_t Unmade::of_component(const std::string& object, const std::string& component) const {
+std::size_t Project::of_component(const std::string& object, const std::string& component) const {
     const auto found = components.find({object, component});
     return found == components.end() ? kNone : found->second;
 }
 
-bool read_prusa_project(const std::string& text, Unmade& to) {
+bool read_prusa_project(const std::string& text, Project& to) {
     pugi::xml_document xml;
     if (!xml.load_buffer(text.data(), text.size())) return false;
     for (const auto& object : xml.child("config").children("object"))
@@ -76,7 +89,7 @@ bool read_prusa_project(const std::string& text, Unmade& to) {
     return true;
 }
 
-bool read_bambu_project(const std::string& text, Unmade& to) {
+bool read_bambu_project(const std::string& text, Project& to) {
     pugi::xml_document xml;
     if (!xml.load_buffer(text.data(), text.size())) return false;
     for (const auto& object : xml.child("config").children("object"))
@@ -86,6 +99,8 @@ bool read_bambu_project(const std::string& text, Unmade& to) {
             to.components.try_emplace({object.attribute("id").value(), part.attribute("id").value()}, to.bodies.size());
             to.bodies.push_back(body_of(*what, part));
         }
+    for (const auto& plate : xml.child("config").children("plate")) to.plates.push_back(plate_of(plate));
+    if (std::ranges::all_of(to.plates, [](const Plate& p) { return p.items.empty(); })) to.plates.clear();
     return true;
 }
 

@@ -69,17 +69,23 @@ bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && 
 
 // Leaves out triangles with equal corners or with a corner that is no finite number, then vertices without a triangle
 // that are not finite either: nobody should have to look at them again.
-void leave_out_unusable(Mesh& mesh, Notes& notes) {
+// `items`, if any, has an entry for each triangle.
+void leave_out_unusable(Mesh& mesh, std::vector<std::uint32_t>& items, Notes& notes) {
     const bool all_finite = std::all_of(mesh.vertices.begin(), mesh.vertices.end(), finite);
-    std::size_t lost = 0;
-    std::erase_if(mesh.triangles, [&](const Triangle& t) {
+    std::size_t lost = 0, kept = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const Triangle t = mesh.triangles[i];
         if (!all_finite &&
             !(finite(mesh.vertices[t[0]]) && finite(mesh.vertices[t[1]]) && finite(mesh.vertices[t[2]]))) {
             ++lost;
-            return true;
+            continue;
         }
-        return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-    });
+        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+        if (!items.empty()) items[kept] = items[i];
+        mesh.triangles[kept++] = t;
+    }
+    mesh.triangles.resize(kept);
+    if (!items.empty()) items.resize(kept);
     if (lost > 0) {
         Note n = note("triangle with a corner that is no finite number left out", 0, "");
         n.count = lost;
@@ -90,7 +96,7 @@ void leave_out_unusable(Mesh& mesh, Notes& notes) {
             if (!finite(v)) v = {};
 }
 
-Mesh read_kind(Kind kind, std::string_view bytes, const std::string& name, File& to) {
+Mesh read_kind(Kind kind, std::string_view bytes, const std::string& name, int plate, File& to) {
     Notes& notes = to.notes;
     switch (kind) {
     case Kind::stl_binary:
@@ -104,7 +110,8 @@ Mesh read_kind(Kind kind, std::string_view bytes, const std::string& name, File&
     case Kind::off:
         return read_off(bytes, name, notes);
     case Kind::threemf:
-        return read_3mf(bytes, name, notes, to.bodies);
+        read_3mf(bytes, name, plate, to);
+        return std::move(to.mesh);
     case Kind::step:
         throw Error(Exit::bad_input, "cannot read " + name + ": it is a STEP file, not a mesh");
     case Kind::unknown:
@@ -138,16 +145,24 @@ Kind recognise(std::string_view bytes) {
     return plausible && !stream && foreign(bytes).empty() ? Kind::stl_binary : Kind::unknown;
 }
 
-File read(std::string_view bytes, const std::string& name) {
+void tell_uncut(const File& file, Notes& notes) {
+    const auto count = std::ranges::count(file.bodies, Body::What::negative, &Body::what);
+    if (count == 0) return;
+    notes.push_back(note("negative body of a slicer's project not cut away; only slice does that", 0, ""));
+    notes.back().count = static_cast<std::uint64_t>(count);
+}
+
+File read(std::string_view bytes, const std::string& name, int plate) {
     if (bytes.empty()) throw Error(Exit::truncated, "cannot read " + name + ": it is empty");
     File out;
     out.kind = recognise(bytes);
-    out.mesh = read_kind(out.kind, bytes, name, out);
+    out.mesh = read_kind(out.kind, bytes, name, plate, out);
     if (out.kind != Kind::stl_binary && out.kind != Kind::stl_ascii) weld(out.mesh);
-    leave_out_unusable(out.mesh, out.notes);
+    leave_out_unusable(out.mesh, out.items, out.notes);
+    std::vector<std::uint32_t> none;
     for (Body& b : out.bodies) {
         weld(b.mesh);
-        leave_out_unusable(b.mesh, out.notes);
+        leave_out_unusable(b.mesh, none, out.notes);
     }
     std::erase_if(out.bodies, [](const Body& b) { return b.mesh.triangles.empty(); });
     if (out.mesh.triangles.empty())

@@ -34,6 +34,7 @@ struct Body {
     What what = What::modifier;
     std::vector<std::pair<std::string, std::string>> settings{}; // names and values as that slicer has them
     Mesh mesh{};
+    std::uint32_t item = 0; // of the build, of which it is cut away if it is negative; see File::items
 };
 
 // How notes begin of bodies that a project has and that are left out of its mesh.
@@ -44,16 +45,21 @@ struct File {
     Kind kind = Kind::unknown;
     Notes notes;                // what was left out
     std::vector<Body> bodies{}; // of a 3MF; what is painted comes last
+    // The item of the build that each triangle of the mesh is of; only where bodies are negative.
+    std::vector<std::uint32_t> items{};
 };
+
+// Notes that negative bodies are not cut away; for programs that need no solid.
+void tell_uncut(const File& file, Notes& notes);
 
 // The mesh in `bytes`, the whole content of a file; `name` is for messages, in quotes if it is a path.
 // Vertices with the same coordinates are one; every coordinate is finite, every index in range, no triangle has two
 // equal corners (those have no area and bind no others, so they go without a note).  Triangles with a corner that is
-// no finite number are left out, with a note.  Polygons are cut into fans, whose slices are right for planar polygons
-// of any shape.  Coordinates are in the file's unit; of a 3MF, which states it, in mm.
-// Throws Error: truncated if the file is empty or ends before what it announces, bad_input if it is of no known kind or
-// STEP (mesh::step::read reads that), malformed, or holds no triangle.
-File read(std::string_view bytes, const std::string& name);
+// no finite number are left out, with a note.  Of a slicer's project it reads plate `plate`, from 1.  Polygons are cut
+// into fans, whose slices are right for planar polygons of any shape.  Coordinates are in the file's unit; of a 3MF,
+// which states it, in mm. Throws Error: truncated if the file is empty or ends before what it announces, bad_input if
+// it is of no known kind or STEP (mesh::step::read reads that), malformed, or holds no triangle.
+File read(std::string_view bytes, const std::string& name, int plate = 1);
 
 // A whole file in memory.
 struct Bytes {

@@ -1,12 +1,15 @@
 // 3MF (core specification 1.3, and the production extension's parts in several files): a zip archive whose root model
 // lists objects (a mesh, or components: other objects, moved) and the build items that are to be made of them.
+// threemf_rules.cpp judges extensions and kinds of objects; items.cpp puts items on the bed.
 #include "archive/zip.hpp"
 #include "base/error.hpp"
 #include "geom/affine.hpp"
 #include "mesh/formats.hpp"
+#include "mesh/items.hpp"
 #include "mesh/paint.hpp"
 #include "mesh/project.hpp"
 #include "mesh/text.hpp"
+#include "mesh/threemf_rules.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,7 +29,6 @@ namespace {
 constexpr std::size_t kMaxTriangles = std::size_t{1} << 24; // after all copies that components ask for
 constexpr std::size_t kMaxCopies = 100000;
 constexpr int kMaxDepth = 32;
-constexpr std::uint32_t kNoVertex = 0xffffffff;
 
 struct Model {
     std::string text; // parsed in place
@@ -35,11 +37,7 @@ struct Model {
     double unit = 1;                               // mm
 };
 
-// Element names without their namespace prefix.
-bool is(const pugi::xml_node& n, const char* name) {
-    const char* colon = std::strchr(n.name(), ':');
-    return std::strcmp(colon != nullptr ? colon + 1 : n.name(), name) == 0;
-}
+bool is(const pugi::xml_node& n, const char* name) { return threemf::local_name(n) == name; }
 pugi::xml_node child(const pugi::xml_node& n, const char* name) {
     return n.find_child([&](const pugi::xml_node& c) { return is(c, name); });
 }
@@ -53,28 +51,26 @@ std::string part_path(const pugi::xml_node& n) {
 
 class Archive {
   public:
-    Archive(std::string_view bytes, const std::string& name, Notes& notes, std::vector<Body>& bodies)
-        : name_(name), notes_(notes), bodies_(bodies), zip_(bytes, name) {}
+    Archive(std::string_view bytes, const std::string& name, int plate, File& to)
+        : name_(name), plate_(plate), to_(to), zip_(bytes, name) {}
 
-    Mesh build() {
+    void read() {
         const std::string root = root_path();
         const Model& model = load(root);
         read_project();
-        const auto build = child(child(model.xml, "model"), "build");
-        for (const auto& item : build.children()) {
-            if (!is(item, "item")) continue;
-            if (std::strcmp(item.attribute("printable").value(), "0") == 0) {
-                notes_.push_back(note("build item marked as not printable left out", 0, ""));
-                continue;
-            }
+        const std::vector<pugi::xml_node> items = wanted_items(model);
+        for (const auto& item : items) {
             const std::string path = part_path(item);
-            add(path.empty() ? root : path, item.attribute("objectid").value(), transform(item), 0);
+            add(path.empty() ? root : path, item.attribute("objectid").value(), transform(item), {});
+            ++items_;
         }
-        if (same_.count > 0) notes_.push_back(std::move(same_));
+        if (same_.count > 0) to_.notes.push_back(std::move(same_));
+        tell_left_out();
         reserve();
         for (const Placed& p : placed_) add_mesh(p);
+        tell("unknown element among the triangles left out", unknown_);
+        set_down();
         take_bodies();
-        return std::move(out_);
     }
 
   private:
@@ -83,8 +79,15 @@ class Archive {
         pugi::xml_node mesh;
         double unit = 1;
         Affine place;
-        std::string object;               // its id, in the root model; else empty
-        std::size_t body = Unmade::kNone; // that it is all of
+        std::string object;                // its id, in the root model; else empty
+        std::size_t body = Project::kNone; // that it is all of
+        std::uint32_t item = 0;            // of the build
+    };
+    // What the objects above a component say of it.
+    struct Above {
+        int depth = 0;
+        bool support = false; // one of them is a support
+        std::size_t body = Project::kNone;
     };
 
     [[noreturn]] void bad(const std::string& why) const {
@@ -100,20 +103,47 @@ class Archive {
         pugi::xml_document xml;
         const std::string text = zip_.read("_rels/.rels");
         if (!xml.load_buffer(text.data(), text.size())) bad("'_rels/.rels' in the archive is no XML");
-        for (const auto& r : child(xml, "Relationships").children())
-            if (std::string_view(r.attribute("Type").value()).ends_with("/3dmodel"))
-                return r.attribute("Target").value();
-        bad("the archive names no 3D model: it is no 3MF");
+        std::string out;
+        for (const auto& r : child(xml, "Relationships").children()) {
+            if (!std::string_view(r.attribute("Type").value()).ends_with("/3dmodel")) continue;
+            if (!out.empty()) bad("the archive names two 3D models, and nothing says which one is meant");
+            if (std::strcmp(r.attribute("TargetMode").value(), "External") == 0)
+                bad("its 3D model is not in the archive, but at '" + std::string(r.attribute("Target").value()) + "'");
+            out = r.attribute("Target").value();
+        }
+        if (out.empty()) bad("the archive names no 3D model: it is no 3MF");
+        return out;
     }
 
     void read_project() {
-        constexpr std::pair<const char*, bool (*)(const std::string&, Unmade&)> kFiles[] = {
+        constexpr std::pair<const char*, bool (*)(const std::string&, Project&)> kFiles[] = {
             {"Metadata/Slic3r_PE_model.config", read_prusa_project},
             {"Metadata/model_settings.config", read_bambu_project}};
         for (const auto& [path, read] : kFiles)
-            if (zip_.has(path) && !read(zip_.read(path), unmade_))
+            if (zip_.has(path) && !read(zip_.read(path), project_))
                 bad("'" + std::string(path) + "' in the archive is no XML");
-        triangles_.resize(unmade_.bodies.size());
+        for (const char* path : {"Metadata/Slic3r_PE.config", "Metadata/Slic3r_PE_model.config",
+                                 "Metadata/model_settings.config", "Metadata/project_settings.config"})
+            project_.found = project_.found || zip_.has(path);
+        triangles_.resize(project_.bodies.size());
+    }
+
+    // The build items that are to be made: those of the plate, as far as they are printable.
+    std::vector<pugi::xml_node> wanted_items(const Model& model) {
+        const auto build = child(child(model.xml, "model"), "build");
+        if (!build) bad("its model has no build: nothing says what is to be made");
+        Plates plates(project_.plates, plate_);
+        std::vector<pugi::xml_node> out;
+        for (const auto& item : build.children()) {
+            if (!is(item, "item") || !plates.wanted(item.attribute("objectid").value())) continue;
+            if (std::strcmp(item.attribute("printable").value(), "0") == 0)
+                to_.notes.push_back(note("build item marked as not printable left out", 0, ""));
+            else
+                out.push_back(item);
+        }
+        if (const std::string fault = plates.fault(); !fault.empty()) bad(fault);
+        plates.tell(to_.notes);
+        return out;
     }
 
     const Model& load(const std::string& path) {
@@ -121,39 +151,40 @@ class Archive {
         if (slot != nullptr) return *slot;
         slot = std::make_unique<Model>();
         slot->text = zip_.read(path);
-        const auto result = slot->xml.load_buffer_inplace(slot->text.data(), slot->text.size());
+        const auto result = slot->xml.load_buffer_inplace(slot->text.data(), slot->text.size(),
+                                                          pugi::parse_default | pugi::parse_doctype);
         if (!result) bad("'" + path + "' in the archive is no XML: " + result.description());
         const auto model = child(slot->xml, "model");
+        if (!model || threemf::has_another(model)) bad("'" + path + "' in the archive does not hold one 3D model");
+        if (slot->xml.find_child([](const auto& n) { return n.type() == pugi::node_doctype; }))
+            bad("'" + path + "' in the archive has a document type definition, which 3MF forbids");
+        if (const std::string name = threemf::unsupported_extension(model); !name.empty())
+            bad("it requires the 3MF extension '" + name +
+                "', which Filum does not support; export the part as a mesh of triangles");
         slot->unit = unit(model.attribute("unit").value());
         for (const auto& o : child(model, "resources").children())
-            if (is(o, "object")) slot->objects.emplace(o.attribute("id").value(), o);
+            if (is(o, "object") && !slot->objects.emplace(o.attribute("id").value(), o).second)
+                bad("two objects have the id '" + std::string(o.attribute("id").value()) + "'");
         return *slot;
     }
 
-    [[nodiscard]] double unit(std::string_view word) const {
-        constexpr std::pair<std::string_view, double> kUnits[] = {
-            {"", 1},        {"millimeter", 1}, {"micron", 0.001}, {"centimeter", 10},
-            {"inch", 25.4}, {"foot", 304.8},   {"meter", 1000}};
-        for (const auto& [text, mm] : kUnits)
-            if (word == text) return mm;
-        bad("its unit '" + std::string(word.substr(0, 20)) + "' is unknown");
+    [[nodiscard]] double unit(const std::string& word) const {
+        const auto mm = threemf::unit_mm(word);
+        if (!mm) bad("its unit '" + word.substr(0, 20) + "' is unknown");
+        return *mm;
     }
 
     [[nodiscard]] Affine transform(const pugi::xml_node& n) const {
-        Affine out;
         const auto attribute = n.attribute("transform");
-        if (!attribute) return out;
-        Text text(attribute.value());
-        for (int i = 0; i < 12; ++i) {
-            double& to = i < 9 ? out.a[i / 3][i % 3] : out.t[i - 9];
-            if (!text.more() || !text.number(to)) bad("a transform has no twelve numbers");
-        }
-        return out;
+        if (!attribute) return {};
+        const auto out = threemf::transform(attribute.value());
+        if (!out) bad("a transform has no twelve numbers");
+        if (out->flattens()) bad("a transform flattens an object to nothing; export the part again");
+        return *out;
     }
 
-    void add(const std::string& path, const std::string& id, const Affine& place, int depth,
-             std::size_t body = Unmade::kNone) {
-        if (depth > kMaxDepth) bad("its components are nested more than 32 deep, or in a circle");
+    void add(const std::string& path, const std::string& id, const Affine& place, Above above) {
+        if (above.depth > kMaxDepth) bad("its components are nested more than 32 deep, or in a circle");
         const Model& model = load(path);
         const auto found = model.objects.find(id);
         if (found == model.objects.end()) bad("object '" + id + "' is missing");
@@ -162,16 +193,64 @@ class Archive {
             ++same_.count;
             return;
         }
-        if (const auto mesh = child(object, "mesh"))
-            placed_.push_back({mesh, model.unit, place, depth == 0 ? id : "", body});
+        const threemf::Function function = checked_function(object, id);
+        above.support = above.support || function == threemf::Function::support;
+        if (const auto mesh = child(object, "mesh")) {
+            if (above.support)
+                ++supports_;
+            else if (function == threemf::Function::surface)
+                ++surfaces_;
+            else
+                placed_.push_back({mesh, model.unit, place, above.depth == 0 ? id : "", above.body, items_});
+        }
         for (const auto& c : child(object, "components").children()) {
             if (!is(c, "component")) continue;
             const std::string other = part_path(c);
-            const std::size_t part = unmade_.of_component(id, c.attribute("objectid").value());
+            const std::size_t part = project_.of_component(id, c.attribute("objectid").value());
             if (++copies_ > kMaxCopies) bad("its components ask for more than 100000 copies");
-            add(other.empty() ? path : other, c.attribute("objectid").value(), then(transform(c), place), depth + 1,
-                part == Unmade::kNone ? body : part);
+            add(other.empty() ? path : other, c.attribute("objectid").value(), then(transform(c), place),
+                {above.depth + 1, above.support, part == Project::kNone ? above.body : part});
         }
+    }
+
+    // What an object that is to be made is for.
+    threemf::Function checked_function(const pugi::xml_node& object, const std::string& id) {
+        const threemf::Function out = threemf::function_of(object);
+        const std::string type = object.attribute("type").value();
+        if (out == threemf::Function::unknown) bad("object '" + id + "' is of the unknown type '" + type + "'");
+        if (out == threemf::Function::other) bad("object '" + id + "' of type 'other' is among what is to be made");
+        if (threemf::is_low_resolution(object))
+            bad("the shape of object '" + id +
+                "' is held as slices (3MF extension 'slice'), and its mesh is coarser; "
+                "export the part as a mesh in full resolution");
+        const std::string foreign = threemf::foreign_shape(object);
+        if (foreign.empty()) return out;
+        if (!child(object, "mesh") && !child(object, "components"))
+            bad("object '" + id + "' is a '" + foreign +
+                "' of a 3MF extension that Filum does not support; export the "
+                "part as a mesh of triangles");
+        to_.notes.push_back(note("'" + foreign + "' of a 3MF extension left out: it is no mesh of triangles", 0, ""));
+        return out;
+    }
+
+    void tell_left_out() {
+        tell("support object of the file left out; add --support", supports_);
+        tell("surface object of the file left out: it bounds no volume", surfaces_);
+        if (placed_.empty() && supports_ + surfaces_ > 0)
+            bad("nothing in its build is a part, only supports or surfaces");
+    }
+
+    // Items that would hang in the air, or reach below the bed.
+    void set_down() {
+        std::vector<geom::Box3> boxes(items_);
+        for (std::size_t i = 0; i < to_.mesh.triangles.size(); ++i)
+            for (const std::uint32_t v : to_.mesh.triangles[i]) boxes[item_of_[i]].add(to_.mesh.vertices[v]);
+        if (project_.found) {
+            for (std::uint32_t i = 0; i < items_; ++i) cut_below_bed(boxes[i], i, to_);
+            return;
+        }
+        const std::vector<double> down = heights_to_lose(boxes, to_.notes);
+        for (std::size_t v = 0; v < item_of_vertex_.size(); ++v) to_.mesh.vertices[v].z -= down[item_of_vertex_[v]];
     }
 
     static std::array<double, 12> key(const Affine& place) {
@@ -193,8 +272,8 @@ class Archive {
         if (std::max(vertices, triangles) > kMaxTriangles)
             bad("with all its copies it has " + std::to_string(triangles) + " triangles and " +
                 std::to_string(vertices) + " vertices, more than 16 million; print fewer copies at once");
-        out_.vertices.reserve(vertices);
-        out_.triangles.reserve(triangles);
+        to_.mesh.vertices.reserve(vertices);
+        to_.mesh.triangles.reserve(triangles);
     }
     static std::size_t children(const pugi::xml_node& n) {
         return static_cast<std::size_t>(std::distance(n.begin(), n.end()));
@@ -202,24 +281,34 @@ class Archive {
 
     // The translation of a transform is in the model's unit as well, so scale last.
     void add_mesh(const Placed& placed) {
-        const auto& [mesh, unit, place, object, all_of] = placed;
-        const std::size_t first = out_.vertices.size();
-        for (const auto& v : child(mesh, "vertices").children()) {
+        std::vector<Vec3>& vertices = to_.mesh.vertices;
+        const std::size_t first = vertices.size();
+        for (const auto& v : child(placed.mesh, "vertices").children()) {
             if (!is(v, "vertex")) continue;
-            out_.vertices.push_back(unit * place({number(v, "x"), number(v, "y"), number(v, "z")}));
+            vertices.push_back(placed.unit * placed.place({number(v, "x"), number(v, "y"), number(v, "z")}));
+            item_of_vertex_.push_back(placed.item);
         }
-        const std::size_t count = out_.vertices.size() - first;
-        const bool turn = place.mirrors();
+        const std::size_t count = vertices.size() - first;
+        const bool turn = placed.place.mirrors();
         std::size_t number_of = 0;
-        for (const auto& t : child(mesh, "triangles").children()) {
-            if (!is(t, "triangle")) continue;
-            const std::size_t body = all_of != Unmade::kNone ? all_of : unmade_.of_triangle(object, number_of);
+        for (const auto& t : child(placed.mesh, "triangles").children()) {
+            if (!is(t, "triangle")) {
+                if (t.type() == pugi::node_element) ++unknown_;
+                continue;
+            }
+            const std::size_t body =
+                placed.body != Project::kNone ? placed.body : project_.of_triangle(placed.object, number_of);
             ++number_of;
             Triangle tri{index(t, "v1", count), index(t, "v2", count), index(t, "v3", count)};
             for (auto& v : tri) v += static_cast<std::uint32_t>(first);
-            if (body == Unmade::kNone) take_paint(t, tri);
+            if (body == Project::kNone) take_paint(t, tri);
             if (turn) std::swap(tri[1], tri[2]);
-            (body == Unmade::kNone ? out_.triangles : triangles_[body]).push_back(tri);
+            if (body != Project::kNone) {
+                triangles_[body][placed.item].push_back(tri);
+                continue;
+            }
+            to_.mesh.triangles.push_back(tri);
+            item_of_.push_back(placed.item);
         }
     }
 
@@ -227,71 +316,48 @@ class Archive {
     void take_paint(const pugi::xml_node& t, const Triangle& tri) {
         for (const auto& a : t.attributes()) {
             const std::string_view attribute(a.name());
-            if (!attribute.ends_with(":custom_supports") && attribute != "paint_supports") continue;
-            const auto& v = out_.vertices;
-            const bool known =
-                each_painted(a.value(), {v[tri[0]], v[tri[1]], v[tri[2]]}, [&](Paint paint, auto& corners) {
-                    std::vector<Corners>* to = paint == Paint::wanted     ? &painted_
-                                               : paint == Paint::unwanted ? &painted_blocker_
-                                                                          : nullptr;
-                    if (to != nullptr) to->push_back(corners);
-                });
-            if (!known) ++unread_paint_;
+            if (attribute.ends_with(":custom_supports") || attribute == "paint_supports")
+                paint_.push_back({tri, a.value()}); // of a text in models_
         }
     }
 
-    // The bodies with the triangles that were found, and what is painted.
+    // The bodies with the triangles that were found, and what is painted.  Each item has negative bodies of its own.
     void take_bodies() {
-        std::vector<std::uint32_t> index(out_.vertices.size(), kNoVertex);
-        for (std::size_t b = 0; b < unmade_.bodies.size(); ++b) {
-            Body& body = unmade_.bodies[b];
-            for (Triangle& t : triangles_[b])
-                for (auto& v : t) {
-                    if (index[v] == kNoVertex) {
-                        index[v] = static_cast<std::uint32_t>(body.mesh.vertices.size());
-                        body.mesh.vertices.push_back(out_.vertices[v]);
-                        seen_.push_back(v);
-                    }
-                    v = index[v];
-                }
-            for (const std::uint32_t v : seen_) index[v] = kNoVertex;
-            seen_.clear();
-            body.mesh.triangles = std::move(triangles_[b]);
-            bodies_.push_back(std::move(body));
+        std::vector<Body> of_items; // behind those of slicers' projects
+        std::swap(of_items, to_.bodies);
+        for (std::size_t b = 0; b < project_.bodies.size(); ++b) {
+            const Body& body = project_.bodies[b];
+            std::vector<Triangle> all;
+            for (auto& [item, triangles] : triangles_[b]) {
+                all.insert(all.end(), triangles.begin(), triangles.end());
+                if (body.what != Body::What::negative) continue;
+                to_.bodies.push_back({body.what, body.settings, part_of(to_.mesh, std::exchange(all, {})), item});
+            }
+            if (body.what != Body::What::negative)
+                to_.bodies.push_back({body.what, body.settings, part_of(to_.mesh, all)});
         }
-        take_painted(Body::What::painted, painted_);
-        take_painted(Body::What::painted_blocker, painted_blocker_);
+        std::ranges::move(of_items, std::back_inserter(to_.bodies));
+        if (std::ranges::any_of(to_.bodies, [](const Body& b) { return b.what == Body::What::negative; }))
+            to_.items = std::move(item_of_);
+        add_painted(paint_, to_);
         tell_bodies();
     }
 
     void tell_bodies() {
         using What = Body::What;
-        const auto tell = [&](const std::string& what, std::size_t count) {
-            if (count == 0) return;
-            notes_.push_back(note(what, 0, ""));
-            notes_.back().count = count;
-        };
-        const auto count = [&](std::initializer_list<What> words) {
-            return static_cast<std::size_t>(std::ranges::count_if(
-                bodies_, [&](const Body& b) { return std::ranges::find(words, b.what) != words.end(); }));
+        const auto count = [&](What what) {
+            return static_cast<std::size_t>(std::ranges::count(to_.bodies, what, &Body::what));
         };
         const std::string body(kOfProject);
-        tell(body + " that changes settings left out; see --modifier", count({What::modifier}));
+        tell(body + " that changes settings left out; see --modifier", count(What::modifier));
         tell(body + " for supports left out; see --support-in and --no-support-in",
-             count({What::enforcer, What::blocker}));
-        tell(body + " that is to be cut away left out", count({What::negative}));
-        tell("painted triangle of a slicer's project that cannot be read left out", unread_paint_);
+             count(What::enforcer) + count(What::blocker));
     }
 
-    void take_painted(Body::What what, const std::vector<Corners>& painted) {
-        if (painted.empty()) return;
-        Body& body = bodies_.emplace_back();
-        body.what = what;
-        for (const Corners& c : painted) {
-            const auto first = static_cast<std::uint32_t>(body.mesh.vertices.size());
-            body.mesh.vertices.insert(body.mesh.vertices.end(), c.begin(), c.end());
-            body.mesh.triangles.push_back({first, first + 1, first + 2});
-        }
+    void tell(const std::string& what, std::size_t count) {
+        if (count == 0) return;
+        to_.notes.push_back(note(what, 0, ""));
+        to_.notes.back().count = count;
     }
 
     [[nodiscard]] double number(const pugi::xml_node& n, const char* what) const {
@@ -309,26 +375,26 @@ class Archive {
     }
 
     const std::string& name_;
-    Notes& notes_;
-    std::vector<Body>& bodies_;
+    int plate_;
+    File& to_;
     archive::Zip zip_;
     std::map<std::string, std::unique_ptr<Model>> models_; // by path
     std::size_t copies_ = 0;
     std::set<std::tuple<const Model*, std::string, std::array<double, 12>>> there_;
     std::vector<Placed> placed_;
+    std::uint32_t items_ = 0; // of the build, so far
+    std::vector<std::uint32_t> item_of_vertex_, item_of_;
+    std::size_t supports_ = 0, surfaces_ = 0, unknown_ = 0;
     Note same_{.stage = "", .what = "copy of a body in the same place left out", .unit = "", .count = 0};
-    Unmade unmade_;
-    std::vector<std::vector<Triangle>> triangles_; // of each unmade body
-    std::vector<std::uint32_t> seen_;              // vertices of the body at hand
-    std::vector<Corners> painted_, painted_blocker_;
-    std::size_t unread_paint_ = 0;
-    Mesh out_;
+    Project project_;
+    std::vector<std::map<std::uint32_t, std::vector<Triangle>>> triangles_; // of each body of a project, by item
+    std::vector<PaintedTriangle> paint_;
 };
 
 } // namespace
 
-Mesh read_3mf(std::string_view bytes, const std::string& name, Notes& notes, std::vector<Body>& bodies) {
-    return Archive(bytes, name, notes, bodies).build();
+void read_3mf(std::string_view bytes, const std::string& name, int plate, File& to) {
+    Archive(bytes, name, plate, to).read();
 }
 
 } // namespace filum::mesh

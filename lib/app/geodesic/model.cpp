@@ -20,6 +20,7 @@ mesh::Mesh placed(const mesh::Bytes& bytes, const std::string& path, mesh::Place
                   const mesh::step::Tessellation& how, bool* step = nullptr) {
     mesh::File file = mesh::step::read(bytes.view(), mesh::spoken_name(path), how);
     notes.insert(notes.end(), file.notes.begin(), file.notes.end());
+    mesh::tell_uncut(file, notes);
     if (step != nullptr) *step = file.kind == mesh::Kind::step;
     place.on_bed = false;
     mesh::place(file.mesh, place, mesh::states_unit(file.kind), notes);

@@ -73,7 +73,11 @@ Placed load(const std::string& path, const stream::Header& header, Notes& notes)
                                          "': the stream does not say how one part was moved; bodies that change "
                                          "settings go with a single part, as this 'slice' puts it down");
     const mesh::Bytes bytes = mesh::load(path);
-    Placed out{stream::crc32c_text(bytes.view()), mesh::step::read(bytes.view(), mesh::spoken_name(path), {}), *map};
+    const std::string crc = stream::crc32c_text(bytes.view());
+    // The part's own project has the same plate; other files have none.
+    const auto plate = told(header, "plate"), part = told(header, "input_crc32c");
+    const int number = plate && part == crc ? std::stoi(*plate) : 1;
+    Placed out{crc, mesh::step::read(bytes.view(), mesh::spoken_name(path), {}, number), *map};
     if (mesh::states_unit(out.file.kind)) { // in mm, where the map takes the unit of the part's file
         geom::Affine to_unit;
         for (int k = 0; k < 3; ++k) to_unit.a[k][k] = 1 / unit_in(header);

@@ -38,11 +38,32 @@ std::vector<double> enlarged(const std::vector<double>& scale, const std::vector
     return out;
 }
 
+// Cuts the negative bodies of a placed file away, and sets what is left on the bed.
+void cut_away(mesh::File& file, const Options& o, int threads, OnBed& part) {
+    for (mesh::Body& b : file.bodies)
+        if (b.what == mesh::Body::What::negative) mesh::move(b.mesh, part.placement.map);
+    const double step = (o.slice.adaptive ? o.slice.min_layer_height : o.slice.layer_height) / 2;
+    const auto carve_again = [&](Notes& notes) { part.carved = carve(file, o.slice.hairline, step, threads, notes); };
+    Notes found;
+    carve_again(found);
+    const double up = mesh::bounds(file.mesh).lo.z - part.carved->box.lo.z;
+    if (o.place.on_bed && !o.place.keep_z && up != 0) {
+        const geom::Affine on{.t = {0, 0, up}};
+        mesh::move(file.mesh, on);
+        for (mesh::Body& b : file.bodies) mesh::move(b.mesh, on);
+        part.placement.map = geom::then(part.placement.map, on);
+        found.clear();
+        carve_again(found);
+    }
+    std::ranges::move(found, std::back_inserter(part.notes));
+}
+
 OnBed read_part(const std::string& path, const Options& o, const cli::Io& io, bool several, std::string& crc) {
     const mesh::Bytes bytes = mesh::load(path);
     crc += (crc.empty() ? "" : ",") + stream::crc32c_text(bytes.view());
-    mesh::File file = mesh::step::read(bytes.view(), mesh::spoken_name(path), o.step);
+    mesh::File file = mesh::step::read(bytes.view(), mesh::spoken_name(path), o.step, static_cast<int>(o.plate));
     if (!several) cli::step_idle(io, file.kind == mesh::Kind::step);
+    if (file.kind != mesh::Kind::threemf) io.idle("plate", "the file is no project with plates");
     OnBed out;
     out.notes = std::move(file.notes);
     check_precision(file.mesh, out.notes);
@@ -54,7 +75,11 @@ OnBed read_part(const std::string& path, const Options& o, const cli::Io& io, bo
     }
     out.placement = mesh::place(file.mesh, placement, mesh::states_unit(file.kind), out.notes);
     out.name = label(path);
-    out.box = mesh::bounds(file.mesh);
+    if (is_carved(file)) {
+        cut_away(file, o, io.threads, out);
+        file.mesh = within_heights(std::move(file.mesh), out.carved->box);
+    }
+    out.box = out.carved ? out.carved->box : mesh::bounds(file.mesh);
     const bool unit_known = mesh::states_unit(file.kind) || o.place.unit != "mm" || o.place.scale != std::vector{1.0};
     check_size(out.box, unit_known, out.notes);
     if (!o.machine.empty()) check_bed(out.box, o.machine);
@@ -63,8 +88,9 @@ OnBed read_part(const std::string& path, const Options& o, const cli::Io& io, bo
         for (const geom::Vec3& v : file.mesh.vertices) flat.push_back(v.xy());
         out.outline = geom::convex_hull(flat);
     }
+    Notes of_heights; // on a mesh of which only the heights count
     out.part = std::make_unique<filum::slice::Part>(
-        filum::slice::make_part(std::move(file.mesh), out.notes, o.slice.hairline));
+        filum::slice::make_part(std::move(file.mesh), out.carved ? of_heights : out.notes, o.slice.hairline));
     return out;
 }
 
@@ -220,7 +246,10 @@ std::vector<Level> prepare(std::vector<OnBed>& parts, const Options& o, int thre
     for (const OnBed& part : parts)
         if (part.sweep.levels.size() > most->sweep.levels.size()) most = &part;
     for (OnBed& part : parts) {
-        part.measured = filum::slice::judge(part.sweep, threads, part.notes);
+        if (part.carved)
+            sweep(*part.carved, o.slice, part.sweep.levels, threads);
+        else
+            part.measured = filum::slice::judge(part.sweep, threads, part.notes);
         for (Note& note : as_placed(part, std::move(part.notes))) notes.push_back(std::move(note));
         part.area.assign(part.sweep.levels.size(), 0);
     }

@@ -1,12 +1,14 @@
 // The parts of one run of `slice`: each read and made ready, and where it stands on the bed.
 #pragma once
 
+#include "app/slice/carved.hpp"
 #include "app/slice/slice.hpp"
 #include "plate/plate.hpp"
 #include "slice/volume.hpp"
 #include "stream/frame.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace filum::app::slice {
 
@@ -19,6 +21,7 @@ struct OnBed {
     mesh::Placed placement{};  // from the file's coordinates
     std::vector<Vec2> outline; // its convex hull seen from above; of several things only
     std::unique_ptr<filum::slice::Part> part;
+    std::optional<Carved> carved{};   // where bodies are cut away; then `part` only has the heights of what is left
     std::vector<plate::Place> at{{}}; // where each copy stands
     filum::slice::Sweep sweep;
     std::optional<filum::slice::Measured> measured;

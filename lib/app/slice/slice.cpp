@@ -50,7 +50,7 @@ std::vector<stream::RawFrame> cut_all(Job& job, std::size_t chunk, Notes& notes)
     std::vector<polygon::Loops> contours(std::min(job.levels.size() - first, filum::slice::kChunk));
     for (OnBed& part : job.parts) {
         if (chunk >= part.sweep.chunks()) continue;
-        filum::slice::Cut cut = filum::slice::cut(part.sweep, chunk);
+        filum::slice::Cut cut = part.carved ? slice::cut(*part.carved, chunk) : filum::slice::cut(part.sweep, chunk);
         take_notes(job, part, std::move(cut.notes), notes);
         for (polygon::Layer& layer : cut.layers) {
             part.area[layer.index] = polygon::signed_area(layer.contours);
@@ -107,6 +107,7 @@ void run(const Options& o, const cli::Io& io) {
         [&](Notes& last) {
             tell_idle(job, io);
             for (const OnBed& part : parts) {
+                if (part.carved) continue; // the volume of its mesh says nothing
                 Notes found;
                 filum::slice::compare(part.sweep, part.measured, part.area, io.threads, found);
                 take_notes(job, part, std::move(found), last);

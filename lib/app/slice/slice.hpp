@@ -19,6 +19,7 @@ struct Options {
     std::int64_t from_layer = 0;
     std::string machine;     // profile of the one that the part must fit, see machine::load_profile; none: not checked
     std::int64_t copies = 1; // of each input
+    std::int64_t plate = 1;  // of a slicer's project, from 1
     std::vector<double> apart; // mm between several parts; none: as the head's shape needs it
 };
 

@@ -122,8 +122,8 @@ Note left_out(const char* what, std::uint64_t count) {
 
 bool available() { return !reader().empty(); }
 
-mesh::File read(std::string_view bytes, const std::string& name, const Tessellation& how) {
-    if (mesh::recognise(bytes) != mesh::Kind::step) return mesh::read(bytes, name);
+mesh::File read(std::string_view bytes, const std::string& name, const Tessellation& how, int plate) {
+    if (mesh::recognise(bytes) != mesh::Kind::step) return mesh::read(bytes, name, plate);
     const fs::path program = reader();
     if (program.empty())
         throw Error(Exit::failure, "cannot read " + name +

@@ -1,0 +1,162 @@
+#include "app/slice/carved.hpp"
+
+#include "base/error.hpp"
+#include "mesh/place.hpp"
+#include "parallel/parallel.hpp"
+#include "polygon/clip.hpp"
+#include "slice/volume.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace filum::app::slice {
+
+namespace {
+
+using filum::slice::kLift;
+using filum::slice::Level;
+using polygon::Loops;
+
+constexpr std::size_t kMostPlanes = 20000; // on which parts are looked for
+constexpr int kHalvings = 20;              // of the step between two planes; more than double precision needs
+
+void append(const mesh::Mesh& from, mesh::Mesh& to) {
+    const auto first = static_cast<std::uint32_t>(to.vertices.size());
+    to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
+    for (const mesh::Triangle& t : from.triangles) to.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
+Loops contours(const Carved::Group& group, polygon::Layer& part, const polygon::Layer* away) {
+    if (!group.cut || away == nullptr || away->contours.empty()) return std::move(part.contours);
+    return polygon::subtract(part.contours, away->contours);
+}
+
+// The layers of what is left, between neighbouring planes of the list as levels.
+std::vector<Loops> sections(Carved& carved, const std::vector<double>& planes, int threads) {
+    std::vector<Level> levels;
+    for (const double z : planes) levels.push_back({z, kLift, z - kLift});
+    sweep(carved, {}, levels, threads);
+    std::vector<Loops> out(planes.size());
+    const std::size_t chunks = (planes.size() + filum::slice::kChunk - 1) / filum::slice::kChunk;
+    parallel::for_chunks(chunks, 1, threads, [&](std::size_t from, std::size_t to) {
+        for (std::size_t c = from; c < to; ++c)
+            for (polygon::Layer& layer : cut(carved, c).layers) out[layer.index] = std::move(layer.contours);
+    });
+    return out;
+}
+
+// The height at which what is left ends, between a plane that meets it and one that does not.
+double end_between(Carved& carved, double inside, double outside) {
+    for (int i = 0; i < kHalvings && std::abs(outside - inside) > kLift / 10; ++i) {
+        const double middle = (inside + outside) / 2;
+        (sections(carved, {middle}, 1)[0].empty() ? outside : inside) = middle;
+    }
+    // Where parts end is most often where a face of them or of what is cut away lies.
+    double out = (inside + outside) / 2;
+    double nearest = 2 * kLift;
+    for (const auto& group : carved.groups)
+        for (const auto* part : {&group->part, &group->away})
+            for (const geom::Vec3& v : part->mesh.vertices)
+                if (std::abs(v.z - (inside + outside) / 2) < nearest) {
+                    nearest = std::abs(v.z - (inside + outside) / 2);
+                    out = v.z;
+                }
+    return out;
+}
+
+geom::Box3 box_left(Carved& carved, const geom::Box3& whole, double step, int threads) {
+    const double height = whole.hi.z - whole.lo.z;
+    const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(height / step)), 2, kMostPlanes);
+    std::vector<double> planes(count);
+    for (std::size_t i = 0; i < count; ++i)
+        planes[i] = whole.lo.z + height * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+    const std::vector<Loops> found = sections(carved, planes, threads);
+    geom::Box3 out;
+    std::optional<std::size_t> first, last;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (found[i].empty()) continue;
+        if (!first) first = i;
+        last = i;
+        const geom::Box2 box = polygon::bounds(found[i]);
+        out.add(geom::Vec3{box.lo.x, box.lo.y, planes[i]});
+        out.add(geom::Vec3{box.hi.x, box.hi.y, planes[i]});
+    }
+    if (!first) throw Error(Exit::bad_input, "cannot slice the part: its project cuts all of it away");
+    out.lo.z = end_between(carved, planes[*first], *first > 0 ? planes[*first - 1] : whole.lo.z - 2 * kLift);
+    out.hi.z = end_between(carved, planes[*last], *last + 1 < count ? planes[*last + 1] : whole.hi.z + 2 * kLift);
+    return out;
+}
+
+} // namespace
+
+bool is_carved(const mesh::File& file) { return !file.items.empty(); }
+
+Carved carve(const mesh::File& file, double hairline, double step, int threads, Notes& notes) {
+    std::map<std::uint32_t, std::pair<mesh::Mesh, mesh::Mesh>> cut; // by item: the part, and what is cut away
+    std::uint64_t bodies = 0;
+    for (const mesh::Body& body : file.bodies) {
+        if (body.what != mesh::Body::What::negative) continue;
+        append(body.mesh, cut[body.item].second);
+        ++bodies;
+    }
+    mesh::Mesh rest{file.mesh.vertices, {}};
+    for (auto& [item, meshes] : cut) meshes.first.vertices = file.mesh.vertices;
+    for (std::size_t i = 0; i < file.mesh.triangles.size(); ++i) {
+        const auto at = cut.find(file.items[i]);
+        (at == cut.end() ? rest : at->second.first).triangles.push_back(file.mesh.triangles[i]);
+    }
+    Carved out;
+    const auto add = [&](mesh::Mesh part, mesh::Mesh away) {
+        mesh::drop_unused_vertices(part);
+        if (part.triangles.empty()) return;
+        auto group = std::make_unique<Carved::Group>();
+        group->cut = !away.triangles.empty();
+        group->part = filum::slice::make_part(std::move(part), notes, hairline);
+        if (group->cut) group->away = filum::slice::make_part(std::move(away), notes, hairline);
+        out.groups.push_back(std::move(group));
+    };
+    add(std::move(rest), {});
+    for (auto& [item, meshes] : cut) add(std::move(meshes.first), std::move(meshes.second));
+    notes.push_back({.stage = "", .what = "negative body of a slicer's project cut away", .unit = "", .count = bodies});
+    out.box = box_left(out, mesh::bounds(file.mesh), step, threads);
+    return out;
+}
+
+void sweep(Carved& carved, const filum::slice::Options& options, const std::vector<Level>& levels, int threads) {
+    for (const auto& group : carved.groups) {
+        group->of_part = filum::slice::sweep_over(group->part, options, levels, threads);
+        if (group->cut) group->of_away = filum::slice::sweep_over(group->away, options, levels, threads);
+    }
+}
+
+filum::slice::Cut cut(const Carved& carved, std::size_t chunk) {
+    filum::slice::Cut out;
+    for (const auto& group : carved.groups) {
+        filum::slice::Cut part = filum::slice::cut(group->of_part, chunk), away;
+        if (group->cut) away = filum::slice::cut(group->of_away, chunk);
+        std::ranges::move(part.notes, std::back_inserter(out.notes));
+        std::ranges::move(away.notes, std::back_inserter(out.notes));
+        const bool first = out.layers.empty();
+        for (std::size_t i = 0; i < part.layers.size(); ++i) {
+            polygon::Layer& layer = part.layers[i];
+            Loops left = contours(*group, layer, group->cut ? &away.layers[i] : nullptr);
+            if (first) {
+                layer.contours = std::move(left);
+                out.layers.push_back(std::move(layer));
+            } else if (!left.empty()) {
+                Loops& all = out.layers[i].contours;
+                all = all.empty() ? std::move(left) : polygon::unite(all, left);
+            }
+        }
+    }
+    return out;
+}
+
+mesh::Mesh within_heights(mesh::Mesh mesh, const geom::Box3& box) {
+    for (geom::Vec3& v : mesh.vertices) v.z = std::clamp(v.z, box.lo.z, box.hi.z);
+    return mesh;
+}
+
+} // namespace filum::app::slice

@@ -1,0 +1,134 @@
+#include "mesh/items.hpp"
+
+#include "geom/disjoint_sets.hpp"
+#include "mesh/formats.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+namespace filum::mesh {
+
+namespace {
+
+constexpr double kLevel = 1e-3;  // mm: heights that differ by less are the same, as files round them
+constexpr double kBeyond = 1e-2; // mm by which the body below the bed is larger than the item
+
+bool overlap_from_above(const geom::Box3& a, const geom::Box3& b) {
+    return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y;
+}
+
+Mesh box_mesh(const geom::Vec3& lo, const geom::Vec3& hi) {
+    Mesh out;
+    for (int i = 0; i < 8; ++i)
+        out.vertices.push_back({(i & 1) != 0 ? hi.x : lo.x, (i & 2) != 0 ? hi.y : lo.y, (i & 4) != 0 ? hi.z : lo.z});
+    out.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                     {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    return out;
+}
+
+} // namespace
+
+Plates::Plates(const std::vector<Plate>& plates, int plate)
+    : plates_(plates), plate_(static_cast<std::size_t>(plate) - 1), items_(std::max<std::size_t>(plates.size(), 1)) {}
+
+bool Plates::wanted(const std::string& object) {
+    const int instance = instances_[object]++;
+    if (plates_.empty()) {
+        ++items_[0];
+        return plate_ == 0;
+    }
+    const auto on = std::ranges::find_if(plates_, [&](const Plate& p) {
+        return std::ranges::find(p.items, std::pair(object, instance)) != p.items.end();
+    });
+    if (on == plates_.end()) {
+        ++nowhere_;
+        return false;
+    }
+    const auto at = static_cast<std::size_t>(on - plates_.begin());
+    ++items_[at];
+    return at == plate_;
+}
+
+std::string Plates::fault() const {
+    if (plate_ < items_.size() && (items_[plate_] > 0 || plates_.empty())) return "";
+    std::string others;
+    for (std::size_t i = 0; i < items_.size(); ++i)
+        if (items_[i] > 0) others += (others.empty() ? "" : ", ") + std::to_string(i + 1);
+    return "plate " + std::to_string(plate_ + 1) + (plate_ < items_.size() ? " is empty" : " does not exist") +
+           "; plates with parts: " + (others.empty() ? "none" : others + " (--plate)");
+}
+
+void Plates::tell(Notes& notes) const {
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+        if (i == plate_ || items_[i] == 0) continue;
+        const std::string name = i < plates_.size() && !plates_[i].name.empty() ? " '" + plates_[i].name + "'" : "";
+        const std::string number = std::to_string(i + 1);
+        notes.push_back(
+            note("objects of plate " + number + name + " left out; print them by --plate " + number, 0, ""));
+        notes.back().count = items_[i];
+    }
+    if (nowhere_ == 0) return;
+    notes.push_back(note("object of the project that is on no plate left out", 0, ""));
+    notes.back().count = nowhere_;
+}
+
+std::vector<double> heights_to_lose(std::span<const geom::Box3> boxes, Notes& notes) {
+    std::vector<double> out(boxes.size(), 0);
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+        if (!boxes[i].empty()) order.push_back(i);
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return boxes[i].lo.x; });
+    geom::DisjointSets groups(boxes.size());
+    for (std::size_t a = 0; a < order.size(); ++a)
+        for (std::size_t b = a + 1; b < order.size() && boxes[order[b]].lo.x <= boxes[order[a]].hi.x; ++b)
+            if (overlap_from_above(boxes[order[a]], boxes[order[b]])) groups.unite(order[a], order[b]);
+    std::vector<double> low(boxes.size(), std::numeric_limits<double>::infinity());
+    for (const std::uint32_t i : order) low[groups.root(i)] = std::min(low[groups.root(i)], boxes[i].lo.z);
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const double z : low)
+        if (std::isfinite(z)) {
+            least = std::min(least, z);
+            most = std::max(most, z);
+        }
+    if (!(most - least > kLevel)) return out;
+    double farthest = 0;
+    std::size_t moved = 0;
+    for (const std::uint32_t i : order) {
+        out[i] = low[groups.root(i)];
+        if (std::abs(out[i]) > kLevel) ++moved;
+        farthest = std::max(farthest, std::abs(out[i]));
+    }
+    notes.push_back(note("build item that is not on the bed set down on it, moved by up to", farthest, "mm"));
+    notes.back().count = moved;
+    return out;
+}
+
+void cut_below_bed(const geom::Box3& box, std::uint32_t item, File& to) {
+    if (box.empty() || !(box.lo.z < -kLevel)) return;
+    const geom::Vec3 beyond{kBeyond, kBeyond, kBeyond};
+    geom::Vec3 top = box.hi + beyond;
+    top.z = 0;
+    Body& body = to.bodies.emplace_back();
+    body.what = Body::What::negative;
+    body.mesh = box_mesh(box.lo - beyond, top);
+    body.item = item;
+    to.notes.push_back(note("part of the project below the bed left out, as its slicer does, deep", -box.lo.z, "mm"));
+}
+
+Mesh part_of(const Mesh& mesh, std::span<const Triangle> triangles) {
+    Mesh out;
+    std::unordered_map<std::uint32_t, std::uint32_t> index;
+    for (const Triangle& t : triangles) {
+        Triangle& own = out.triangles.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [at, fresh] = index.try_emplace(t[k], static_cast<std::uint32_t>(out.vertices.size()));
+            if (fresh) out.vertices.push_back(mesh.vertices[t[k]]);
+            own[k] = at->second;
+        }
+    }
+    return out;
+}
+
+} // namespace filum::mesh
