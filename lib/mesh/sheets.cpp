@@ -22,7 +22,8 @@ struct Corner {
     std::uint32_t next, last;
 };
 
-// True if they are one fan, no side of it there twice; an open fan at least seems so.
+// True if the triangles form one fan in which no side occurs twice.  Where two triangles come from the same vertex, the
+// walk could enter a ring without its first triangle; such triangles are no fan.
 bool is_fan(std::span<Corner> around) {
     const bool large = around.size() > kLargeFan;
     if (large)
@@ -39,7 +40,8 @@ bool is_fan(std::span<Corner> around) {
         if (from(a->next) != a) return false;
     std::size_t passed = 1;
     auto at = from(around[0].last);
-    for (; at != around.end() && at != around.begin(); at = from(at->last)) ++passed;
+    for (; at != around.end() && at != around.begin(); at = from(at->last))
+        if (++passed > around.size()) return false;
     return at == around.end() || passed == around.size();
 }
 

@@ -1,6 +1,7 @@
 // A triangulated surface, open or closed: triangles and who meets whom along their edges, as flat arrays.
 #pragma once
 
+#include "base/error.hpp"
 #include "base/fact.hpp"
 #include "base/note.hpp"
 #include "mesh/mesh.hpp"
@@ -45,13 +46,17 @@ struct Surface {
 };
 
 // Calls visit(h) for half-edge `first` and those that leave the same vertex after it, counter-clockwise; twin: of each.
+// The walk ends because half-edges are joined in pairs; if they are not, it throws Error(failure) after as many steps
+// as there are half-edges.
 template <class Visit>
 void each_of_fan(const std::vector<std::uint32_t>& twin, std::uint32_t first, const Visit& visit) {
     std::uint32_t h = first;
-    do {
+    for (std::size_t step = 0; step < twin.size(); ++step) {
         visit(h);
         h = twin[prev(h)];
-    } while (h != kNone && h != first);
+        if (h == kNone || h == first) return;
+    }
+    throw Error(Exit::failure, "internal error: a fan of triangles does not close");
 }
 
 // The same for every half-edge that leaves `vertex`; h / 3 are the triangles of its fan.

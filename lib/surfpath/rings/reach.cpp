@@ -1,5 +1,6 @@
 #include "surfpath/rings/reach.hpp"
 
+#include "base/error.hpp"
 #include "geodesic/isolines.hpp"
 #include "geodesic/query.hpp"
 #include "geom/disjoint_sets.hpp"
@@ -184,7 +185,9 @@ class Reaching {
         for (std::uint32_t h = first; seen[h] == 0;) {
             seen[h] = 1;
             std::uint32_t to = surface::next(h);
-            while (joined(to)) to = surface::next(s_.twin[to]);
+            for (std::size_t step = 0; joined(to); to = surface::next(s_.twin[to]))
+                if (++step > seen.size())
+                    throw Error(Exit::failure, "internal error: a border of rings does not close");
             mouths += opens(to) && !opens(h) ? 1 : 0;
             closed |= !opens(h);
             h = to;
