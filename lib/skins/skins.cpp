@@ -257,6 +257,12 @@ void put_sparse(Sparse& s, std::vector<Region>& regions, const std::string& whos
 
 } // namespace
 
+std::uint32_t reach_in_layers(const Options& o) {
+    constexpr std::int64_t kMost = 1U << 30U;
+    return static_cast<std::uint32_t>(
+        std::max({std::min(o.top, kMost), std::min(o.bottom, kMost), static_cast<std::int64_t>(kCarrying)}));
+}
+
 Notes skins(std::vector<Region>& regions, const Options& o, std::span<const Modifier> modifiers, Facts& facts) {
     std::vector<Sparse> settings{{o, depth(o, o.bead_width), {}, {}}};
     for (const Modifier& m : modifiers) settings.push_back({m.how, depth(m.how, o.bead_width), {}, {}});

@@ -21,6 +21,10 @@ struct Options {
     polygon::Pattern pattern = polygon::Pattern::rows;
 };
 
+// How many layers up or down what lies there can matter to a region, for any settings of modifiers with the same layers
+// of skin: an empty stretch of so many layers is as good as a longer one.
+std::uint32_t reach_in_layers(const Options& options);
+
 // 0.15 of "15%" or "0.15".  Error(usage) for what is not above 0, or above 1.
 double share(const std::string& text);
 

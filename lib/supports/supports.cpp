@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <unordered_map>
 
 namespace filum::supports {
 
@@ -168,15 +169,15 @@ void lie_on(std::vector<Region>& upper, std::vector<Region> lower, bool may_link
 }
 
 // Numbers all regions anew, layer by layer; what they say of each other goes with them.
-void renumber(std::vector<Region>& part, std::uint32_t first, std::vector<std::uint32_t>& now) {
+void renumber(std::vector<Region>& part, std::uint32_t first, std::unordered_map<std::int64_t, std::uint32_t>& now) {
     for (Region& r : part) {
-        if (r.id >= now.size()) now.resize(r.id + 1, 0);
         now[r.id] = first;
         r.id = first++;
-        for (auto& o : r.below) o.below = now[o.below];
+        for (auto& o : r.below) o.below = now.at(o.below);
     }
     for (Region& r : part)
-        if (r.parent >= 0) r.parent = now[static_cast<std::size_t>(r.parent)];
+        for (std::int64_t* other : {&r.parent, &r.brim})
+            if (*other >= 0) *other = now.at(*other);
 }
 
 // Brim and skirt lie outside: in holes they would be hard to take away.
@@ -247,7 +248,7 @@ std::vector<Region> supports(std::vector<Region> regions, const Options& options
         for (const Region& r : added[0]) first.add(r.loops);
         for (Region& r : rims(first, model(stack, 0), o)) added[0].push_back(std::move(r));
     }
-    std::vector<std::uint32_t> now;
+    std::unordered_map<std::int64_t, std::uint32_t> now;
     std::uint32_t id = 0;
     double area = 0;
     for (std::size_t i = 0; i < stack.size(); ++i) {

@@ -30,14 +30,14 @@ struct Options {
 };
 
 // All regions, those of supports, brims and skirts among them: ids anew, layer by layer, in each layer those of the
-// part first.  A raft raises the part: layers and heights are those of the print.  Preconditions: regions layer by
-// layer, ids ascending from 0. What overhangs is what of a layer lies farther from the layer below than the angle
-// allows, in pieces as wide as half a bead, or all of a region that lies on nothing; with an angle of 0 where supports
-// are wanted, and nothing where they are unwanted.  It is carried from `gap` + 1 layers below, down to the bed or the
-// part by columns that grow narrower by `taper`, by at most half a bead per layer, and stay a tenth as wide as they are
-// high.  Regions carried by a support have an overlap without a link with it.  With supports, `unsupported` of the
-// part's regions and the note are what still hangs (regions::hang): half a bead from the layer below and from supports
-// across the gap.
+// part first.  A raft raises the part: layers and heights are those of the print.  Preconditions: polygon::fault finds
+// nothing, and layer numbers are indices. What overhangs is what of a layer lies farther from the layer below than the
+// angle allows, in pieces as wide as half a bead, or all of a region that lies on nothing; with an angle of 0 where
+// supports are wanted, and nothing where they are unwanted.  It is carried from `gap` + 1 layers below, down to the bed
+// or the part by columns that grow narrower by `taper`, by at most half a bead per layer, and stay a tenth as wide as
+// they are high.  Regions carried by a support have an overlap without a link with it.  With supports, `unsupported` of
+// the part's regions and the note are what still hangs (regions::hang): half a bead from the layer below and from
+// supports across the gap.
 std::vector<polygon::Region> supports(std::vector<polygon::Region> regions, const Options& options, Facts& facts,
                                       Notes& notes);
 

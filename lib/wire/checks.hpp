@@ -12,6 +12,9 @@ inline constexpr double kMaxCoordinate = 1e8; // mm; keeps every later product f
 
 inline bool usable(double v) { return std::abs(v) <= kMaxCoordinate; } // false for nan, too
 
+// Whether `v` is finite and not negative.
+inline bool is_size(double v) { return v >= 0 && std::isfinite(v); }
+
 // Throws Error(bad_input) naming the kind of frame and the fault.
 [[noreturn]] inline void bad_frame(const std::string& kind, const std::string& why) {
     throw Error(Exit::bad_input, "cannot use a " + kind + " frame: " + why);

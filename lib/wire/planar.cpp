@@ -1,5 +1,6 @@
 #include "wire/planar.hpp"
 
+#include "polygon/stack.hpp"
 #include "wire/checks.hpp"
 
 #include "filum/stream.pb.h"
@@ -60,6 +61,14 @@ polygon::Loops loops(const proto::Loops& m, const char* what) {
     return out;
 }
 
+// The loops of an area: outer ones counter-clockwise, holes clockwise, not crossing.
+polygon::Loops area_loops(const proto::Loops& m, const char* outline) {
+    polygon::Loops out = loops(m, "region");
+    if (const std::string fault = polygon::fault(out); !fault.empty())
+        bad_frame("region", std::string(outline) + ": " + fault);
+    return out;
+}
+
 void put_loops(proto::Loops& m, const polygon::Loops& loops) {
     m.mutable_x()->Reserve(static_cast<int>(loops.points.size()));
     m.mutable_y()->Reserve(static_cast<int>(loops.points.size()));
@@ -104,7 +113,7 @@ polygon::Area area(const proto::Area& m) {
     if (m.kind() < 0 || m.kind() > 4) bad_frame("region", "unknown kind of area");
     if (m.pattern() < 0 || m.pattern() > 2) bad_frame("region", "unknown pattern");
     polygon::Area out{static_cast<polygon::AreaKind>(m.kind()),
-                      loops(m.loops(), "region"),
+                      area_loops(m.loops(), "the outline of an area"),
                       m.direction(),
                       m.spacing(),
                       static_cast<polygon::Pattern>(m.pattern()),
@@ -160,7 +169,7 @@ polygon::Region region(const RawFrame& frame) {
     out.layer = m.layer();
     out.z = m.z();
     out.height = m.height();
-    out.loops = loops(m.loops(), "region");
+    out.loops = area_loops(m.loops(), "its outline");
     if (out.loops.empty()) bad_frame("region", "it has no outline");
     out.area = m.area();
     out.parent = m.parent();
@@ -169,10 +178,11 @@ polygon::Region region(const RawFrame& frame) {
     out.join = join(m.join(), "region");
     out.inradius = m.inradius();
     out.box = polygon::bounds(out.loops[0]);
-    if (!(out.area > 0) || !std::isfinite(out.area) || !(out.unsupported >= 0) || !(out.inradius >= 0))
-        bad_frame("region", "its area is not positive");
+    if (!(out.area > 0) || !std::isfinite(out.area)) bad_frame("region", "its area is not positive");
+    if (!is_size(out.unsupported) || !is_size(out.inradius))
+        bad_frame("region", "its unsupported area or its inradius is negative or not a number");
     for (const auto& o : m.below()) {
-        if (!(o.area() >= 0) || !(o.inradius() >= 0)) bad_frame("region", "an overlap is negative");
+        if (!is_size(o.area()) || !is_size(o.inradius())) bad_frame("region", "an overlap is negative or not a number");
         out.below.push_back({o.below(), o.area(), o.inradius(), o.link()});
     }
     for (const auto& a : m.areas()) out.areas.push_back(area(a));
@@ -222,7 +232,7 @@ toolpath::RegionPaths paths(const RawFrame& frame) {
     out.stroke = m.stroke();
     out.join = join(m.join(), "paths");
     out.unplaced = m.unplaced();
-    if (!(out.area >= 0) || !(out.unplaced >= 0)) bad_frame("paths", "an area is negative");
+    if (!is_size(out.area) || !is_size(out.unplaced)) bad_frame("paths", "an area is negative or not a number");
     out.curves.reserve(static_cast<std::size_t>(m.curves_size()));
     for (const auto& c : m.curves()) {
         toolpath::Curve curve{c.closed(), plane_points(c.x(), c.y(), "paths"), {}, {}};

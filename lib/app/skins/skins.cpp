@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "cli/other_values.hpp"
 #include "cli/output.hpp"
+#include "polygon/stack.hpp"
 #include "wire/planar.hpp"
 
 #include <algorithm>
@@ -161,11 +162,14 @@ void run(const Options& o, const cli::Io& io) {
     std::vector<Region> regions;
     auto whole = cli::read_all(io.input, stream::Payload::regions,
                                [&](stream::RawFrame frame) { regions.push_back(wire::region(frame)); });
+    const auto original = polygon::close_gaps(regions, filum::skins::reach_in_layers(options));
     cli::Io self = io;
     Notes notes;
     const auto modifiers = read_modifiers(bodies, options, whole.header, regions, self, notes);
     Facts facts;
     std::ranges::move(filum::skins::skins(regions, options, modifiers, facts), std::back_inserter(notes));
+    for (Region& r : regions) r.layer = original[r.layer];
+    polygon::restore_layers(notes, original);
     whole.header.expected = regions.size();
     cli::Output output(io, cli::header(self, stream::Payload::regions, {&whole.header}));
     output.pass_on(whole);

@@ -1,14 +1,53 @@
 #include "app/supports/supports.hpp"
 
 #include "app/modifier/modifier.hpp"
+#include "base/error.hpp"
 #include "cli/output.hpp"
 #include "geom/angle.hpp"
+#include "polygon/stack.hpp"
 #include "regions/air.hpp"
 #include "wire/planar.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <string>
+#include <vector>
 
 namespace filum::app::supports {
+
+namespace {
+
+// Supports stand in empty layers below and between parts, so these take memory: 20,000 are a metre of thin layers.
+constexpr std::uint32_t kMostEmptyLayers = 20000;
+
+// Makes the layer numbers of regions indices.  Returns the number that each had.
+std::vector<std::uint32_t> usable_as_indices(std::vector<polygon::Region>& regions,
+                                             const filum::supports::Options& options) {
+    if (const std::string fault = polygon::fault(regions); !fault.empty())
+        throw Error(Exit::bad_input, "cannot support these regions: " + fault);
+    if (!options.carries()) return polygon::close_gaps(regions, static_cast<std::uint32_t>(options.gap + 1));
+    std::uint32_t before = 0;
+    for (const polygon::Region& r : regions) {
+        if (r.layer > before && r.layer - before > kMostEmptyLayers)
+            throw Error(Exit::bad_input, "cannot carry region " + std::to_string(r.id) + " on layer " +
+                                             std::to_string(r.layer) + ": more than " +
+                                             std::to_string(kMostEmptyLayers) +
+                                             " layers below it are empty; number the layers one after the other");
+        before = r.layer;
+    }
+    return polygon::close_gaps(regions, kMostEmptyLayers);
+}
+
+// The numbers of all layers once a raft has raised them.
+std::vector<std::uint32_t> raised(const std::vector<std::uint32_t>& original, const filum::supports::Options& options) {
+    const auto by = options.raft > 0 ? static_cast<std::uint32_t>(options.raft + options.gap) : 0;
+    std::vector<std::uint32_t> out(by);
+    std::iota(out.begin(), out.end(), 0U);
+    for (const std::uint32_t n : original) out.push_back(n + by);
+    return out;
+}
+
+} // namespace
 
 void run(const Options& o, const cli::Io& io) {
     filum::supports::Options options = o.how;
@@ -18,8 +57,9 @@ void run(const Options& o, const cli::Io& io) {
     std::vector<polygon::Region> given;
     auto whole = cli::read_all(io.input, stream::Payload::regions,
                                [&](stream::RawFrame frame) { given.push_back(wire::region(frame)); });
+    const auto original = usable_as_indices(given, options);
     Facts facts;
-    Notes notes;
+    Notes notes, found;
     cli::Io self = io;
     const auto read = [&](const std::string& option, const std::string& file, std::vector<polygon::Loops>& to) {
         if (file.empty()) return;
@@ -32,7 +72,12 @@ void run(const Options& o, const cli::Io& io) {
     };
     read("support-in", o.wanted, options.wanted);
     read("no-support-in", o.unwanted, options.unwanted);
-    const auto all = filum::supports::supports(std::move(given), options, facts, notes);
+    polygon::restore_layers(notes, original);
+    auto all = filum::supports::supports(std::move(given), options, facts, found);
+    const auto numbers = raised(original, options);
+    for (polygon::Region& r : all) r.layer = numbers[r.layer];
+    polygon::restore_layers(found, numbers);
+    notes.insert(notes.end(), found.begin(), found.end());
     // what hung without supports; this stage tells what still does
     if (options.carries())
         std::erase_if(whole.notes, [](const Note& n) { return n.what.starts_with(regions::kMidAir); });
