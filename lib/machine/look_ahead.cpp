@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kAnySpeed2 = 1e30;
 constexpr std::size_t kHeld = 2048; // legs that are planned together where nothing limits the look-ahead
-// How firmwares cut arcs: pieces of a circle, and mm of a piece.
+// How firmwares but Klipper cut arcs: pieces of a circle, and mm of a piece.
 constexpr double kPieces = 72, kShortest = 0.1, kLongest = 1;
 
 double trapezoid(double length, double a, double in2, double cruise2, double out2) {
@@ -70,7 +70,10 @@ double LookAhead::corner2(const Leg& before, const Leg& leg) const {
 
 void LookAhead::move(const PlannedMove& m) {
     if (m.sweep == 0) return straight(m);
-    const double radius = norm(m.arm), piece = std::clamp(2 * std::numbers::pi * radius / kPieces, kShortest, kLongest);
+    const double radius = norm(m.arm);
+    const double piece = motion_.controller == Controller::klipper
+                             ? motion_.arc_resolution
+                             : std::clamp(2 * std::numbers::pi * radius / kPieces, kShortest, kLongest);
     const int n = std::max(1, static_cast<int>(std::abs(m.sweep) * radius / piece));
     PlannedMove part = m;
     part.sweep = 0;

@@ -102,6 +102,7 @@ void read_planner(Document& doc, Motion& m) {
     doc.number("motion.acceleration_z", m.acceleration_z, above_zero(kInf));
     doc.number("motion.extruder_corner_speed", m.extruder_corner_speed, above_zero(kInf));
     doc.number("motion.minimum_cruise_ratio", m.minimum_cruise_ratio, {0, 0.99});
+    doc.number("motion.arc_resolution", m.arc_resolution, {1e-3, 100});
     doc.whole("motion.look_ahead", m.look_ahead, 0, 1000);
     doc.number("motion.moves_per_second", m.moves_per_second, above_zero(kInf));
 }

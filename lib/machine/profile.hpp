@@ -84,8 +84,9 @@ struct Motion {
     double corner_speed = 5; // mm/s through a corner of 90 degrees; RepRapFirmware: the jump of an axis
     double extruder_corner_speed = std::numeric_limits<double>::infinity(); // extruder units/s that it may jump
     double minimum_cruise_ratio = 0.5;                                      // Klipper's
-    double blend = 0;   // mm: LinuxCNC's G64 P, the value `tolerance`
-    int look_ahead = 0; // moves that the controller plans together; 0: as many as matter
+    double arc_resolution = 1; // mm: Klipper's, of [gcode_arcs]: it cuts an arc into chords of at least this length
+    double blend = 0;          // mm: LinuxCNC's G64 P, the value `tolerance`
+    int look_ahead = 0;        // moves that the controller plans together; 0: as many as matter
     // Moves/s that the controller takes, on average over the moves that it plans together (0: 16).
     double moves_per_second = std::numeric_limits<double>::infinity();
 };
@@ -127,6 +128,9 @@ struct Templates {
     std::string upper_layers, first_layer; // when the first layer is left for those above, and when it is come back to
     std::string pause;                     // the machine waits for its user
     std::string progress;                  // tells how far the print is, whenever a percent or a minute has passed
+
+    // Whether material stands at the nozzle's tip when the start is over.
+    [[nodiscard]] bool purges() const { return start.find("{purge") != std::string::npos; }
 };
 
 struct Profile {

@@ -175,10 +175,8 @@ std::string material(const machine::Profile& profile, const FirstPass& s) {
 }
 
 std::string size(const machine::Profile& profile, const FirstPass& s, Vec2 shift) {
-    std::string out;
-    for (std::size_t k = 0; k < 3; ++k)
-        out += (k > 0 ? " x " : "") + fixed_text(s.part_high[k] - (k < 2 ? s.part_low[k] : 0), 2);
-    out += " mm in " + counted(s.layers, "layer");
+    std::string out = fixed_text(s.part_size.x, 2) + " x " + fixed_text(s.part_size.y, 2) + " x " +
+                      fixed_text(s.part_size.z, 2) + " mm in " + counted(s.layers, "layer");
     if (profile.axes.active()) return out;
     const std::array<double, 2> by{shift.x, shift.y};
     for (const std::size_t k : {0U, 1U})

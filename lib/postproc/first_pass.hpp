@@ -51,6 +51,7 @@ struct Waits {
 struct FirstPass {
     std::array<Extreme, 3> low, high;              // x, y, z of the linear axes over every point that the nozzle visits
     std::array<double, 3> part_low{}, part_high{}; // the same over extruding moves only
+    Vec3 part_size{};                              // mm: of the part as it is printed, see toolpath::Extent
     Vec3 start;                                    // of the first stroke
     double path_len = 0, travel_len = 0;           // mm
     double volume = 0;                             // mm3 of bead but for fibre, as the toolpath says

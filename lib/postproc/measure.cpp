@@ -45,6 +45,7 @@ toolpath::Span Measure::turned(toolpath::Span span) const {
 void Measure::add(const toolpath::Span& span, const toolpath::Merged* merged) {
     if (walk_) return turning_.none() ? walk_->add(span, merged) : walk_->add(turned(span));
     joins_.add(span);
+    if (!automatic_) part_.add(turning_.none() ? span : turned(span));
     if (toolpath::extrudes(span.role)) check_tool(*profile_, span);
     if (!rotary_) {
         if (!span.normals.empty() && toolpath::extrudes(span.role)) see_upright(span);
@@ -158,6 +159,7 @@ FirstPass Measure::end() {
         first_pass.efforts.lean_at = tilt_at_;
     }
     first_pass.placed = placed();
+    first_pass.part_size = part_.size();
     if (!rotary_) shift_ = placement(first_pass, profile_->bed, place_);
     check_limits(first_pass, *profile_, program_shift());
     return first_pass;

@@ -3,6 +3,7 @@
 
 #include "postproc/first_pass.hpp"
 #include "postproc/turning.hpp"
+#include "toolpath/extent.hpp"
 
 #include <memory>
 
@@ -52,6 +53,7 @@ class Measure {
     Turning turning_;
     std::vector<Vec3> axes_;  // of beads: only while an automatic turn is sought
     geom::Box2 box_;          // of the beads, turned
+    toolpath::Extent part_;   // as it is printed: turned
     double low_, turned_low_; // their lowest z, as they came and turned
     double tilt_ = -1;        // rad: the most that a tool axis of theirs is off upright
     Vec3 tilt_at_;

@@ -56,6 +56,7 @@ toolpath::Tolerance tolerance(const machine::Profile& p, const toolpath::Span& s
     out.path = span.normals.empty() ? p.merging.planar : p.merging.surface;
     out.grid = std::pow(10.0, -p.format.xyz_decimals);
     out.arcs = p.format.arcs && !p.axes.active();
+    if (p.motion.controller == machine::Controller::klipper) out.chord = p.motion.arc_resolution;
     return out;
 }
 
@@ -169,6 +170,10 @@ void Walk::begin_stroke(const toolpath::Span& span) {
         put({.act = act, .role = Role::travel, .layer = span.layer, .to = where, .feed = feed, .tool = tool_});
     };
     if (layer_ < 0) { // the first of all: from above, wherever the start template left the nozzle
+        if (profile_->templates.purges() && tool_ == span.tool && !profile_->fibre.lays(tool_)) {
+            go(Act::retract, to, 0); // on the way from the purge line the nozzle would ooze
+            retracted_.insert(tool_);
+        }
         if (std::exchange(tool_, span.tool) != span.tool) go(Act::tool, to, 0);
         const double clear = std::min(to.z + std::max(own().travel.lift, kApproach), profile_->bed.z_max);
         go(Act::climb, {to.x, to.y, clear}, own().feeds.z);

@@ -82,6 +82,13 @@ std::optional<double> distance_of(const Line& line, std::uint32_t from, std::uin
     return worst;
 }
 
+// How far the chords that the machine makes of an arc lie inside of it.
+double sagitta(const Round& r, double chord) {
+    if (chord == 0) return 0;
+    const double sweep = std::abs(r.sweep), pieces = std::max(1.0, std::floor(sweep * r.radius / chord));
+    return r.radius * (1 - std::cos(std::min(std::numbers::pi, sweep / pieces / 2)));
+}
+
 } // namespace
 
 Arc arc_reach(const Line& line, std::uint32_t from, std::uint32_t least, std::uint32_t last, const Tolerance& t,
@@ -96,10 +103,12 @@ Arc arc_reach(const Line& line, std::uint32_t from, std::uint32_t least, std::ui
         if (!section.suits()) return false;
         const double may = most * full_share(line, from, line.at[to] - line.at[from]);
         const auto round = circle(line, from, to, may);
-        const auto d = round ? distance_of(line, from, to, *round, may) : std::nullopt;
+        const double inside = round ? sagitta(*round, t.chord) : 0;
+        if (inside >= may) return false;
+        const auto d = round ? distance_of(line, from, to, *round, may - inside) : std::nullopt;
         if (!d) return false;
         out = {to, round->centre, round->sweep};
-        worst = *d;
+        worst = *d + inside;
         return true;
     };
     if (!(most > 0) || least >= last) return out;

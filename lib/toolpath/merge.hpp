@@ -23,6 +23,7 @@ struct Tolerance {
     // better.
     double section = 0.05;
     bool arcs = false;
+    double chord = 0; // mm: the machine cuts an arc into chords of at least this length; 0: into ones that do not count
 };
 
 // One move, straight or an arc in a level plane.

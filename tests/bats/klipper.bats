@@ -30,6 +30,7 @@ said() {
         minimum_cruise_ratio=0 max_accel=8000 square_corner_velocity=9
     said feeds.bead=200,limits.flow=40,motion.acceleration=1500,motion.travel_acceleration=1500 max_accel=1500
     said format.arcs=true
+    said format.arcs=true,motion.arc_resolution=0.1 resolution=0.1
 }
 
 @test "both rotary axes of klipper-xyzac move, by as much as the program says" {

@@ -30,7 +30,7 @@ def heater(name, pin, sensor, **more):
 def config(keys):
     """A made-up printer: sections, and what stands in each."""
     rotary = [name for name in keys.pop("rotary", "").split(",") if name]
-    out = {"mcu": {"serial": "/dev/null"}, "gcode_arcs": {"resolution": keys.pop("resolution", 0.1)}}
+    out = {"mcu": {"serial": "/dev/null"}, "gcode_arcs": {"resolution": keys.pop("resolution", 1)}}
     out["printer"] = {**PRINTER, **keys}
     for k, axis in enumerate("xyz"):
         out.update(stepper(f"stepper_{axis}", 10 * k, 8 if axis == "z" else 40, endstop_pin=f"^gpio{10 * k + 3}",

@@ -5,6 +5,8 @@ const Filum = {};
 Filum.ROLES = ['bead', 'lift', 'jog', 'connector', 'travel', 'hairpin'];
 Filum.FEATURES = ['', 'outer wall', 'wall', 'infill', 'solid', 'top', 'bottom', 'bridge', 'gap', 'ironing', 'support', 'interface', 'skirt', 'tower'];
 Filum.TRAVEL = 4;
+Filum.FILLS = new Set([0, 5]); // toolpath::Role: bead, hairpin
+Filum.NOT_PART = new Set([10, 11, 12, 13]); // toolpath::Feature: support, interface, skirt, tower
 
 Filum.unpack = async (text, n) => {
     const letters = atob(text), bytes = new Uint8Array(letters.length);
@@ -95,7 +97,23 @@ Filum.Program = class {
         if (!(lo[0] <= hi[0])) { lo.fill(0); hi.fill(1000); }
         this.lo = lo.map(v => v / 1000); this.hi = hi.map(v => v / 1000);
         this.middle = this.lo.map((v, k) => (v + this.hi[k]) / 2);
+        this.size = this.printed();
         this.radius = Math.max(0.1, Math.hypot(...this.hi.map((v, k) => v - this.lo[k])) / 2);
+    }
+    // The size of the part as it is printed, as toolpath::Extent has it: mm along x, y and z.
+    printed() {
+        const c = this.c, lo = [Infinity, Infinity, Infinity], hi = [-Infinity, -Infinity, -Infinity];
+        for (let s = 0; s < c.start.length; s++) {
+            if (!Filum.FILLS.has(c.role[s]) || Filum.NOT_PART.has(c.feature[s])) continue;
+            for (let i = c.start[s]; i < this.end(s); i++)
+                [c.x[i], c.y[i], c.z[i]].forEach((v, k) => {
+                    const axis = i < c.nz.length ? [c.nx[i], c.ny[i], c.nz[i]][k] / 1000 : k === 2 ? 1 : 0;
+                    const side = c.width[i] / 2 * Math.sqrt(Math.max(0, 1 - axis * axis)), down = c.height[i] * axis;
+                    lo[k] = Math.min(lo[k], v - side - Math.max(0, down));
+                    hi[k] = Math.max(hi[k], v + side + Math.max(0, -down));
+                });
+        }
+        return lo.map((v, k) => v <= hi[k] ? (hi[k] - v) / 1000 : 0);
     }
     // Which share of all that is laid lies before point i, and the first point that has so much before it.
     share(i) { return this.sums.laid > 0 ? this.along[Math.min(i, this.n - 1)] / this.along[this.n - 1] : 1; }

@@ -24,7 +24,7 @@ Filum.figures = (tab, programs) => {
         ['strokes', ...of(p => n(p.strokes.size, 0))], ['moves', ...of(p => n(p.sums.moves, 0))],
         ['laid', ...of(p => n(p.sums.laid, 1) + ' mm')], ['travel', ...of(p => n(p.sums.travel, 1) + ' mm')],
         ['volume', ...of(p => n(p.sums.volume, 2) + ' mm3')], ['layers', ...of(p => n(p.layers.length, 0))],
-        ['size', ...of(p => p.hi.map((v, k) => n(v - p.lo[k], 2)).join(' x ') + ' mm')]
+        ['size', ...of(p => p.size.map(v => n(v, 2)).join(' x ') + ' mm')]
     ]);
     for (const p of programs) {
         Filum.make(tab, 'h2', 'machine');

@@ -89,6 +89,25 @@ TEST(Printing, AnOffsetRaisesEveryHeight) {
     EXPECT_THROW(program(high, tower(3)), Error);
 }
 
+// On the way from the purge line to the first stroke the nozzle would ooze; without one, nothing stands at its tip.
+TEST(Printing, TheWayFromThePurgeLineHasARetraction) {
+    const auto retractions = [](const machine::Profile& p) {
+        postproc::FirstPass found;
+        const std::string text = program(p, tower(3), "", "", {}, &found);
+        const std::size_t first = text.find("\nG1 E-"), bead = text.find(" E0."), travel = text.find("\nG0 X");
+        return std::tuple(count(text, "\nG1 E-"), first < travel && travel < bead, found.seconds);
+    };
+    machine::Profile plain = printer();
+    machine::Profile purging = plain;
+    purging.templates.start += "\nG1 X{purge_x} Y{purge_y}";
+    const auto [few, late, short_time] = retractions(plain);
+    const auto [more, at_once, long_time] = retractions(purging);
+    EXPECT_EQ(more, few + 1);
+    EXPECT_FALSE(late);
+    EXPECT_TRUE(at_once);
+    EXPECT_GT(long_time, short_time);
+}
+
 TEST(Printing, APauseComesBeforeItsLayer) {
     const auto p = printer("pause = \"M0\"\n");
     for (const char* at : {"3", "0.6mm", "0.5mm"}) { // layers end at 0.2, 0.4, 0.6, 0.8; half of the third is above 0.5

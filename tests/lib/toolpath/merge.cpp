@@ -179,6 +179,38 @@ TEST(Merge, ACircleIsFewArcs) {
     for (const Move& move : merge(other, t).moves) EXPECT_LT(move.sweep, 0);
 }
 
+// A machine that cuts arcs into chords keeps to the tolerance, too, or gets no arc.
+TEST(Merge, ChordsOfTheMachineStayWithinTheTolerance) {
+    std::size_t arcs = 0, refused = 0;
+    for (const double radius : {0.5, 5.0, 30.0})
+        for (const double chord : {0.1, 1.0, 5.0}) {
+            Tolerance t;
+            t.path = 0.02;
+            t.arcs = true;
+            t.chord = chord;
+            const Span s = circle(radius, 600);
+            const auto m = merge(s, t);
+            std::vector<Vec3> way{s.points.front()};
+            for (const Move& move : m.moves) {
+                const Vec2 arm = way.back().xy() - move.centre;
+                const double pieces =
+                    move.sweep == 0
+                        ? 1
+                        : std::max(1.0, std::floor(std::abs(move.sweep) * norm(arm) / std::max(chord, 0.01)));
+                for (double k = 1; k < pieces; ++k) {
+                    const double c = std::cos(move.sweep * k / pieces), n = std::sin(move.sweep * k / pieces);
+                    const Vec2 at = move.centre + Vec2{c * arm.x - n * arm.y, n * arm.x + c * arm.y};
+                    way.push_back({at.x, at.y, 0.2});
+                }
+                way.push_back(move.to);
+                (move.sweep != 0 ? arcs : refused) += 1;
+            }
+            EXPECT_TRUE(lines::follows(s.points, way, t.path + 1e-4)) << radius << " " << chord;
+        }
+    EXPECT_GT(arcs, 5);
+    EXPECT_GT(refused, 5);
+}
+
 TEST(Merge, AStraightLineIsOneMove) {
     Span s{Role::bead, 0, 0, 0, {}, {0.4}, {0.2}};
     for (int k = 0; k <= 1000; ++k) s.points.push_back({0.1 * k, 0.05 * k, 0.2});
