@@ -125,6 +125,14 @@ std::size_t column(const polygon::Region& r, Before& before) {
     return before.columns.size() - 1;
 }
 
+// Whether the region has an area at all; one of crossing or reversed loops may have none.
+bool has_area(const polygon::Region& r, Notes& notes) {
+    if (polygon::signed_area(r.loops) > 0) return true;
+    const geom::Vec2 at = r.loops.points.empty() ? geom::Vec2{} : r.loops.points.front();
+    notes.push_back({"", "region without area left out", 1, "regions", 1, -1, at.x, at.y});
+    return false;
+}
+
 } // namespace
 
 toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& notes) {
@@ -135,7 +143,7 @@ toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& no
     toolpath::RegionPaths out;
     identify(out, r);
     const std::size_t first = notes.size();
-    out.curves = curves_by_pattern(r, o, out.unplaced, notes);
+    if (has_area(r, notes)) out.curves = curves_by_pattern(r, o, out.unplaced, notes);
     if (o.thin == Thin::half_height && o.pattern == Pattern::spiral) stack_thin_walls(r, o, notes, first, out);
     if (o.pattern != Pattern::spiral)
         join::lay_on_grid(out.curves, o.bead_width, notes); // which is made and checked there
@@ -147,7 +155,7 @@ toolpath::RegionPaths fill_by(const Lay& lay, const polygon::Region& r, Notes& n
     toolpath::RegionPaths out;
     identify(out, r);
     const std::size_t first = notes.size();
-    out.curves = lay(r, notes);
+    if (has_area(r, notes)) out.curves = lay(r, notes);
     place(r, notes, first, out);
     return out;
 }

@@ -2,10 +2,13 @@
 
 #include "base/error.hpp"
 #include "geom/segment.hpp"
+#include "polygon/sites.hpp"
 #include "polygon/voronoi.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace filum::polygon {
 
@@ -13,26 +16,10 @@ namespace {
 
 constexpr double kNoHeight = 1e-2; // grid units: a focus nearer to its line makes no parabola
 
-// The vertex of the outline that a cell belongs to, kNone for a segment's.
-std::uint32_t vertex_of(const Sites& sites, const Diagram& d, std::uint32_t cell) {
-    if (d.part[cell] == Diagram::Part::segment) return kNone;
-    return d.part[cell] == Diagram::Part::first_end ? d.segment[cell] : sites.next[d.segment[cell]];
-}
-
 // The point of the cell's part of the outline nearest to p, grid units.
 Vec2 foot_in(const Sites& sites, const Diagram& d, std::uint32_t cell, Vec2 p) {
     const std::uint32_t v = vertex_of(sites, d, cell), i = d.segment[cell];
     return v != kNone ? sites.at(v) : geom::nearest_point(sites.at(i), sites.at(sites.next[i]), p);
-}
-
-// Whether an edge lies inside: left of its cell's segment, or about a vertex that points inwards.
-bool is_inside(const Sites& sites, const Diagram& d, std::uint32_t e) {
-    if (!d.between_sites[e] || d.from[e] == kNone || d.to(e) == kNone) return false;
-    const std::uint32_t v = vertex_of(sites, d, d.cell[e]), i = d.segment[d.cell[e]];
-    if (v != kNone) return geom::orient(sites.at(sites.prev[v]), sites.at(v), sites.at(sites.next[v])) < 0;
-    const Vec2 a = sites.at(i), b = sites.at(sites.next[i]);
-    const double from = geom::orient(a, b, d.vertex[d.from[e]]), to = geom::orient(a, b, d.vertex[d.to(e)]);
-    return std::abs(from) > std::abs(to) ? from > 0 : to > 0;
 }
 
 // A curved edge: the place x along its line has radius and slope by the height h alone.  Of a vertex and a segment: a
@@ -106,11 +93,10 @@ std::vector<double> places(const Curved& c, double tolerance, double slope) {
 
 class Builder {
   public:
-    Builder(const Sites& sites, double tolerance, double slope)
-        : sites_(&sites), d_(voronoi(sites)), tolerance_(tolerance * kGridPerMm), slope_(slope) {}
+    Builder(const Sites& sites, Diagram diagram, double tolerance, double slope)
+        : sites_(&sites), d_(std::move(diagram)), tolerance_(tolerance * kGridPerMm), slope_(slope) {}
 
     MedialAxis run() {
-        find_inside();
         for (auto* v : {&out_.from, &out_.next}) v->reserve(d_.edges());
         out_.foot.reserve(d_.edges());
         node_.assign(d_.vertex.size(), kNone);
@@ -118,12 +104,12 @@ class Builder {
         last_.assign(d_.edges(), kNone);
         std::vector<char> walked(d_.edges(), 0);
         for (std::uint32_t first = 0; first < d_.edges(); ++first)
-            for (std::uint32_t e = first; inside_[e] && !walked[e]; e = following(e)) {
+            for (std::uint32_t e = first; d_.inside[e] && !walked[e]; e = following(e)) {
                 walked[e] = 1;
                 if (first_[e] == kNone) add(e & ~1U);
             }
         for (std::uint32_t e = 0; e < d_.edges(); ++e)
-            if (inside_[e]) out_.next[last_[e]] = first_[following(e)];
+            if (d_.inside[e]) out_.next[last_[e]] = first_[following(e)];
         for (Vec2& p : out_.node) p = sites_->origin + (1 / kGridPerMm) * p;
         for (Vec2& p : out_.foot) p = sites_->origin + (1 / kGridPerMm) * p;
         for (double& r : out_.radius) r /= kGridPerMm;
@@ -132,14 +118,6 @@ class Builder {
 
   private:
     [[nodiscard]] Vec2 foot(std::uint32_t cell, Vec2 p) const { return foot_in(*sites_, d_, cell, p); }
-
-    void find_inside() {
-        inside_.resize(d_.edges());
-        for (std::uint32_t e = 0; e < d_.edges(); ++e) inside_[e] = is_inside(*sites_, d_, e) ? 1 : 0;
-        for (std::uint32_t e = 0; e < d_.edges(); e += 2)
-            if (inside_[e] != inside_[e + 1])
-                throw Error(Exit::failure, "internal error: the medial axis of a region is not sound");
-    }
 
     std::uint32_t add_node(Vec2 p, double radius) {
         out_.node.push_back(p);
@@ -183,14 +161,13 @@ class Builder {
     // The next edge along the outline: the one before in the same cell, or beyond the borders between cells.
     [[nodiscard]] std::uint32_t following(std::uint32_t e) const {
         std::uint32_t at = d_.prev[e];
-        while (!inside_[at]) at = d_.prev[at ^ 1];
+        while (!d_.inside[at]) at = d_.prev[at ^ 1];
         return at;
     }
 
     const Sites* sites_;
     Diagram d_;
     double tolerance_, slope_;
-    std::vector<char> inside_;                // per edge of the diagram
     std::vector<std::uint32_t> first_, last_; // per edge inside: half-edges
     std::vector<std::uint32_t> node_;         // per vertex of the diagram
     MedialAxis out_;
@@ -203,9 +180,15 @@ double MedialAxis::slope(std::uint32_t h) const {
     return l > 0 ? std::min(1.0, rise / l) : 0.0;
 }
 
-MedialAxis medial_axis(const Sites& sites, double tolerance, double slope) {
-    if (sites.size() == 0) return {};
-    return Builder(sites, tolerance, slope).run();
+MedialAxis medial_axis(const Loops& region, double outline_tolerance, double tolerance, double slope) {
+    Sites sites = sites_of(region, outline_tolerance);
+    for (double by = kGrowBy; by < kGrowAtMost; by *= 4) {
+        if (sites.size() == 0) return {};
+        if (std::optional<Diagram> diagram = voronoi(sites))
+            return Builder(sites, std::move(*diagram), tolerance, slope).run();
+        sites = grown_sites_of(region, by);
+    }
+    throw Error(Exit::failure, "internal error: the medial axis of a region is not sound");
 }
 
 MedialAxis refined(const MedialAxis& axis, const std::vector<double>& cuts, const std::vector<std::uint32_t>& start) {

@@ -1,7 +1,7 @@
 // The medial axis of a region, seen from its outline (Boost.Polygon's Voronoi diagram of segments).
 #pragma once
 
-#include "polygon/sites.hpp"
+#include "polygon/loops.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -33,10 +33,12 @@ struct MedialAxis {
     [[nodiscard]] double slope(std::uint32_t h) const;
 };
 
-// The axis of the region inside `sites`.  Curved pieces are cut so that positions and radii between nodes are linear to
-// `tolerance` mm, that radii rise or fall along each piece, and where their slope passes `slope`.
-// Empty for no sites.  Throws Error(failure) if the diagram is not sound.
-MedialAxis medial_axis(const Sites& sites, double tolerance, double slope);
+// The axis of `region`, whose outline is first rid of vertices within `outline_tolerance` mm of it (sites.hpp).  Where
+// the outline comes nearer to itself than a grid unit, the region may be grown by a micrometre, seldom by more.  Curved
+// pieces are cut so that positions and radii between nodes are linear to `tolerance` mm, that radii rise or fall along
+// each piece, and where their slope passes `slope`. Empty for a region without area.  Throws Error(failure) for a
+// region wider than 100 m.
+MedialAxis medial_axis(const Loops& region, double outline_tolerance, double tolerance, double slope);
 
 // The axis with nodes added: on piece e at cuts[start[e]] .. cuts[start[e + 1]], ascending shares in (0, 1) of its
 // length from its first side's first node.  Nodes there were keep their numbers; the j-th cut becomes node

@@ -13,7 +13,6 @@ namespace filum::polygon {
 namespace {
 
 constexpr double kWidestRegion = 1e5; // mm: twice that must fit a 32-bit integer on the grid
-constexpr double kGrowBy = 0.001;     // mm: far below any bead, ten grid units
 
 using GridPoint = std::pair<std::int64_t, std::int64_t>;
 
@@ -78,12 +77,14 @@ Sites sites_of(const Loops& region, double tolerance) {
         if (fewer.size() == region.size() && is_simple(fewer)) return on_grid(fewer, beside(region));
     }
     if (is_simple(region)) return on_grid(region, beside(region));
-    Loops grown;
-    for (double by = kGrowBy; by < 1; by *= 4) {
-        grown = offset(region, by, by);
-        if (is_simple(grown)) break;
-    }
-    return grown.empty() ? Sites{} : on_grid(grown, beside(grown));
+    for (double by = kGrowBy; by < kGrowAtMost; by *= 4)
+        if (Sites out = grown_sites_of(region, by); out.size() > 0) return out;
+    return {};
+}
+
+Sites grown_sites_of(const Loops& region, double by) {
+    const Loops grown = offset(region, by, by);
+    return grown.empty() || !is_simple(grown) ? Sites{} : on_grid(grown, beside(grown));
 }
 
 } // namespace filum::polygon

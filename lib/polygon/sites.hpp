@@ -23,8 +23,14 @@ struct Sites {
 // The outline of `region` (outer loop, then holes) with fewer vertices, none removed that lies farther than `tolerance`
 // mm from the result; no straight angles, no vertex twice, and no two segments meet but at the vertex between
 // neighbours.  Where simplifying would make the outline touch itself, less is removed; where it touches itself as it
-// is, the region is grown by a micrometre first.  Empty if nothing is left.
-// Throws Error(failure) for a region wider than 100 m.
+// is, the region is grown by kGrowBy first, or by four, sixteen, ... times as much until it does not touch itself.
+// Empty if nothing is left.  Throws Error(failure) for a region wider than 100 m.
 Sites sites_of(const Loops& region, double tolerance);
+
+inline constexpr double kGrowBy = 0.001;   // mm: far below any bead, ten grid units
+inline constexpr double kGrowAtMost = 1.0; // mm
+
+// The outline of `region` grown by `by` mm; empty where that touches itself.
+Sites grown_sites_of(const Loops& region, double by);
 
 } // namespace filum::polygon

@@ -1,9 +1,11 @@
 #include "polygon/voronoi.hpp"
 
-#include "base/error.hpp"
 #include "polygon/circles.hpp"
 
 #include <boost/polygon/voronoi.hpp>
+
+#include <numeric>
+#include <utility>
 
 namespace filum::polygon {
 
@@ -50,40 +52,193 @@ struct Predicates : detail::voronoi_predicates<Usual> {
                                                                       Circles<Site, Circle>>;
 };
 
+// What the sweep finds, edge by edge.  Edges do not move: the sweep holds pointers to them.
+class Record {
+  public:
+    struct Edge {
+        std::uint32_t from = kNone, prev = kNone, next = kNone, cell = 0;
+        bool between_sites = true;
+    };
+
+    std::vector<Edge> edge; // its twin is beside it
+    std::vector<Vec2> vertex;
+    std::vector<std::uint32_t> segment;
+    std::vector<Diagram::Part> part;
+
+    // From here on: what boost::polygon::voronoi_builder calls, and by these names.
+    void _reserve(std::size_t sites) { // three for each segment
+        edge.reserve(6 * sites);
+        vertex.reserve(2 * sites);
+        segment.reserve(sites);
+        part.reserve(sites);
+    }
+    template <class Site>
+    void _process_single_site(const Site& site) {
+        add_cell(site);
+    }
+    // Two sites meet along a new edge, whose ends are not known yet.
+    template <class Site>
+    std::pair<void*, void*> _insert_new_edge(const Site& one, const Site& two) {
+        if (part.empty()) add_cell(one);
+        add_cell(two);
+        const std::uint32_t e = add_edge(one, two);
+        return {&edge[e], &edge[e + 1]};
+    }
+    // The edges `in` and `out` end at a new vertex, where one between their outer cells begins.
+    template <class Site, class Circle>
+    std::pair<void*, void*> _insert_new_edge(const Site& one, const Site& three, const Circle& circle, void* in,
+                                             void* out) {
+        const std::uint32_t e12 = number(in), e23 = number(out), e = add_edge(one, three);
+        const auto v = static_cast<std::uint32_t>(vertex.size());
+        vertex.push_back({circle.x(), circle.y()});
+        edge[e12].from = edge[e23].from = edge[e + 1].from = v;
+        follow(e, e12);
+        follow(e12 ^ 1U, e23);
+        follow(e23 ^ 1U, e + 1);
+        return {&edge[e], &edge[e + 1]};
+    }
+    void _build() {}
+
+  private:
+    [[nodiscard]] std::uint32_t number(const void* e) const {
+        return static_cast<std::uint32_t>(static_cast<const Edge*>(e) - edge.data());
+    }
+    void follow(std::uint32_t before, std::uint32_t after) {
+        edge[before].next = after;
+        edge[after].prev = before;
+    }
+    template <class Site>
+    void add_cell(const Site& site) {
+        segment.push_back(static_cast<std::uint32_t>(site.initial_index()));
+        const bool first = site.source_category() == boost::polygon::SOURCE_CATEGORY_SEGMENT_START_POINT;
+        part.push_back(site.is_segment() ? Diagram::Part::segment
+                       : first           ? Diagram::Part::first_end
+                                         : Diagram::Part::second_end);
+    }
+    template <class Site>
+    static bool is_end(const Site& point, const Site& segment) {
+        return !point.is_segment() && segment.is_segment() &&
+               (point.point0() == segment.point0() || point.point0() == segment.point1());
+    }
+    template <class Site>
+    std::uint32_t add_edge(const Site& one, const Site& two) {
+        const bool between = !is_end(one, two) && !is_end(two, one);
+        for (const Site* site : {&one, &two})
+            edge.push_back({kNone, kNone, kNone, static_cast<std::uint32_t>(site->sorted_index()), between});
+        return static_cast<std::uint32_t>(edge.size()) - 2;
+    }
+};
+
+// Per segment, the edges that part its cell from those of its own ends.  Each segment has one at either end: it begins
+// there and runs away from the outline, on that side of it where the outline's angle is the larger one.
+struct EndEdges {
+    std::vector<std::uint32_t> first, second;
+    bool sound = true; // one at each end
+
+    EndEdges(const Sites& sites, const Diagram& d) : first(sites.size(), kNone), second(sites.size(), kNone) {
+        for (std::uint32_t e = 0; e < d.edges(); ++e) {
+            if (d.between_sites[e] || d.part[d.cell[e]] != Diagram::Part::segment) continue;
+            const std::uint32_t i = d.segment[d.cell[e]];
+            std::uint32_t& place = vertex_of(sites, d, d.cell[e ^ 1U]) == i ? first[i] : second[i];
+            sound = sound && place == kNone;
+            place = e;
+        }
+        for (std::size_t i = 0; i < sites.size(); ++i) sound = sound && first[i] != kNone && second[i] != kNone;
+    }
+};
+
+// Marks the edges after `begin` and before `end` round their cell as inside.  False if they do not follow each other.
+bool mark_between(std::uint32_t begin, std::uint32_t end, const std::vector<std::uint32_t>& next, Diagram& d) {
+    for (std::uint32_t e = next[begin]; e != end; e = next[e]) {
+        if (e == kNone || !d.between_sites[e] || d.inside[e]) return false;
+        d.inside[e] = 1;
+    }
+    return true;
+}
+
+// Marks what is inside, by the order of the edges alone.  Round the cell of a segment, counter-clockwise, come the
+// edges on the segment's left, from its last end to its first, then those on its right; the edges that part the cell
+// from those of the two ends stand between them.  Round the cell of a vertex, the edges inside come after the one
+// beside the segment that begins there and before the one beside the segment that ends there.  False if two cells
+// disagree about the edge between them.
+bool mark_inside(const Sites& sites, const std::vector<std::uint32_t>& next, Diagram& d) {
+    const EndEdges ends(sites, d);
+    if (!ends.sound) return false;
+    for (std::uint32_t i = 0; i < sites.size(); ++i)
+        if (!mark_between(ends.second[i], ends.first[i], next, d) ||
+            !mark_between(ends.first[i] ^ 1U, ends.second[sites.prev[i]] ^ 1U, next, d))
+            return false;
+    for (std::uint32_t e = 0; e < d.edges(); ++e)
+        if (d.inside[e] != d.inside[e ^ 1U] || (d.inside[e] && d.from[e] == kNone)) return false;
+    return true;
+}
+
+// Takes out edges inside whose ends are the same place but for rounding, as Boost does: the edges around them then
+// share one vertex.
+void remove_short_edges(std::vector<std::uint32_t>& next, Diagram& d) {
+    const boost::polygon::voronoi_diagram_traits<double>::vertex_equality_predicate_type same;
+    std::vector<std::uint32_t> stands_for(d.vertex.size());
+    std::iota(stands_for.begin(), stands_for.end(), 0U);
+    const auto root = [&](std::uint32_t v) {
+        while (stands_for[v] != v) v = stands_for[v] = stands_for[stands_for[v]];
+        return v;
+    };
+    bool any = false;
+    for (std::uint32_t e = 0; e < d.edges(); e += 2) {
+        if (!d.inside[e]) continue;
+        const std::uint32_t a = root(d.from[e]), b = root(d.to(e));
+        const auto at = [&](std::uint32_t v) {
+            return boost::polygon::voronoi_vertex<double>(d.vertex[v].x, d.vertex[v].y);
+        };
+        if (a == b || !same(at(a), at(b))) continue;
+        stands_for[b] = a;
+        any = true;
+        for (const std::uint32_t half : {e, e + 1}) {
+            d.inside[half] = 0;
+            const std::uint32_t before = d.prev[half], after = next[half];
+            next[before] = after;
+            d.prev[after] = before;
+        }
+    }
+    if (!any) return;
+    for (std::uint32_t& v : d.from)
+        if (v != kNone) v = root(v);
+}
+
 } // namespace
 
-Diagram voronoi(const Sites& sites) {
+std::uint32_t vertex_of(const Sites& sites, const Diagram& d, std::uint32_t cell) {
+    if (d.part[cell] == Diagram::Part::segment) return kNone;
+    return d.part[cell] == Diagram::Part::first_end ? d.segment[cell] : sites.next[d.segment[cell]];
+}
+
+std::optional<Diagram> voronoi(const Sites& sites) {
     boost::polygon::voronoi_builder<std::int32_t, Usual, Predicates> builder;
     for (std::size_t i = 0; i < sites.size(); ++i)
         builder.insert_segment(sites.x[i], sites.y[i], sites.x[sites.next[i]], sites.y[sites.next[i]]);
-    boost::polygon::voronoi_diagram<double> made;
-    builder.construct(&made);
+    Record record;
+    builder.construct(&record);
     builder.clear(); // its memory serves for what follows
 
     Diagram out;
-    out.vertex.reserve(made.num_vertices());
-    for (auto* v : {&out.from, &out.prev, &out.cell}) v->reserve(made.num_edges());
-    out.between_sites.reserve(made.num_edges());
-    for (const auto& v : made.vertices()) out.vertex.push_back({v.x(), v.y()});
-    const auto number = [](const auto& all, const auto* one) { return static_cast<std::uint32_t>(one - all.data()); };
-    for (std::uint32_t i = 0; i < made.num_edges(); ++i) {
-        const auto& e = made.edges()[i];
-        if (number(made.edges(), e.twin()) != (i ^ 1U))
-            throw Error(Exit::failure, "internal error: the edges of a Voronoi diagram are not in pairs");
-        out.from.push_back(e.vertex0() != nullptr ? number(made.vertices(), e.vertex0()) : kNone);
-        out.prev.push_back(number(made.edges(), e.prev()));
-        out.cell.push_back(number(made.cells(), e.cell()));
-        out.between_sites.push_back(e.is_primary() ? 1 : 0);
+    const std::size_t edges = record.edge.size();
+    for (auto* v : {&out.from, &out.prev, &out.cell}) v->reserve(edges);
+    out.between_sites.reserve(edges);
+    out.inside.assign(edges, 0);
+    std::vector<std::uint32_t> next;
+    next.reserve(edges);
+    for (const Record::Edge& e : record.edge) {
+        out.from.push_back(e.from);
+        out.prev.push_back(e.prev);
+        out.cell.push_back(e.cell);
+        out.between_sites.push_back(e.between_sites ? 1 : 0);
+        next.push_back(e.next);
     }
-    out.segment.reserve(made.num_cells());
-    out.part.reserve(made.num_cells());
-    for (const auto& c : made.cells()) {
-        out.segment.push_back(static_cast<std::uint32_t>(c.source_index()));
-        const bool first = c.source_category() == boost::polygon::SOURCE_CATEGORY_SEGMENT_START_POINT;
-        out.part.push_back(c.contains_segment() ? Diagram::Part::segment
-                           : first              ? Diagram::Part::first_end
-                                                : Diagram::Part::second_end);
-    }
+    out.vertex = std::move(record.vertex);
+    out.segment = std::move(record.segment);
+    out.part = std::move(record.part);
+    if (!mark_inside(sites, next, out)) return std::nullopt;
+    remove_short_edges(next, out);
     return out;
 }
 

@@ -35,7 +35,7 @@ FirstLanes first_lanes(const Loops& region, const LaneOptions& o) {
     const double area = polygon::signed_area(region), width = o.width - kSeam * o.tolerance, wider = o.width / width;
     const double flows = kLeastVoid * width * width, least = least_void(width, area);
     const double fine = o.tolerance / 4;
-    const Beading b = beading(medial_axis(sites_of(region, o.tolerance / 2), fine, kWallSlope), width, least);
+    const Beading b = beading(medial_axis(region, o.tolerance / 2, fine, kWallSlope), width, least);
     FirstLanes out;
     lay_rings(b, o.most, flows, fine, [&](const toolpath::Curve& ring, int lane) {
         out.lanes.add(with_fewer_points(ring, fine / 3, least, false), lane);

@@ -94,8 +94,8 @@ int main(int argc, char** argv) {
         return 3;
     }
     const double fine = w / 64;
-    const rings::Beading b = rings::beading(
-        polygon::medial_axis(polygon::sites_of(region, fine), fine, rings::kWallSlope), w, rings::kLeastVoid * w * w);
+    const rings::Beading b =
+        rings::beading(polygon::medial_axis(region, fine, fine, rings::kWallSlope), w, rings::kLeastVoid * w * w);
     const Drawing out(region);
     out.area(region, "#dde6ee");
     if (what == "axis") {

@@ -78,7 +78,7 @@ class ThinAxis {
 
 polygon::MedialAxis axis_for(const polygon::Loops& area, double width) {
     const double fine = join::tolerance_for(width) / 2;
-    return polygon::medial_axis(polygon::sites_of(area, fine), fine, rings::kWallSlope);
+    return polygon::medial_axis(area, fine, fine, rings::kWallSlope);
 }
 
 polygon::MedialAxis split_at(const polygon::MedialAxis& axis, double radius) {
