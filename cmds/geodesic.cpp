@@ -23,7 +23,8 @@ constexpr const char* kDescription =
     "more than --tolerance.\n\n"
     "With --source it computes the distance of every vertex from the nearest source along the surface, infinite "
     "where no source is on the same component. Sources, several in quotes with blanks between: vertex:ID, numbered "
-    "as in the file from 0, after a cut as in 'peek --text'; point:X,Y,Z, the nearest point of the surface; "
+    "as in the file from 0 (in an STL as corners first appear), after a cut or --remesh as in 'peek --text'; "
+    "point:X,Y,Z, the nearest point of the surface; "
     "boundary, boundary:outer or boundary:N, all rims, the one of each component that spans most, or one; "
     "plane:NX,NY,NZ,D, where the plane NX x + NY y + NZ z = D cuts the surface. --source-lines names a text of "
     "points, three numbers a line, lines of points apart by an empty line, drawn onto the surface. --source-mesh names "
@@ -85,7 +86,7 @@ cli::Spec spec(app::geodesic::Options& o) {
         .groups = {{"distances", {"source", "source-lines", "source-mesh", "signed", "method", "paper"}},
                    {"isolines", {"levels", "spacing", "first"}},
                    {"the file", {"unit", "scale", "deflection", "deflection-angle"}},
-                   {"the surface", {"cut", "cut-mesh", "keep", "remesh", "longest", "tolerance"}}},
+                   {"the surface", {"flip", "cut", "cut-mesh", "keep", "remesh", "longest", "tolerance"}}},
         .examples = {{"geodesic part.stl --source vertex:0 > part.surface", "distances from a corner of a part"},
                      {"geodesic part.stl --source 'plane:1,0,0,4.5' --spacing 1 | peek",
                       "lines at 1, 2, 3 ... mm from where a plane cuts a part"},

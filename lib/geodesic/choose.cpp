@@ -67,11 +67,21 @@ void add_plane(Sources& out, const Surface& s, std::string_view word, std::strin
     out.segments.insert(out.segments.end(), cut.begin(), cut.end());
 }
 
-void add_word(Sources& out, const Surface& s, std::string_view word, Notes& notes) {
+void add_vertex(Sources& out, const Surface& s, std::string_view word, std::string_view which,
+                std::span<const std::uint32_t> of_file) {
+    const bool alike = of_file.empty();
+    const std::size_t n = index(word, which, alike ? s.vertices.size() : of_file.size(), "vertices");
+    const auto v = alike ? static_cast<std::uint32_t>(n) : of_file[n];
+    if (v == surface::kNone) bad(word, "no triangle of the surface has this vertex of the file; name another one");
+    out.vertices.push_back(v);
+}
+
+void add_word(Sources& out, const Surface& s, std::string_view word, Notes& notes,
+              std::span<const std::uint32_t> of_file) {
     const std::size_t colon = std::min(word.find(':'), word.size());
     const std::string_view kind = word.substr(0, colon), what = word.substr(std::min(colon + 1, word.size()));
     if (kind == "vertex")
-        out.vertices.push_back(static_cast<std::uint32_t>(index(word, what, s.vertices.size(), "vertices")));
+        add_vertex(out, s, word, what, of_file);
     else if (kind == "point")
         add_point(out, s, word, what, notes);
     else if (kind == "boundary")
@@ -84,12 +94,12 @@ void add_word(Sources& out, const Surface& s, std::string_view word, Notes& note
 
 } // namespace
 
-Sources choose(const Surface& s, std::string_view words, Notes& notes) {
+Sources choose(const Surface& s, std::string_view words, Notes& notes, std::span<const std::uint32_t> of_file) {
     constexpr std::string_view kBetween = " ;\t\n";
     Sources out;
     for (std::size_t at = words.find_first_not_of(kBetween); at != std::string_view::npos;) {
         const std::size_t end = std::min(words.find_first_of(kBetween, at), words.size());
-        add_word(out, s, words.substr(at, end - at), notes);
+        add_word(out, s, words.substr(at, end - at), notes, of_file);
         at = words.find_first_not_of(kBetween, end);
     }
     return out;

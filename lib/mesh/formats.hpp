@@ -24,8 +24,8 @@ std::string foreign(std::string_view bytes);
 // True if a file of that name would be a mesh.
 bool is_mesh_name(std::string_view name);
 
-// Appends the fan of a polygon's triangles, all from its first corner.
-void append_fan(std::vector<Triangle>& out, const std::vector<std::uint32_t>& corners);
+// The keyword of an OFF file that `text` begins with, "" if there is none; a blank, a line end or a number follows it.
+std::string_view off_keyword(std::string_view text);
 
 // A note of this library; the stage's name is set by the command.
 inline Note note(std::string what, double amount, std::string unit) {

@@ -1,6 +1,7 @@
 // Wavefront OBJ: "v x y z", "f 1 2/1 3/1/1 -1"; everything else is left alone.
 #include "base/error.hpp"
 #include "mesh/formats.hpp"
+#include "mesh/polygons.hpp"
 #include "mesh/text.hpp"
 
 #include <algorithm>
@@ -21,8 +22,9 @@ bool continued(Text& text) {
     if (*text.at != '\\') return false;
     const char* p = text.at + 1;
     while (p < text.end && is_blank(*p)) ++p;
-    if (p == text.end || *p != '\n') return false;
-    text.at = p + 1;
+    if (p == text.end || !is_line_end(*p)) return false;
+    text.at = p;
+    text.pass_line_end();
     return true;
 }
 
@@ -33,7 +35,7 @@ void face(Text& text, const std::string& name, std::size_t count, std::vector<st
         if (continued(text)) continue;
         long long i = 0;
         if (!text.whole(i)) malformed_line(name, text, "a corner of a face is no whole number");
-        while (text.at < text.end && !is_blank(*text.at) && *text.at != '\n') ++text.at; // texture, normal
+        while (text.at < text.end && !is_blank(*text.at) && !is_line_end(*text.at)) ++text.at; // texture, normal
         if (i < 0) i += static_cast<long long>(count) + 1;
         if (i < 1 || i > 0xffffffffLL) malformed_line(name, text, "a face has a corner that is no vertex");
         corners.push_back(static_cast<std::uint32_t>(i - 1));
@@ -57,6 +59,7 @@ void note_unused(const Mesh& mesh, std::size_t from, Notes& notes) {
 Mesh read_obj(std::string_view bytes, const std::string& name, Notes& notes) {
     Text text(bytes, '#');
     Mesh out;
+    Faces faces;
     std::size_t before_faces = 0; // vertices
     std::vector<std::uint32_t> corners;
     while (text.more()) {
@@ -64,17 +67,19 @@ Mesh read_obj(std::string_view bytes, const std::string& name, Notes& notes) {
         if (word == "v")
             out.vertices.push_back(vertex(text, name));
         else if (word == "f") {
-            if (out.triangles.empty()) before_faces = out.vertices.size();
+            if (faces.triangles.empty()) before_faces = out.vertices.size();
             face(text, name, out.vertices.size(), corners);
-            append_fan(out.triangles, corners);
+            faces.add(corners);
         }
         text.skip_line();
     }
-    for (const Triangle& t : out.triangles)
+    for (const Triangle& t : faces.triangles)
         for (const std::uint32_t v : t)
             if (v >= out.vertices.size())
                 throw Error(Exit::bad_input, "cannot read " + name + ": a face has vertex " + std::to_string(v + 1) +
                                                  " of " + std::to_string(out.vertices.size()));
+    faces.cut(out.vertices, notes);
+    out.triangles = std::move(faces.triangles);
     note_unused(out, before_faces, notes);
     return out;
 }

@@ -1,6 +1,7 @@
 // OFF and its variants with normals, colours or texture (COFF, NOFF, STOFF...), as text.
 #include "base/error.hpp"
 #include "mesh/formats.hpp"
+#include "mesh/polygons.hpp"
 #include "mesh/text.hpp"
 
 namespace filum::mesh {
@@ -38,9 +39,9 @@ std::vector<Vec3> vertices(Text& text, const std::string& name, std::uint64_t n,
     return out;
 }
 
-std::vector<Triangle> faces(Text& text, const std::string& name, std::uint64_t n, std::size_t vertex_count) {
-    std::vector<Triangle> out;
-    out.reserve(n);
+Faces faces(Text& text, const std::string& name, std::uint64_t n, std::size_t vertex_count) {
+    Faces out;
+    out.triangles.reserve(n);
     std::vector<std::uint32_t> corners;
     for (std::uint64_t i = 0; i < n; ++i) {
         long long size = 0, v = 0;
@@ -54,7 +55,7 @@ std::vector<Triangle> faces(Text& text, const std::string& name, std::uint64_t n
             corners.push_back(static_cast<std::uint32_t>(v));
         }
         text.skip_line(); // its colour
-        append_fan(out, corners);
+        out.add(corners);
     }
     return out;
 }
@@ -64,7 +65,8 @@ std::vector<Triangle> faces(Text& text, const std::string& name, std::uint64_t n
 Mesh read_off(std::string_view bytes, const std::string& name, Notes& notes) {
     Text text(bytes, '#');
     text.more();
-    const std::string_view head = text.word();
+    const std::string_view head = off_keyword({text.at, static_cast<std::size_t>(text.end - text.at)});
+    text.at += head.size(); // numbers may stand right behind it
     const std::string_view prefix = head.substr(0, head.size() - 3);
     if (prefix.find_first_of("4n") != std::string_view::npos)
         throw Error(Exit::bad_input, "cannot read " + name + ": it is an OFF file of more than three dimensions");
@@ -76,7 +78,9 @@ Mesh read_off(std::string_view bytes, const std::string& name, Notes& notes) {
     if (text.more_on_line()) text.whole(edges);
     Mesh out;
     out.vertices = vertices(text, name, v, !prefix.empty());
-    out.triangles = faces(text, name, f, out.vertices.size());
+    Faces read = faces(text, name, f, out.vertices.size());
+    read.cut(out.vertices, notes);
+    out.triangles = std::move(read.triangles);
     if (text.more())
         notes.push_back(note("bytes after the last face not read", static_cast<double>(text.end - text.at), "bytes"));
     return out;

@@ -78,18 +78,18 @@ bool within_limits(const Box3& b) {
 } // namespace
 
 void drop_unused_vertices(Mesh& mesh) {
-    constexpr std::uint32_t kUnused = ~std::uint32_t{0};
-    std::vector<std::uint32_t> to(mesh.vertices.size(), kUnused);
+    std::vector<std::uint32_t> to(mesh.vertices.size(), kNoVertex);
     for (const Triangle& t : mesh.triangles)
         for (const auto v : t) to[v] = 0;
-    if (std::find(to.begin(), to.end(), kUnused) == to.end()) return;
+    if (std::find(to.begin(), to.end(), kNoVertex) == to.end()) return;
     std::uint32_t count = 0;
     for (std::size_t i = 0; i < to.size(); ++i) {
-        if (to[i] == kUnused) continue;
+        if (to[i] == kNoVertex) continue;
         mesh.vertices[count] = mesh.vertices[i];
         to[i] = count++;
     }
     mesh.vertices.resize(count);
+    mesh.renumber(to);
     for (Triangle& t : mesh.triangles)
         for (auto& v : t) v = to[v];
 }

@@ -3,6 +3,7 @@
 // counts.
 #include "base/error.hpp"
 #include "mesh/formats.hpp"
+#include "mesh/polygons.hpp"
 #include "mesh/text.hpp"
 
 #include <algorithm>
@@ -75,13 +76,24 @@ Property property(Text& text, const std::string& name) {
     return p;
 }
 
+// Over the line end behind the header.  Where lines end with CR alone, a byte of data may look like an LF behind it; so
+// the first line of the file says how lines end.
+void pass_header_end(Text& text) {
+    const char* first = std::find_if(text.begin, text.end, is_line_end);
+    const bool two = text.end - first > 1 && first[0] == '\r' && first[1] == '\n';
+    if (two)
+        text.pass_line_end();
+    else if (text.at < text.end)
+        ++text.at;
+}
+
 Header header(Text& text, const std::string& name) {
     Header out;
     while (text.more()) {
         const std::string_view word = text.word();
         if (word == "end_header") {
             text.skip_line();
-            if (text.at < text.end) ++text.at;
+            pass_header_end(text);
             return out;
         }
         if (word == "format")
@@ -202,7 +214,7 @@ void read_vertices(Values& values, const Element& e, const std::string& name, st
     }
 }
 
-void read_faces(Values& values, const Element& e, const std::string& name, std::vector<Triangle>& out) {
+void read_faces(Values& values, const Element& e, const std::string& name, Faces& out) {
     const auto is_index = [](const Property& p) {
         return p.count && (p.name == "vertex_indices" || p.name == "vertex_index");
     };
@@ -221,7 +233,7 @@ void read_faces(Values& values, const Element& e, const std::string& name, std::
                 if (!(v >= 0 && v < 4294967295.0)) malformed(name, "a face has a corner that is no vertex");
                 corners.push_back(static_cast<std::uint32_t>(v));
             }
-            append_fan(out, corners);
+            out.add(corners);
         }
 }
 
@@ -233,6 +245,7 @@ Mesh read_ply(std::string_view bytes, const std::string& name, Notes& notes) {
     const Header head = header(text, name);
     Values values(text, head.encoding, name);
     Mesh out;
+    Faces faces;
     bool strips = false;
     for (const Element& e : head.elements) {
         std::uint64_t least = 0;
@@ -243,17 +256,19 @@ Mesh read_ply(std::string_view bytes, const std::string& name, Notes& notes) {
         if (e.name == "vertex")
             read_vertices(values, e, name, out.vertices);
         else if (e.name == "face")
-            read_faces(values, e, name, out.triangles);
+            read_faces(values, e, name, faces);
         else
             for (std::uint64_t i = 0; i < e.count; ++i)
                 for (const Property& p : e.properties) skip(values, p);
     }
     if (const std::uint64_t behind = values.bytes_behind(); behind > 0)
         notes.push_back(note("bytes after the last face not read", static_cast<double>(behind), "bytes"));
-    if (strips && out.triangles.empty()) malformed(name, "it holds triangle strips; export it with faces");
-    for (const Triangle& t : out.triangles)
+    if (strips && faces.triangles.empty()) malformed(name, "it holds triangle strips; export it with faces");
+    for (const Triangle& t : faces.triangles)
         for (const std::uint32_t v : t)
             if (v >= out.vertices.size()) malformed(name, "a face has a corner that is no vertex");
+    faces.cut(out.vertices, notes);
+    out.triangles = std::move(faces.triangles);
     return out;
 }
 

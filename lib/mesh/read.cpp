@@ -23,14 +23,23 @@ std::uint32_t announced_triangles(std::string_view bytes) {
 
 bool is_text(std::string_view bytes) {
     return std::all_of(bytes.begin(), bytes.begin() + static_cast<long>(std::min<std::size_t>(bytes.size(), 1024)),
-                       [](char c) { return static_cast<unsigned char>(c) >= 32 || is_blank(c) || c == '\n'; });
+                       [](char c) { return static_cast<unsigned char>(c) >= 32 || is_blank(c) || is_line_end(c); });
 }
 
-bool is_off(std::string_view word) {
+} // namespace
+
+std::string_view off_keyword(std::string_view text) {
     constexpr std::string_view kHeads[] = {"OFF",    "COFF",   "NOFF",    "CNOFF", "NCOFF", "STOFF",
                                            "STCOFF", "STNOFF", "STCNOFF", "4OFF",  "nOFF",  "4nOFF"};
-    return std::find(std::begin(kHeads), std::end(kHeads), word) != std::end(kHeads);
+    for (const std::string_view head : kHeads) {
+        if (!text.starts_with(head)) continue;
+        const char after = text.size() > head.size() ? text[head.size()] : '\n';
+        if (is_blank(after) || is_line_end(after) || after == '#' || (after >= '0' && after <= '9')) return head;
+    }
+    return {};
 }
+
+namespace {
 
 bool is_obj(std::string_view word) {
     constexpr std::string_view kWords[] = {"v", "vt", "vn", "vp",     "f",      "o",     "g",
@@ -43,7 +52,7 @@ Kind recognise_text(std::string_view bytes) {
     if (!text.more()) return Kind::unknown;
     const std::string_view word = text.word();
     if (word == "ply") return Kind::ply;
-    if (is_off(word)) return Kind::off;
+    if (!off_keyword(word).empty()) return Kind::off;
     if (is_obj(word)) return Kind::obj;
     if (word.starts_with("ISO-10303-21")) return Kind::step;
     if (begins_with(word, "solid") || begins_with(word, "facet")) return Kind::stl_ascii;
@@ -60,6 +69,7 @@ void weld(Mesh& mesh) {
         const auto key = bits(v);
         to.push_back(welded.add(key, Weld<std::uint64_t>::hash(key), {v.x + 0.0, v.y + 0.0, v.z + 0.0}));
     }
+    if (welded.vertices.size() < mesh.vertices.size()) mesh.renumber(to);
     mesh.vertices = std::move(welded.vertices);
     for (Triangle& t : mesh.triangles)
         for (auto& v : t) v = to[v];
@@ -126,10 +136,6 @@ Mesh read_kind(Kind kind, std::string_view bytes, const std::string& name, int p
 }
 
 } // namespace
-
-void append_fan(std::vector<Triangle>& out, const std::vector<std::uint32_t>& corners) {
-    for (std::size_t k = 2; k < corners.size(); ++k) out.push_back({corners[0], corners[k - 1], corners[k]});
-}
 
 Kind recognise(std::string_view bytes) {
     // The size tells a binary STL before any text does: in ASCII the four bytes of the count are letters, and stand for

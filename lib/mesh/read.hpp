@@ -56,7 +56,8 @@ void tell_uncut(const File& file, Notes& notes);
 // Vertices with the same coordinates are one; every coordinate is finite, every index in range, no triangle has two
 // equal corners (those have no area and bind no others, so they go without a note).  Triangles with a corner that is
 // no finite number are left out, with a note.  Of a slicer's project it reads plate `plate`, from 1.  Polygons are cut
-// into fans, whose slices are right for planar polygons of any shape.  Coordinates are in the file's unit; of a 3MF,
+// into triangles, whatever their shape (polygons.hpp).  Mesh::of_file tells which vertex is which of the file's (of an
+// STL: of its corners, those in one place being one).  Coordinates are in the file's unit; of a 3MF,
 // which states it, in mm. Throws Error: truncated if the file is empty or ends before what it announces, bad_input if
 // it is of no known kind or STEP (mesh::step::read reads that), malformed, or holds no triangle.
 File read(std::string_view bytes, const std::string& name, int plate = 1);

@@ -2,6 +2,7 @@
 // ASCII: solid NAME / facet normal / outer loop / vertex ... / endloop / endfacet / endsolid.
 #include "base/error.hpp"
 #include "mesh/formats.hpp"
+#include "mesh/polygons.hpp"
 #include "mesh/text.hpp"
 #include "mesh/weld.hpp"
 
@@ -62,7 +63,7 @@ void add_records(std::string_view records, Weld<std::uint32_t>& weld, std::vecto
 
 // On the last line, half a word or number is the mark of a file that was cut.
 [[noreturn]] void bad_line(const Text& text, const std::string& name, const std::string& why) {
-    if (std::find(text.at, text.end, '\n') == text.end)
+    if (std::find_if(text.at, text.end, is_line_end) == text.end)
         throw Error(Exit::truncated, "cannot read " + name + ": it ends inside a facet");
     throw Error(Exit::bad_input, "cannot read " + name + ": line " + std::to_string(text.line()) + ": " + why);
 }
@@ -101,9 +102,13 @@ Mesh read_stl_ascii(std::string_view bytes, const std::string& name, Notes& note
     Text text(bytes, '#');
     Weld<std::uint64_t> weld(bytes.size() / 600); // about 250 bytes a triangle
     Mesh out;
+    Faces faces;
     std::vector<std::uint32_t> corners;
     bool in_facet = false, in_solid = false;
+    Note passed = note("word behind the end of an STL's line passed over", 0, "");
+    passed.count = 0;
     while (text.more()) {
+        const bool begins_line = text.begins_line();
         const std::string_view word = text.word();
         if (begins_with(word, "vertex")) {
             double c[3] = {};
@@ -119,17 +124,22 @@ Mesh read_stl_ascii(std::string_view bytes, const std::string& name, Notes& note
         } else if (begins_with(word, "outer"))
             text.word();
         else if (begins_with(word, "endfacet")) {
-            append_fan(out.triangles, corners);
+            faces.add(corners);
             in_facet = false;
             corners.clear();
         } else if (begins_with(word, "solid") || begins_with(word, "endsolid")) {
             in_solid = begins_with(word, "solid");
             text.skip_line(); // its name
-        } else if (!begins_with(word, "endloop"))
+        } else if (!begins_with(word, "endloop") && !begins_line)
+            ++passed.count;
+        else if (!begins_with(word, "endloop"))
             bad_line(text, name, "'" + std::string(word.substr(0, 20)) + "' is no word of an STL file");
     }
     if (in_facet) throw Error(Exit::truncated, "cannot read " + name + ": it ends inside a facet");
     if (in_solid) notes.push_back(note("'endsolid' missing: the file may be cut short", 0, ""));
+    if (passed.count > 0) notes.push_back(std::move(passed));
+    faces.cut(weld.vertices, notes);
+    out.triangles = std::move(faces.triangles);
     out.vertices = std::move(weld.vertices);
     return out;
 }

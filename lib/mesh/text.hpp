@@ -10,7 +10,9 @@
 
 namespace filum::mesh {
 
-inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+// Lines end with LF, with CR LF, or with CR alone as on old Macintosh systems.
+inline bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 inline char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
 
 // True if `text` begins with the lower-case `word`, in any case.
@@ -36,18 +38,23 @@ struct Text {
     // Only for messages: counts from the start.
     [[nodiscard]] std::size_t line() const {
         std::size_t n = 1;
-        for (const char* p = begin; p < at; ++p) n += *p == '\n';
+        for (const char* p = begin; p < at; ++p) n += *p == '\n' || (*p == '\r' && (p + 1 == end || p[1] != '\n'));
         return n;
     }
     // To the end of the line, not beyond.
     void skip_line() {
-        while (at < end && *at != '\n') ++at;
+        while (at < end && !is_line_end(*at)) ++at;
     }
     // Over blanks and a comment; true if something is left on this line.
     bool more_on_line() {
         while (at < end && is_blank(*at)) ++at;
         if (at < end && comment != '\0' && *at == comment) skip_line();
-        return at < end && *at != '\n';
+        return at < end && !is_line_end(*at);
+    }
+    // Over one line end, if the cursor is at one.
+    void pass_line_end() {
+        if (at < end && *at == '\r' && at + 1 < end && at[1] == '\n') ++at;
+        if (at < end && is_line_end(*at)) ++at;
     }
     // Over blanks, comments and line ends; true if something is left.
     bool more() {
@@ -57,11 +64,17 @@ struct Text {
         }
         return true;
     }
+    // True if only blanks stand before the cursor on its line.
+    [[nodiscard]] bool begins_line() const {
+        const char* p = at;
+        while (p > begin && is_blank(p[-1])) --p;
+        return p == begin || is_line_end(p[-1]);
+    }
     // The next word of this line, "" if there is none.
     std::string_view word() {
         if (!more_on_line()) return {};
         const char* from = at;
-        while (at < end && !is_blank(*at) && *at != '\n') ++at;
+        while (at < end && !is_blank(*at) && !is_line_end(*at)) ++at;
         return {from, static_cast<std::size_t>(at - from)};
     }
     // The next word as a number; false, and no move, if it is none.  "nan" and "inf" are numbers here.

@@ -218,6 +218,8 @@ void split_fans(mesh::Mesh& mesh, const std::vector<std::uint32_t>& twin, Notes&
         if (used[v] != 0) mesh.vertices[to[v] = kept++] = mesh.vertices[v];
     mesh.vertices.resize(kept);
     for (std::uint32_t h = 0; h < twin.size(); ++h) mesh.triangles[h / 3][h % 3] = to[fan[h]];
+    to.resize(before); // of the file
+    if (split > 0 || std::find(to.begin(), to.end(), kNone) != to.end()) mesh.renumber(to);
     if (split > 0) notes.push_back(note("vertex where parts of the surface touch in a point split", split));
 }
 

@@ -19,7 +19,8 @@ void remove_flat(mesh::Mesh& mesh, Notes& notes);
 // Per half-edge the one that it is joined to, or kNone.
 std::vector<std::uint32_t> join_sides(const mesh::Mesh& mesh, Notes& notes);
 
-// Gives every fan of triangles its own vertex, and leaves out vertices without a triangle.
+// Gives every fan of triangles its own vertex, and leaves out vertices without a triangle.  Of several fans the first
+// keeps the vertex of the file.
 void split_fans(mesh::Mesh& mesh, const std::vector<std::uint32_t>& twin, Notes& notes);
 
 } // namespace filum::surface

@@ -104,6 +104,20 @@ CgalMesh closed(mesh::Mesh solid, bool inside) {
 
 } // namespace
 
+std::size_t stretched(const Surface& s, double edge) {
+    double work = 0, squarish = 0;
+    std::size_t out = 0;
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+        const double longest = std::max({side_length(s, 3 * t), side_length(s, 3 * t + 1), side_length(s, 3 * t + 2)});
+        if (longest <= edge) continue;
+        const double own = area(s, t) / (std::sqrt(3) / 4);
+        work += longest * longest;
+        squarish += own;
+        out += longest * longest > kMostWork * own ? 1 : 0;
+    }
+    return work > kMostWork * squarish ? out : 0;
+}
+
 Surface remesh(const Surface& s, double edge, Notes& notes) {
     const double triangles = area(s) / (std::sqrt(3) / 4 * edge * edge);
     if (!(triangles <= kMostTriangles))

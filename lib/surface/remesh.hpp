@@ -7,6 +7,12 @@
 
 namespace filum::surface {
 
+// How many triangles are so long and thin that remesh() would take more than kMostWork times as long as for squarish
+// ones; 0 if it would not.  The squared longest sides of those that are longer than `edge` stand for the work: halving
+// long sides makes about as many triangles of them, in squares of `edge`.
+inline constexpr double kMostWork = 10;
+std::size_t stretched(const Surface& s, double edge);
+
 // The surface in triangles whose sides are about `edge` mm, its vertices on the old triangles.  Rims and edges sharper
 // than 30 degrees are kept as they are, but for points in between: there sides may be shorter.
 // Throws Error(usage) if it would take more than 20 million triangles, Error(failure) if CGAL cannot do it.

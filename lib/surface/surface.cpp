@@ -116,7 +116,7 @@ Surface assemble(std::vector<Vec3> vertices, std::vector<Triangle> triangles, st
     return s;
 }
 
-Surface connect(mesh::Mesh mesh, Notes& notes, std::vector<std::uint32_t>* faces) {
+Surface connect(mesh::Mesh mesh, Notes& notes, std::vector<std::uint32_t>* faces, std::vector<std::uint32_t>* of_file) {
     remove_copies(mesh, notes);
     remove_flat(mesh, notes);
     if (mesh.triangles.empty()) throw Error(Exit::bad_input, "cannot use the surface: no triangle of it has an area");
@@ -124,6 +124,7 @@ Surface connect(mesh::Mesh mesh, Notes& notes, std::vector<std::uint32_t>* faces
     std::vector<std::uint32_t> twin = join_sides(mesh, notes);
     split_fans(mesh, twin, notes);
     if (faces != nullptr) *faces = std::move(mesh.faces);
+    if (of_file != nullptr) *of_file = std::move(mesh.of_file);
     return assemble(std::move(mesh.vertices), std::move(mesh.triangles), std::move(twin));
 }
 

@@ -70,9 +70,11 @@ void each_outgoing(const Surface& s, std::uint32_t vertex, const Visit& visit) {
 // that face against their neighbours are turned round; where more than two meet along an edge, the two that continue
 // each other flattest stay joined and the others are cut off; fans that touch in a point only are cut apart; a surface
 // with one side only is cut open.
-// If `faces` is given, it gets the CAD face of each triangle, those of mesh.faces.
+// If `faces` is given, it gets the CAD face of each triangle, those of mesh.faces; `of_file` gets mesh.of_file, now for
+// the surface's vertices.
 // Throws Error(bad_input) if no triangle remains.
-Surface connect(mesh::Mesh mesh, Notes& notes, std::vector<std::uint32_t>* faces = nullptr);
+Surface connect(mesh::Mesh mesh, Notes& notes, std::vector<std::uint32_t>* faces = nullptr,
+                std::vector<std::uint32_t>* of_file = nullptr);
 
 // The surface of these parts: finds outgoing half-edges, components and rims.  Throws Error(bad_input) if the parts
 // break a promise of Surface (but for areas): "an index is out of range", "sides are joined that are not the same

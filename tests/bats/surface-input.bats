@@ -215,3 +215,42 @@ END
     geodesic fan.off --source vertex:3721 --method exact > s
     facts s | run -1 grep -q '^heat'
 }
+
+@test "vertices are named as in the file, with some that no triangle has and some that stand twice" {
+    { # the first vertex is in no triangle, and the plate's last one stands twice
+        printf '%s\n' OFF '233 400 0' '99 99 99'
+        sed -n '3,233p' plate.off
+        echo 20 10 0
+        sed -n '234,$p' plate.off | awk '{ print 3, $2 + 1, $3 + 1, $4 + 1 }'
+    } > more.off
+    geodesic more.off --source vertex:1 > s
+    points s 'assert min(zip(p["distance"], p["x"], p["y"])) == (0, 0, 0)'
+    geodesic more.off --source vertex:232 > s
+    points s 'assert min(zip(p["distance"], p["x"], p["y"])) == (0, 20, 10)'
+    expect 2 geodesic more.off --source vertex:0
+    [[ $err == *'no triangle of the surface has this vertex'* ]]
+    expect 2 geodesic more.off --source vertex:233
+}
+
+@test "a surface that faces down is noted, and --flip turns it round" {
+    sed -E 's/^3 ([0-9]+) ([0-9]+) ([0-9]+)$/3 \1 \3 \2/' plate.off > down.off
+    expect 0 geodesic down.off -o s
+    [[ $err == *--flip* ]]
+    expect 0 geodesic down.off --flip -o s
+    [[ -z $err ]]
+    cmp <(geodesic plate.off --source vertex:0 | peek --text | grep '^point') \
+        <(geodesic down.off --flip --source vertex:0 | peek --text | grep '^point')
+}
+
+@test "long thin triangles are remeshed about as fast as squarish ones" {
+    awk 'BEGIN { # a tube of 128 long triangles
+        n = 64; print "OFF"; print 2 * n, 2 * n, 0
+        for (z = 0; z <= 100; z += 100) for (i = 0; i < n; ++i) print 10 * cos(i * 6.283185307 / n), 10 * sin(i * 6.283185307 / n), z
+        for (i = 0; i < n; ++i) { j = (i + 1) % n; print 3, i, j, n + j; print 3, i, n + j, n + i }
+    }' > tube.off
+    ulimit -t 20
+    expect 0 geodesic tube.off --remesh 2 -o s
+    [[ $err == *'long thin triangle'* ]]
+    [[ $(facts s | sed -n 's/^triangles //p') -lt 8000 ]]
+    facts s | grep -q '^rims 2$'
+}

@@ -4,14 +4,24 @@
 #include "cli/step_options.hpp"
 #include "geodesic/choose.hpp"
 #include "geodesic/lines.hpp"
+#include "surface/facing.hpp"
 
 namespace filum::app::geodesic {
 
 namespace {
 
-filum::geodesic::Sources sources(const Options& o, const surface::Surface& s, cli::Io& self, Notes& notes,
-                                 Facts& facts) {
-    auto out = filum::geodesic::choose(s, o.source, notes);
+// Notes a surface that faces inwards: its path would be printed from the inside.
+void tell_inward(const surface::Surface& s, Notes& notes) {
+    const surface::Inward in = surface::inward(s);
+    if (in.components > 0)
+        notes.push_back({"",
+                         "surface faces inwards or down, so it would be printed from there; turn it round with --flip",
+                         in.area, "mm2", in.components, -1, in.place.x, in.place.y, in.place.z});
+}
+
+filum::geodesic::Sources sources(const Options& o, const Model& model, cli::Io& self, Notes& notes, Facts& facts) {
+    const surface::Surface& s = model.sheet.surface;
+    auto out = filum::geodesic::choose(s, o.source, notes, model.of_file);
     if (!o.lines.empty()) {
         const mesh::Bytes text = load(o.lines, "source_lines_crc32c", self);
         filum::geodesic::add_lines(out, s, filum::geodesic::read_lines(text.view(), "'" + o.lines + "'"), notes);
@@ -33,7 +43,8 @@ void run(const Options& o, const cli::Io& io) {
     Facts facts = shape(m, o.shape, o.place, self);
     const Facts size = surface::facts(m.sheet.surface);
     facts.insert(facts.begin(), size.begin(), size.end());
-    const auto from = sources(o, m.sheet.surface, self, m.notes, facts);
+    if (m.before.header.history.empty()) tell_inward(m.sheet.surface, m.notes); // a stream has the note already
+    const auto from = sources(o, m, self, m.notes, facts);
     if (!from.empty()) {
         const Facts found = filum::geodesic::measure(m.sheet, from, o.measure, m.notes);
         facts.insert(facts.end(), found.begin(), found.end());

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "cli/output.hpp"
+#include "mesh/seams.hpp"
 #include "stream/crc32c.hpp"
 #include "stream/reader.hpp"
 #include "wire/surface.hpp"
@@ -24,6 +25,7 @@ mesh::Mesh placed(const mesh::Bytes& bytes, const std::string& path, mesh::Place
     if (step != nullptr) *step = file.kind == mesh::Kind::step;
     place.on_bed = false;
     mesh::place(file.mesh, place, mesh::states_unit(file.kind), notes);
+    mesh::join_seams(file.mesh, notes);
     return std::move(file.mesh);
 }
 
@@ -64,7 +66,7 @@ Model read(const mesh::Placement& place, cli::Io& self, const mesh::step::Tessel
     identify(bytes, "input_crc32c", self);
     Model out;
     mesh::Mesh mesh = placed(bytes, self.input, place, out.notes, how, &out.step);
-    out.sheet.surface = surface::connect(std::move(mesh), out.notes, &out.sheet.faces);
+    out.sheet.surface = surface::connect(std::move(mesh), out.notes, &out.sheet.faces, &out.of_file);
     return out;
 }
 

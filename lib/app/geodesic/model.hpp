@@ -10,9 +10,10 @@ namespace filum::app::geodesic {
 
 struct Model {
     surface::Sheet sheet;
-    Notes notes;       // to be written: what was repaired, left out or moved
-    bool step = false; // it comes from a STEP file
-    cli::Whole before; // of the stream it came by: its header, notes and facts; of a mesh file none
+    Notes notes;                          // to be written: what was repaired, left out or moved
+    bool step = false;                    // it comes from a STEP file
+    std::vector<std::uint32_t> of_file{}; // as mesh::Mesh has it; empty: vertices are numbered as in the file
+    cli::Whole before;                    // of the stream it came by: its header, notes and facts; of a mesh file none
 };
 
 // A file's content.  What it is enters self.settings as `setting`, a checksum; its name does not.

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "surface/curve/transfer.hpp"
+#include "surface/facing.hpp"
 #include "surface/fit/fit.hpp"
 #include "surface/remesh.hpp"
 
@@ -21,7 +22,18 @@ double side(const std::string& remesh) {
 }
 
 surface::Surface remeshed(const surface::Surface& s, const Shaping& how, Notes& notes, Facts& facts) {
-    if (how.remesh != "auto") return surface::remesh(s, side(how.remesh), notes);
+    if (how.remesh != "auto") {
+        const double edge = side(how.remesh);
+        const std::size_t thin = surface::stretched(s, edge);
+        if (thin == 0) return surface::remesh(s, edge, notes);
+        notes.push_back(
+            {.stage = "",
+             .what = "long thin triangle: the surface is first cut as --remesh auto does it, within 0.02 mm",
+             .amount = 0,
+             .unit = "",
+             .count = thin});
+        return surface::remesh(surface::fit::evened(s, {edge, how.tolerance}), edge, notes);
+    }
     auto out = surface::fit::fitted(s, {how.longest, how.tolerance});
     facts.push_back({"", "remesh-off", out.off, "mm"});
     if (out.off > how.tolerance)
@@ -34,6 +46,7 @@ surface::Surface remeshed(const surface::Surface& s, const Shaping& how, Notes& 
 
 std::vector<Option> options(Shaping& to) {
     return {
+        Option{"flip", &to.flip, "", "turn the surface round: what was its back becomes its front"},
         Option{"cut", &to.cut, "NX,NY,NZ,D", "keep what lies where NX x + NY y + NZ z <= D"}.numbers(4).within(-1e7,
                                                                                                                1e7),
         Option{"cut-mesh", &to.cut_mesh, "FILE", "cut by a closed mesh, in a file as the input's"}.not_a_setting(),
@@ -54,8 +67,9 @@ std::vector<Option> options(Shaping& to) {
 Facts shape(Model& model, const Shaping& how, const mesh::Placement& place, cli::Io& self) {
     Facts facts;
     const bool remesh = how.remesh == "auto" || side(how.remesh) > 0;
-    if (how.cut.empty() && how.cut_mesh.empty() && !remesh) return facts;
+    if (how.cut.empty() && how.cut_mesh.empty() && !remesh && !how.flip) return facts;
     surface::Sheet& sheet = model.sheet;
+    if (how.flip) sheet.surface = surface::flipped(sheet.surface);
     surface::Surface now = sheet.surface;
     if (const auto& c = how.cut; !c.empty())
         now = surface::cut(now, surface::Plane{{c[0], c[1], c[2]}, c[3]}, model.notes);
@@ -64,6 +78,7 @@ Facts shape(Model& model, const Shaping& how, const mesh::Placement& place, cli:
         now = surface::cut(now, solid, how.keep == Keep::inside, model.notes);
     }
     if (remesh) now = remeshed(now, how, model.notes, facts);
+    if (!how.cut.empty() || !how.cut_mesh.empty() || remesh) model.of_file.clear(); // other vertices
     sheet.fields = surface::curve::transferred(sheet.surface, sheet.fields, now);
     sheet.faces = surface::curve::transferred_faces(sheet.surface, sheet.faces, now);
     const auto gone = [&](const char* what, std::size_t count) {

@@ -52,13 +52,26 @@ double triangles(const Surface& s, std::span<const double> sizes) {
     return out;
 }
 
-} // namespace
-
-Fitted fitted(const Surface& s, const Options& o) {
-    Sizes size = sizes(s, o.longest, o.tolerance);
-    if (!(triangles(s, size.wanted) <= kMostTriangles))
+Sizes checked_sizes(const Surface& s, const Options& o) {
+    Sizes out = sizes(s, o.longest, o.tolerance);
+    if (!(triangles(s, out.wanted) <= kMostTriangles))
         throw Error(Exit::usage, "cannot remesh to sides of " + shortest_text(o.longest) +
                                      " mm: that takes more than 20 million triangles; ask for longer ones");
+    return out;
+}
+
+} // namespace
+
+Surface evened(const Surface& s, const Options& o) {
+    const Sizes size = checked_sizes(s, o);
+    const Locator locator(s);
+    Fitter fitter(s, locator, size.wanted, editable(s, size.wanted, o.tolerance));
+    fitter.run_by_halves();
+    return compact(fitter.result());
+}
+
+Fitted fitted(const Surface& s, const Options& o) {
+    Sizes size = checked_sizes(s, o);
     const Locator locator(s);
     Fitter fitter(s, locator, size.wanted, editable(s, size.wanted, o.tolerance));
     fitter.run();

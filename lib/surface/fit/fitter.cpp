@@ -32,6 +32,17 @@ void Fitter::run() {
     flip_all();
 }
 
+void Fitter::run_by_halves() {
+    double scale = 1;
+    for (std::uint32_t h = 0; h < m_.twin.size(); ++h)
+        if (!m_.gone(h)) scale = std::max(scale, m_.length(h) / target(m_.tail(h), m_.head(h)));
+    for (; scale > 1; scale /= 2) {
+        collapse_short(scale);
+        split_long(scale);
+    }
+    run();
+}
+
 void Fitter::resize() {
     parallel::for_chunks(m_.at.size(), kVerticesAtOnce, 0, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v)
@@ -47,11 +58,11 @@ double Fitter::size_at(const Place& p) const {
 }
 
 // The longest for its size first: so what comes of it is shorter.
-void Fitter::split_long() {
+void Fitter::split_long(double scale) {
     std::priority_queue<std::pair<double, std::uint32_t>> open; // lengths, in sizes; half-edges
     const auto sizes = [&](std::uint32_t h) { return m_.length(h) / target(m_.tail(h), m_.head(h)); };
     const auto add = [&](std::uint32_t h) {
-        if (const double now = sizes(h); now > kLong) open.emplace(now, h);
+        if (const double now = sizes(h); now > kLong * scale) open.emplace(now, h);
     };
     for (std::uint32_t h = 0; h < m_.twin.size(); ++h)
         if (!m_.gone(h) && m_.first(h)) add(h);
@@ -66,8 +77,8 @@ void Fitter::split_long() {
     }
 }
 
-void Fitter::collapse_short() {
-    const auto most = [&](std::uint32_t a, std::uint32_t b) { return kLong * target(a, b); };
+void Fitter::collapse_short(double scale) {
+    const auto most = [&](std::uint32_t a, std::uint32_t b) { return scale * kLong * target(a, b); };
     for (std::uint32_t h = 0; h < m_.twin.size(); ++h)
         if (!m_.gone(h) && m_.length(h) < kShort * target(m_.tail(h), m_.head(h)) && collapsible(m_, h, most))
             collapse(m_, h);

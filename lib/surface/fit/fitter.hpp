@@ -19,6 +19,10 @@ class Fitter {
     // Splits long sides, collapses short ones, flips and moves, some rounds of it.
     void run();
 
+    // The same, but halves the longest sides first, and collapses short ones before it halves the next: of long thin
+    // triangles there are never many more than in the end.
+    void run_by_halves();
+
     // Looks up the sizes, which have changed.
     void resize();
 
@@ -29,8 +33,9 @@ class Fitter {
     [[nodiscard]] double size_at(const curve::Place& p) const;
     [[nodiscard]] double opposite(std::uint32_t h) const;
     [[nodiscard]] Vec3 middle(std::uint32_t vertex) const;
-    void split_long();
-    void collapse_short();
+    // With sides up to `scale` times as long as they shall be in the end.
+    void split_long(double scale = 1);
+    void collapse_short(double scale = 1);
     void flip_all();
     void move_all();
 

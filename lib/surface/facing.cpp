@@ -1,0 +1,76 @@
+#include "surface/facing.hpp"
+
+#include <cmath>
+
+namespace filum::surface {
+
+namespace {
+
+constexpr double kHollow = 0.005; // of area^1.5 (a ball has 0.094): less volume is that of a flat surface
+constexpr double kUp = 0.1;       // mean of the normals' z: more of it is a surface that faces up,
+constexpr double kDown = -0.5;    // and less than this of a flat one is one that faces down
+
+// What the triangles of a component add up to.
+struct Sums {
+    double volume = 0; // six times, with lids on all rims
+    double area = 0;   // twice
+    double up = 0;     // twice: area seen from above, less that from below
+    std::size_t rims = 0;
+    std::uint32_t first = kNone; // its first vertex, about which volumes are taken
+};
+
+std::vector<Sums> sums(const Surface& s) {
+    std::vector<Sums> out(s.components);
+    const auto add = [&](Sums& to, const Vec3& a, const Vec3& b, const Vec3& c) {
+        const Vec3 o = s.vertices[to.first];
+        to.volume += dot(a - o, cross(b - o, c - o));
+    };
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+        Sums& to = out[s.component[t]];
+        const auto& [i, j, k] = s.triangles[t];
+        if (to.first == kNone) to.first = i;
+        const Vec3 &a = s.vertices[i], &b = s.vertices[j], &c = s.vertices[k];
+        const Vec3 n = cross(b - a, c - a);
+        to.area += norm(n);
+        to.up += n.z;
+        add(to, a, b, c);
+    }
+    for (const Rim& rim : s.rims) {
+        Sums& to = out[rim.component];
+        ++to.rims;
+        Vec3 middle;
+        for (const std::uint32_t h : rim.sides) middle = middle + s.vertices[s.tail(h)];
+        middle = 1.0 / static_cast<double>(rim.sides.size()) * middle;
+        for (const std::uint32_t h : rim.sides) add(to, s.vertices[s.head(h)], s.vertices[s.tail(h)], middle);
+    }
+    return out;
+}
+
+bool faces_inwards(const Sums& c) {
+    if (c.rims == 0) return c.volume < 0;
+    const double hollow = c.volume / 6 / std::pow(c.area / 2, 1.5), up = c.up / c.area;
+    return std::abs(hollow) > kHollow ? hollow < 0 && up < kUp : up < kDown;
+}
+
+} // namespace
+
+Inward inward(const Surface& s) {
+    Inward out;
+    for (const Sums& c : sums(s)) {
+        if (!faces_inwards(c)) continue;
+        if (out.components++ == 0) out.place = s.vertices[c.first];
+        out.area += c.area / 2;
+    }
+    return out;
+}
+
+Surface flipped(const Surface& s) {
+    const auto other = [](std::uint32_t h) { return h == kNone ? kNone : 3 * (h / 3) + 2 - h % 3; };
+    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> twin(s.twin.size());
+    for (const auto& [a, b, c] : s.triangles) triangles.push_back({a, c, b});
+    for (std::uint32_t h = 0; h < twin.size(); ++h) twin[other(h)] = other(s.twin[h]);
+    return assemble(s.vertices, std::move(triangles), std::move(twin));
+}
+
+} // namespace filum::surface

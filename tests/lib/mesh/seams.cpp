@@ -1,0 +1,123 @@
+// Seams of tubes that do not close to the bit, at many offsets, ways and divisions.
+#include "mesh/seams.hpp"
+
+#include "mesh/place.hpp"
+#include "mesh/sides.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+using namespace filum;
+using geom::Vec3;
+
+namespace seams {
+
+constexpr double kRadius = 10, kHeight = 20;
+
+// A tube that is cut open along z: `left` and `right` sides along the two rims of the cut, which are up to `off` mm
+// apart.
+mesh::Mesh tube(int left, int right, double off, std::mt19937& chance) {
+    constexpr int kColumns = 24;
+    mesh::Mesh m;
+    const auto jitter = [&] { return off * (2 * (static_cast<double>(chance()) / 4294967296.0) - 1) / std::sqrt(3); };
+    std::vector<std::uint32_t> before;
+    for (int c = 0; c <= kColumns; ++c) {
+        const int rows = c < kColumns / 2 ? left : right;
+        const double angle = 2 * std::numbers::pi * c / kColumns;
+        std::vector<std::uint32_t> now;
+        for (int r = 0; r <= rows; ++r) {
+            now.push_back(static_cast<std::uint32_t>(m.vertices.size()));
+            m.vertices.push_back({kRadius * std::cos(angle), kRadius * std::sin(angle), kHeight * r / rows});
+            if (c == kColumns) m.vertices.back() = m.vertices.back() + Vec3{jitter(), jitter(), jitter()};
+        }
+        std::size_t i = 0, j = 0; // up between the two columns
+        while (c > 0 && (i + 1 < before.size() || j + 1 < now.size())) {
+            const bool step_left = j + 1 == now.size() ||
+                                   (i + 1 < before.size() && m.vertices[before[i + 1]].z < m.vertices[now[j + 1]].z);
+            if (step_left) {
+                m.triangles.push_back({before[i], now[j], before[i + 1]});
+                ++i;
+            } else {
+                m.triangles.push_back({before[i], now[j], now[j + 1]});
+                ++j;
+            }
+        }
+        before = now;
+    }
+    return m;
+}
+
+// mm of sides with one triangle.
+double open(const mesh::Mesh& m) {
+    double out = 0;
+    const auto sides = mesh::half_edges(m);
+    mesh::each_edge(sides, [&](std::size_t i, std::size_t j) {
+        if (j - i == 1) out += distance(m.vertices[sides[i].low()], m.vertices[sides[i].high()]);
+    });
+    return out;
+}
+
+const Note* find(const Notes& notes, const std::string& begins) {
+    for (const Note& n : notes)
+        if (n.what.starts_with(begins)) return &n;
+    return nullptr;
+}
+
+} // namespace seams
+
+TEST(Seams, AreJoinedUpToAThousandthOfTheSize) {
+    const double ends = 2 * 24 * 2 * seams::kRadius * std::sin(std::numbers::pi / 24);
+    for (const double off : {1e-15, 1e-9, 1e-6, 1e-4, 1e-3})
+        for (const auto& [left, right] : {std::pair{8, 8}, {8, 4}, {4, 12}, {3, 5}, {1, 7}}) {
+            std::mt19937 chance(7);
+            mesh::Mesh m = seams::tube(left, right, off * seams::kHeight, chance);
+            Notes notes;
+            mesh::join_seams(m, notes);
+            EXPECT_NEAR(seams::open(m), ends, 0.1) << off << ' ' << left << ' ' << right;
+            EXPECT_NE(seams::find(notes, "vertex of a rim joined"), nullptr);
+            EXPECT_EQ(seams::find(notes, "side of a rim split") != nullptr, left != right);
+            EXPECT_EQ(seams::find(notes, "rim within a bead"), nullptr) << off << ' ' << left << ' ' << right;
+        }
+}
+
+TEST(Seams, WhatStaysOpenWithinABeadIsNotedWithItsLength) {
+    std::mt19937 chance(7);
+    mesh::Mesh m = seams::tube(8, 8, 0, chance);
+    for (std::size_t v = m.vertices.size() - 9; v < m.vertices.size(); ++v) m.vertices[v].y -= 0.2;
+    Notes notes;
+    mesh::join_seams(m, notes);
+    const Note* n = seams::find(notes, "rim within a bead");
+    ASSERT_NE(n, nullptr);
+    EXPECT_NEAR(n->amount, 2 * seams::kHeight, 1);
+    EXPECT_EQ(notes.size(), 1U);
+}
+
+TEST(Seams, ACopyOfASurfaceOnItIsNotJoinedToIt) {
+    std::mt19937 chance(7);
+    mesh::Mesh m = seams::tube(8, 8, 0, chance);
+    m.triangles.resize(m.triangles.size() / 2);
+    const auto n = static_cast<std::uint32_t>(m.vertices.size());
+    const std::size_t triangles = m.triangles.size();
+    for (std::uint32_t v = 0; v < n; ++v) m.vertices.push_back(Vec3(m.vertices[v]) + Vec3{0, 0, 1e-5});
+    for (std::size_t t = 0; t < triangles; ++t) {
+        const auto [a, b, c] = m.triangles[t];
+        m.triangles.push_back({a + n, b + n, c + n});
+    }
+    Notes notes;
+    mesh::join_seams(m, notes);
+    EXPECT_TRUE(notes.empty());
+}
+
+TEST(Seams, AClosedOrWideOpenMeshIsLeftAsItIs) {
+    std::mt19937 chance(7);
+    mesh::Mesh m = seams::tube(8, 8, 0, chance);
+    m.triangles.resize(m.triangles.size() / 2);
+    const auto before = m.triangles;
+    Notes notes;
+    mesh::join_seams(m, notes);
+    EXPECT_EQ(m.triangles, before);
+    EXPECT_TRUE(notes.empty());
+}
