@@ -172,17 +172,19 @@ class Reader {
 
     void words(std::string_view code) {
         machine::split(code, words_);
-        if (*words_.fault != 0) fail(words_.fault);
         if (words_.own) return void(++out_.ignored);
+        if (machine::lacks_code(words_)) fail(words_.fault);
         Axes to = at_;
         std::optional<double> extruder;
         bool moves = false, says_so = false;
         Other other = Other::none;
         const bool counts = machine::of_tool(p_, tool_).extrusion.feeding != machine::Feeding::valve;
-        for (const auto& [letter, v, decimals] : words_.words) {
+        const bool command = machine::is_command(words_);
+        for (const auto& [letter, v, decimals, flag] : words_.words) {
+            if (command && letter != 'M') continue;
             const std::size_t k = machine::axis_of(p_, letter);
             if (k < to.size()) {
-                to[k] = v;
+                if (!flag) to[k] = v;
                 moves = true;
             } else if (letter == 'G' && (v == 0 || v == 1)) {
                 mode_ = static_cast<int>(v);
@@ -197,7 +199,10 @@ class Reader {
         if (other == Other::offset && moves) fail("moves the zero of an axis with G92");
         if (other == Other::offset && extruder) extruder_ = *extruder;
         if (other == Other::home) lose_place();
-        if (moves && (other == Other::none || says_so)) return go(to, extruder);
+        if (moves && (other == Other::none || says_so)) {
+            if (*words_.fault != 0) fail(words_.fault);
+            return go(to, extruder);
+        }
         if (other == Other::none && extruder) pushed(*extruder);
         ++out_.ignored;
     }

@@ -33,6 +33,8 @@ void Layers::level(double z) {
 void Layers::bead(double from_z, double z) {
     if (from_z == z) {
         if (z_ != z) level(z);
+    } else if (height() == 0) {
+        level(std::min(from_z, z));
     } else if (const double h = height();
                h > 0 && (!z_ || std::llround(z * kMicro) >= std::llround((*z_ + h) * kMicro))) {
         const double kept = height_;

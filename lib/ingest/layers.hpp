@@ -15,7 +15,8 @@ class Layers {
 
     void take(const Remark& remark);
     // A bead from one z to another.  A level one at a new z says how high its layer is; one that climbs goes on with
-    // the height before, and is a layer higher each time that it has climbed by that.
+    // the height before, and is a layer higher each time that it has climbed by that.  Where no height is known, such
+    // as on the slope of a purge line, its lower end says it.
     void bead(double from_z, double z);
 
     [[nodiscard]] bool begun() const { return begun_ || !told_->layers; } // the first layer's mark has come

@@ -3,6 +3,8 @@
 
 #include "machine/profile.hpp"
 
+#include <cmath>
+
 namespace filum::ingest {
 
 struct Modes {
@@ -11,9 +13,20 @@ struct Modes {
 
     int motion = -1; // 0 to 3: G0 to G3, until another; -1: none yet
     bool relative = false, relative_extruder, extruder_told = false, relative_centres = true;
-    double unit = 1;     // mm
+    int plane = 17;      // of arcs: G17 is XY
     double extruder = 0; // units of the last word
     bool open = false;   // the valve, or the fibre
+
+    void inches(bool are) { unit_ = are ? kInch : 1; }
+    [[nodiscard]] double unit() const { return unit_; } // mm
+
+    // A code that changes how words are read, or one that changes nothing.
+    void modal(double g) {
+        const auto is = [g](double code) { return std::abs(g - code) < 1e-3; };
+        if (is(17) || is(18) || is(19)) plane = static_cast<int>(std::lround(g));
+        if (is(90) || is(91)) places(is(91));
+        if (is(90.1) || is(91.1)) relative_centres = is(91.1);
+    }
 
     // By how much the extruder goes forward.
     double pushed(double word) {
@@ -30,6 +43,10 @@ struct Modes {
         relative_extruder = is_relative;
         extruder_told = true;
     }
+
+  private:
+    static constexpr double kInch = 25.4; // mm
+    double unit_ = 1;
 };
 
 } // namespace filum::ingest

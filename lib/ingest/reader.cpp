@@ -1,36 +1,35 @@
 #include "ingest/reader.hpp"
 
 #include "base/error.hpp"
-#include "geom/angle.hpp"
+#include "base/number.hpp"
 #include "ingest/arc.hpp"
+#include "ingest/axes.hpp"
+#include "ingest/codes.hpp"
 #include "ingest/layers.hpp"
+#include "ingest/line.hpp"
+#include "ingest/material.hpp"
 #include "ingest/modes.hpp"
+#include "ingest/origin.hpp"
 #include "ingest/remarks.hpp"
-#include "kinematics/chain.hpp"
+#include "ingest/tally.hpp"
 #include "machine/codes.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <optional>
 
 namespace filum::ingest {
 
 namespace {
 
-using geom::kDegree;
 using machine::AxisNumbers;
 using machine::Feeding;
 using machine::Profile;
 
-constexpr double kInch = 25.4;                                // mm
-constexpr double kPushed = 1e-6;                              // extruder units: less is rounding
-constexpr double kAlong = 1e-6;                               // mm in XY: less is no way
-constexpr double kChordOff = 0.002, kLeanOff = 0.2 * kDegree; // mm, rad: of what turns
-constexpr int kMostHalvings = 16;                             // of a move that turns
-constexpr double kUsualDiameter = 1.75;                       // mm
-constexpr std::uint32_t kMostTools = 1000;
+constexpr double kPushed = 1e-6; // extruder units: less is rounding
+constexpr double kAlong = 1e-6;  // mm in XY: less is no way
+// Tools beyond are codes for the firmware, as T255 and T1000 of Bambu's printers.
+constexpr std::uint32_t kMostTools = 254;
 
 class Reader {
   public:
@@ -38,10 +37,8 @@ class Reader {
            const Beads::Emit& emit)
         : text_(program), name_(name), p_(profile), o_(options), told_(told_by(program)),
           layers_(told_, options.bead.size() == 2 ? options.bead[1] : 0), modes_(profile),
-          tools_(machine::tool_lines(profile)), beads_(profile.axes.active(), emit) {
+          tools_(machine::tool_lines(profile)), beads_(profile.axes.active(), emit), axes_(profile) {
         if (o_.bead.size() == 2) width_ = o_.bead[0];
-        if (p_.axes.start) stand(*p_.axes.start);
-        tip_ = !p_.axes.active() || (p_.axes.numbers == machine::Numbers::tip && p_.axes.tcp_on.empty());
     }
 
     Found follow() {
@@ -65,10 +62,11 @@ class Reader {
         if (!line.comment().empty()) remark(remark_in(line.comment(), told_));
         const std::string_view code = line.code();
         if (code.empty() || code == "%") return;
-        if (special(code)) return void(++ignored_);
+        if (special(code)) return void(++out_.ignored);
         machine::split(code, words_);
-        if (*words_.fault != 0) fail(words_.fault);
         if (words_.own) return own_command(code);
+        if (words_.words.empty()) return void(++out_.no_code);
+        if (machine::lacks_code(words_)) fail(words_.fault);
         words();
     }
 
@@ -79,9 +77,9 @@ class Reader {
         if (r.role) role_ = *r.role;
     }
 
-    // Klipper's, of which one matters.
+    // Of Klipper's commands one matters.
     void own_command(std::string_view code) {
-        ++ignored_;
+        ++out_.ignored;
         constexpr std::string_view takes = "ACTIVATE_EXTRUDER EXTRUDER=extruder";
         if (!code.starts_with(takes)) return;
         const std::string number(code.substr(takes.size()));
@@ -99,220 +97,186 @@ class Reader {
         const auto is = [&](const std::string& other) {
             return !other.empty() && code == machine::trimmed(std::string_view(other).substr(0, other.find('\n')));
         };
-        const auto& e = machine::of_tool(p_, tool_).extrusion;
+        const auto& e = machine::of_tool(p_, axes_.tool()).extrusion;
         const auto& a = p_.axes;
         const bool opens = is(e.on) || (p_.fibre.active() && is(p_.fibre.on));
         const bool closes = is(e.off) || (p_.fibre.active() && is(p_.fibre.off));
         if (opens || closes) modes_.open = opens;
         const bool tips = a.active() && a.numbers == machine::Numbers::tip;
         const bool tip_begins = tips && is(a.tcp_on), tip_ends = tips && is(a.tcp_off);
-        if (tip_begins || tip_ends) switch_to(tip_begins);
+        if (tip_begins || tip_ends) axes_.mean_tip(tip_begins);
         return opens || closes || tip_begins || tip_ends;
     }
 
     void take(std::uint32_t tool) {
-        if (tool > kMostTools) return;
-        tool_ = tool;
-    }
-
-    // --- places ---
-    void stand(const kinematics::Joints& j) {
-        const bool tips = p_.axes.numbers == machine::Numbers::tip && p_.axes.tcp_on.empty();
-        const Vec3 at = tips ? kinematics::forward(p_.axes.chain, j).tip : j.xyz;
-        at_ = {at.x, at.y, at.z, j.tilt / kDegree, j.turn / kDegree};
-    }
-
-    // The numbers get another meaning; the tool stays where it is.
-    void switch_to(bool tip) {
-        if (tip != tip_) {
-            const auto j = machine::joints_of(p_, tool_, at_, tip_);
-            const auto& chain = machine::of_tool(p_, tool_).axes.chain;
-            const Vec3 now = tip ? kinematics::forward(chain, j).tip : j.xyz;
-            at_[0] = now.x;
-            at_[1] = now.y;
-            at_[2] = now.z;
-        }
-        tip_ = tip;
-    }
-
-    [[nodiscard]] Place place(const AxisNumbers& a) const {
-        if (!p_.axes.active()) return {Vec3{a[0], a[1], a[2]} + machine::of_tool(p_, tool_).offset};
-        const auto pose =
-            kinematics::forward(machine::of_tool(p_, tool_).axes.chain, machine::joints_of(p_, tool_, a, tip_));
-        return {tip_ ? Vec3{a[0], a[1], a[2]} : pose.tip, pose.axis};
+        if (tool <= kMostTools) axes_.take(tool);
     }
 
     // --- codes ---
-    enum class Owner : std::uint8_t { motion, command, home, offset }; // of the words of a line: the greatest counts
-
     void words() {
-        AxisNumbers given{};
-        std::array<bool, 5> has{};
-        std::optional<double> extruder;
-        ArcWords arc;
-        Owner owner = Owner::motion;
-        bool moves = false, says_motion = false, shortens = false, takes_back = false;
-        double diameter = -1;
-        e_decimals_ = 0;
-        const bool counts = machine::of_tool(p_, tool_).extrusion.feeding != Feeding::valve;
-        for (const auto& [letter, v, decimals] : words_.words) {
-            const std::size_t k = machine::axis_of(p_, letter);
-            if (k < given.size()) {
-                given[k] = v * (k < 3 ? modes_.unit : 1);
-                has[k] = moves = true;
-            } else if (counts && letter == p_.extrusion.letter) {
-                extruder = v * modes_.unit;
-                e_decimals_ = decimals;
-            } else if (letter == 'G')
-                owner = std::max(owner, g(v, says_motion, takes_back));
-            else if (letter == 'M')
-                owner = std::max(owner, m(v, diameter));
-            else if (letter == 'T')
-                owner = t(owner, v);
-            else if (letter == 'I' || letter == 'J' || letter == 'R')
-                (letter == 'I' ? arc.i : letter == 'J' ? arc.j : arc.r) = v * modes_.unit;
-            else if (letter == 'P' || letter == 'L' || letter == 'S') {
-                shortens = true;
-                if (letter == 'P') arc.turns = static_cast<int>(v);
-            } else if (letter == 'D' && diameter == 0)
-                volumetric_ = v > 0;
-        }
-        if (owner == Owner::offset) return offset(given, has, extruder);
-        if (owner == Owner::home) return home(has);
-        if (takes_back && !shortens) return firmware_retraction();
-        if (says_motion || (owner == Owner::motion && (moves || extruder))) {
-            arc.clockwise = modes_.motion == 2;
-            arc.from_begin = modes_.relative_centres;
-            return go(target(given, has), extruder, arc);
-        }
-        ++ignored_;
+        for (const machine::Word& w : words_.words)
+            if (w.letter == 'G' && (w.value == 20 || w.value == 21)) modes_.inches(w.value == 20);
+        const bool counts = machine::of_tool(p_, axes_.tool()).extrusion.feeding != Feeding::valve;
+        const char extruder = p_.name.empty() ? told_.extruder : p_.extrusion.letter;
+        const Line line = sorted(words_, p_, extruder, counts, modes_.unit());
+        if (line.first == 'O' && words_.words.size() > 1)
+            fail("calls or repeats a part of the program, which is not followed");
+        if (line.tool && *line.tool >= 0 && (line.first == 'T' || std::ranges::count(line.m, 6) > 0))
+            take(static_cast<std::uint32_t>(*line.tool));
+        for (const double m : line.m) m_code(m, line);
+        if (machine::is_command(words_)) return void(++out_.ignored);
+        bool moves = line.m.empty() && line.first != 'T' && line.first != 'O', in_machine = false;
+        for (const double g : line.g) moves = g_code(g, line, moves, in_machine);
+        if (!moves || !(line.moves() || says_motion(line))) return void(++out_.ignored);
+        if (*words_.fault != 0) fail(words_.fault);
+        if (line.foreign_axis != 0)
+            fail(std::string("moves the axis ") + line.foreign_axis +
+                 ", which is not followed; name its machine by --machine");
+        go(target(line, in_machine), line);
     }
 
-    [[nodiscard]] AxisNumbers target(const AxisNumbers& given, const std::array<bool, 5>& has) const {
-        AxisNumbers to = at_;
-        for (std::size_t k = 0; k < to.size(); ++k)
-            if (has[k]) to[k] = modes_.relative ? at_[k] + given[k] : given[k] + zero_[k];
+    [[nodiscard]] static bool says_motion(const Line& line) {
+        return std::ranges::any_of(line.g, [](double g) { return g >= 0 && g <= 3; });
+    }
+
+    // Follows one code; whether the line moves, if it did so by the codes before: a code that owns its words ends that.
+    bool g_code(double g, const Line& line, bool moves, bool& in_machine) {
+        const bool offsets = line.l && (*line.l == 2 || *line.l == 20);
+        const Code code = code_of(g, {line.places(), offsets, told_.machinekit});
+        switch (code.action) {
+        case Action::modal:
+            modes_.modal(g);
+            return moves;
+        case Action::machine:
+            in_machine = true;
+            return moves;
+        case Action::work_system:
+            use_system(g);
+            return moves;
+        case Action::move:
+            modes_.motion = static_cast<int>(g);
+            return true;
+        case Action::probe:
+            ++out_.probes;
+            modes_.motion = 1;
+            return true;
+        case Action::not_followed:
+            fail("asks for G" + shortest_text(g) + ", " + code.why + ", which is not followed");
+        case Action::retract:
+        case Action::give:
+            if (!line.p && !line.s && !line.l) firmware_retraction(code.action == Action::retract);
+            return false;
+        case Action::home:
+        case Action::zero:
+        case Action::native:
+        case Action::local:
+        case Action::work_offset:
+            origin(code.action, line);
+            return false;
+        case Action::command:
+            return false;
+        }
+        return moves;
+    }
+
+    void m_code(double m, const Line& line) {
+        if (m == 82 || m == 83) modes_.extruder_is(m == 83);
+        if (m == 200 && line.d) volumetric_ = *line.d > 0;
+        if (m == 221 && line.s && *line.s > 0) flow_ = *line.s / 100;
+        if (m == 605 && line.s && *line.s >= 2)
+            fail("asks for M605, several heads that do the same, which is not followed");
+        if (m == 128)
+            fail("asks for M128, the control of the tool's tip, which is not followed; name its machine by --machine");
+    }
+
+    // --- places ---
+    [[nodiscard]] AxisNumbers target(const Line& line, bool in_machine) const {
+        AxisNumbers to = axes_.at;
+        for (std::size_t k = 0; k < to.size(); ++k) {
+            if (!line.has[k]) continue;
+            const double v = line.numbers[k];
+            to[k] = in_machine ? v : modes_.relative ? axes_.at[k] + v : v + origin_.of(k);
+        }
         return to;
     }
 
-    Owner g(double v, bool& says_motion, bool& takes_back) {
-        const auto is = [v](double code) { return std::abs(v - code) < 1e-3; };
-        if (v == 0 || v == 1 || v == 2 || v == 3) {
-            modes_.motion = static_cast<int>(v);
-            says_motion = true;
+    void use_system(double g) {
+        const std::size_t system =
+            g < 59.05 ? static_cast<std::size_t>(g - 54) : 5 + static_cast<std::size_t>(std::lround((g - 59) * 10));
+        if (system >= Origin::kSystems || system == origin_.in_use()) return;
+        if (laid_ && !(origin_.is_told(system) && origin_.is_told(origin_.in_use())))
+            fail("goes over to the coordinates of G" + shortest_text(g) +
+                 ", and the program does not tell where they begin");
+        origin_.use(system);
+    }
+
+    // Where the numbers of axes count from.  A machine knows where home is, the program does not: what is laid next
+    // begins at a new place.
+    void origin(Action action, const Line& line) {
+        const bool all = std::ranges::none_of(line.named, [](bool b) { return b; });
+        const auto p = static_cast<std::size_t>(std::clamp(line.p.value_or(0), 0.0, double{Origin::kSystems}));
+        const std::size_t system = p == 0 ? origin_.in_use() : p - 1;
+        if (action == Action::native) origin_.forget_names();
+        if (action == Action::zero && line.extruder) modes_.extruder = *line.extruder;
+        const bool by_place = action == Action::work_offset && *line.l == 20;
+        if (action == Action::work_offset && line.places() && !by_place && system == origin_.in_use() &&
+            !origin_.is_told(system)) {
+            if (laid_) fail("moves the coordinates in use by G10, and the program does not tell where they were");
+            ++out_.origins;
         }
-        if (v == 10 || v == 11) {
-            takes_back = true;
-            retracts_ = v == 10;
-            return Owner::command;
+        for (std::size_t k = 0; k < line.has.size(); ++k) {
+            if (action == Action::home && k < 3 && (all || line.named[k])) {
+                axes_.at[k] = 0;
+                origin_.home(k);
+            }
+            if (!line.has[k]) continue;
+            const double v = line.numbers[k];
+            if (action == Action::zero) origin_.name(k, axes_.at[k], v);
+            if (action == Action::local) origin_.local(k, v);
+            if (action == Action::work_offset && by_place) origin_.work_name(system, k, axes_.at[k], v);
+            if (action == Action::work_offset && !by_place) origin_.work(system, k, v);
         }
-        if (v == 20 || v == 21) modes_.unit = v == 20 ? kInch : 1;
-        if (is(90) || is(91)) modes_.places(v == 91);
-        if (is(90.1) || is(91.1)) modes_.relative_centres = is(91.1);
-        if (v == 92) return Owner::offset;
-        if (v == 28 || v == 30) return Owner::home;
-        if (v == 5 || v == 6 || is(5.1) || is(5.2) || v == 18 || v == 19 || v == 53 || (v >= 81 && v <= 89))
-            fail("asks for G" + std::to_string(static_cast<int>(v)) + ", which is not understood");
-        const bool modal = v < 4 || v == 17 || v == 20 || v == 21 || (v >= 90 && v < 92) || (v >= 40 && v <= 49) ||
-                           (v >= 54 && v <= 64) || v == 80 || (v >= 93 && v <= 99);
-        return modal ? Owner::motion : Owner::command;
     }
 
-    Owner t(Owner owner, double v) {
-        take(static_cast<std::uint32_t>(std::max(v, 0.0)));
-        return std::max(owner, Owner::command);
-    }
-
-    Owner m(double v, double& diameter) {
-        if (v == 82 || v == 83) modes_.extruder_is(v == 83);
-        if (v == 200) diameter = 0;
-        return Owner::command;
-    }
-
-    void offset(const AxisNumbers& given, const std::array<bool, 5>& has, std::optional<double> extruder) {
-        for (std::size_t k = 0; k < given.size(); ++k)
-            if (has[k]) zero_[k] = at_[k] - given[k];
-        if (extruder) modes_.extruder = *extruder;
-        ++ignored_;
-    }
-
-    // A machine knows where home is, the program does not: what is laid next begins at a new place.
-    void home(const std::array<bool, 5>& has) {
-        const bool all = std::none_of(has.begin(), has.end(), [](bool b) { return b; });
-        for (std::size_t k = 0; k < 3; ++k)
-            if (all || has[k]) at_[k] = zero_[k] = 0;
-        ++ignored_;
-    }
-
-    void firmware_retraction() {
-        ++ignored_;
-        if (retracts_ && layers_.begun()) beads_.take_back(0);
+    void firmware_retraction(bool takes) {
+        if (takes && layers_.begun()) beads_.take_back(0);
     }
 
     // --- material ---
-    // mm3 of one unit of the extruder word.
-    [[nodiscard]] double unit_volume() const {
-        const auto& e = machine::of_tool(p_, tool_).extrusion;
-        if (volumetric_ || told_.volumetric) return 1;
-        if (!p_.name.empty() && e.feeding != Feeding::filament) return 1 / e.per_mm3();
-        double d = o_.filament;
-        if (!(d > 0) && !told_.diameters.empty())
-            d = told_.diameters[std::min<std::size_t>(tool_, told_.diameters.size() - 1)];
-        if (!(d > 0) && !p_.name.empty()) return 1 / e.per_mm3();
-        if (!(d > 0)) d = kUsualDiameter;
-        return std::numbers::pi * d * d / 4;
-    }
-
-    void go(const AxisNumbers& to, std::optional<double> extruder, const ArcWords& arc) {
+    void go(const AxisNumbers& to, const Line& line) {
         if (modes_.motion < 0) fail("moves before any G0 or G1");
-        const double by = extruder ? modes_.pushed(*extruder) : 0;
-        ++moves_;
-        std::vector<Vec3> points;
+        const double by = line.extruder ? modes_.pushed(*line.extruder) : 0;
+        extruder_decimals_ = line.extruder_decimals;
+        ++out_.moves;
+        const Vec3 begin{axes_.at[0], axes_.at[1], axes_.at[2]}, end{to[0], to[1], to[2]};
+        std::vector<Vec3> points{end};
         if (modes_.motion >= 2) {
-            ++arcs_;
-            points = arc_points({at_[0], at_[1], at_[2]}, {to[0], to[1], to[2]}, arc, o_.arc_tolerance);
+            ++out_.arcs;
+            if (modes_.plane != 17) fail("is an arc outside the XY plane, which is not followed");
+            ArcWords arc = line.arc;
+            arc.clockwise = modes_.motion == 2;
+            arc.from_begin = modes_.relative_centres;
+            points = arc_points(begin, end, arc, o_.arc_tolerance);
             if (points.empty()) fail("is an arc without a proper centre");
-        } else {
-            points = {{to[0], to[1], to[2]}};
         }
         double whole = 0;
-        Vec3 from{at_[0], at_[1], at_[2]};
+        for (std::size_t i = 0; i < points.size(); ++i) whole += distance(i == 0 ? begin : points[i - 1], points[i]);
         for (const Vec3& p : points) {
-            whole += distance(from, p);
-            from = p;
-        }
-        for (const Vec3& p : points) {
-            const Vec3 here{at_[0], at_[1], at_[2]};
+            const Vec3 here{axes_.at[0], axes_.at[1], axes_.at[2]};
             const double share = whole > 0 ? distance(here, p) / whole : 1;
-            part({p.x, p.y, p.z, to[3], to[4]}, by * share, share, 0);
+            axes_.move({p.x, p.y, p.z, to[3], to[4]}, [&](const Place& a, const Place& b, double part) {
+                move(a, b, by * share * part, share * part);
+            });
         }
     }
 
-    // One straight piece of the axes; halved until the tip goes straight, too.
-    void part(const AxisNumbers& to, double by, double share, int depth) {
-        const Place a = place(at_), b = place(to);
-        if ((at_[3] != to[3] || at_[4] != to[4]) && depth < kMostHalvings) {
-            AxisNumbers middle{};
-            for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = (at_[k] + to[k]) / 2;
-            const Place m = place(middle);
-            const Vec3 axis = a.axis + b.axis;
-            const bool near = distance(m.tip, 0.5 * (a.tip + b.tip)) <= kChordOff &&
-                              geom::angle(m.axis, axis) <= kLeanOff && geom::angle(a.axis, b.axis) <= 10 * kLeanOff;
-            if (!near) {
-                part(middle, by / 2, share / 2, depth + 1);
-                part(to, by / 2, share / 2, depth + 1);
-                return;
-            }
-        }
-        move(a, b, by, share);
-        at_ = to;
-    }
+    [[nodiscard]] double unit() const { return unit_volume(p_, axes_.tool(), o_.filament, told_, volumetric_); }
 
     void move(const Place& a, const Place& b, double by, double share) {
         const bool planar = !p_.axes.active();
         const double way = planar ? distance(a.tip.xy(), b.tip.xy()) : distance(a.tip, b.tip);
         const bool valve = modes_.open && modes_.motion >= 1;
-        const double volume = by * unit_volume();
+        const double volume = by * unit();
         if ((by > kPushed || valve) && way > kAlong) return lay(a, b, volume, valve, share);
         if (by < -kPushed) beads_.take_back(-volume);
         if (by > kPushed) beads_.push(volume);
@@ -322,49 +286,28 @@ class Reader {
     void lay(const Place& a, const Place& b, double volume, bool valve, double share) {
         const double way = distance(a.tip, b.tip);
         if (!layers_.begun() && !o_.start_code) {
-            purged_ += way;
-            purged_volume_ += volume;
-            ++purged_moves_;
+            out_.purged += way;
+            ++out_.purged_moves;
             return;
         }
         layers_.bead(a.tip.z, b.tip.z);
-        const double height = layers_.height(), decimal = std::pow(10.0, -e_decimals_);
+        const double height = layers_.height(), decimal = std::pow(10.0, -extruder_decimals_);
         if (!(height > 0)) fail("lays a bead of unknown height; give --bead");
         if (valve && !(width_ > 0)) fail("lays a bead of unknown width; give --bead");
-        const double laid = valve ? width_ * height * way : volume,
-                     unsure = valve ? 0 : decimal * unit_volume() * share;
+        const double laid = valve ? width_ * height * way : volume, unsure = valve ? 0 : decimal * unit() * share;
         if (!laid_) beads_.stand(a);
         laid_ = true;
-        beads_.lay(b, {laid, unsure, height, layers_.index(), tool_, role_, feature_});
+        if (!valve) out_.flow_off += std::abs(flow_ - 1) * volume;
+        beads_.lay(b, {laid, unsure, height, layers_.index(), axes_.tool(), role_, feature_});
     }
 
     Found found() {
-        Found out;
-        out.counts = beads_.finish();
+        const Counts counts = beads_.finish();
         if (!laid_)
             throw Error(Exit::bad_input,
                         "cannot find a bead in the program " + name_ +
                             "; is it G-code that extrudes, and the machine the right one? See --machine");
-        const auto note = [&](const char* what, double amount, const char* unit, std::uint64_t count) {
-            if (count > 0) out.notes.push_back({"", what, amount, unit, count});
-        };
-        note("laid before the first layer, left out; see --start-code", purged_, "mm", purged_moves_);
-        constexpr double told = 0.5; // mm3: less is rounding, and what is given on top after each travel
-        note("pushed out while the tool stands, in no bead", out.counts.still, "mm3", out.counts.still > told ? 1 : 0);
-        const auto fact = [&](const char* what, double value, const char* unit = "") {
-            out.facts.push_back({"", what, value, unit});
-        };
-        fact("strokes", static_cast<double>(out.counts.strokes), "strokes");
-        fact("stops", static_cast<double>(out.counts.stops));
-        fact("travels", static_cast<double>(out.counts.travels));
-        fact("retractions", static_cast<double>(out.counts.retractions));
-        fact("extruded", out.counts.extruded, "mm");
-        fact("travelled", out.counts.travelled, "mm");
-        fact("volume", out.counts.volume, "mm3");
-        fact("moves", static_cast<double>(moves_));
-        fact("arcs", static_cast<double>(arcs_));
-        fact("other-lines", static_cast<double>(ignored_));
-        return out;
+        return {counts, notes_of(out_, counts), facts_of(out_, counts)};
     }
 
     std::string_view text_;
@@ -376,16 +319,16 @@ class Reader {
     Modes modes_;
     std::map<std::string, std::uint32_t> tools_;
     Beads beads_;
+    Axes axes_;
+    Origin origin_;
     machine::Words words_;
-    AxisNumbers at_{}, zero_{};
-    double width_ = 0;
+    Tally out_;
+    double width_ = 0, flow_ = 1; // mm; of M221
     toolpath::Feature feature_ = toolpath::Feature::none;
     toolpath::Role role_ = toolpath::Role::bead;
-    std::uint64_t number_ = 0, ignored_ = 0, moves_ = 0, arcs_ = 0, purged_moves_ = 0;
-    double purged_ = 0, purged_volume_ = 0; // mm, mm3
-    std::uint32_t tool_ = 0;
-    int e_decimals_ = 0; // of the line
-    bool tip_ = true, volumetric_ = false, retracts_ = false, laid_ = false;
+    std::uint64_t number_ = 0;  // of the line, from 1
+    int extruder_decimals_ = 0; // of the line
+    bool volumetric_ = false, laid_ = false;
 };
 
 } // namespace

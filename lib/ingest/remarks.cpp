@@ -161,7 +161,11 @@ Told told_by(std::string_view program) {
             out.volumetric = out.volumetric || same(*flavour, "UltiGCode");
             out.marlin = out.marlin || behind(*flavour, "Marlin").has_value();
         }
-        if (const auto flavour = behind(comment, "gcode_flavor =")) out.marlin = behind(*flavour, "marlin").has_value();
+        if (const auto flavour = behind(comment, "gcode_flavor =")) {
+            out.marlin = behind(*flavour, "marlin").has_value();
+            out.machinekit = same(*flavour, "machinekit");
+            if (same(*flavour, "makerware") || same(*flavour, "sailfish")) out.extruder = 'A';
+        }
     }
     return out;
 }

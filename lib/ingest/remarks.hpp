@@ -18,6 +18,8 @@ struct Told {
     std::vector<double> diameters; // mm, of the filament of each tool; none if it says nothing
     bool volumetric = false;       // the extruder word counts mm3
     bool marlin = false;           // it says that it is for Marlin
+    bool machinekit = false;       // ... for MachineKit, where G22 and G23 retract and give again
+    char extruder = 'E';           // the extruder's word
 };
 Told told_by(std::string_view program);
 

@@ -55,35 +55,84 @@ CodeLine::CodeLine(std::string_view text) {
     inner_ = trimmed(inner_);
 }
 
+namespace {
+
+char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
+
+// "SET_PIN", "print_start", "Tx": a letter that neither a number nor a blank follows begins a name.
+bool begins_with_name(std::string_view code) {
+    const auto is_letter = [](char c) { return upper(c) >= 'A' && upper(c) <= 'Z'; };
+    return code.size() > 1 && is_letter(code[0]) && (is_letter(code[1]) || code[1] == '_');
+}
+
+// The number at the begin of `text`, and how long it is; 0 if there is none.
+std::size_t number_at(std::string_view text, Word& to) {
+    std::size_t i = 0;
+    while (i < text.size() && (is_blank(text[i]) || text[i] == '+')) ++i;
+    const auto [end, error] =
+        std::from_chars(text.data() + i, text.data() + text.size(), to.value, std::chars_format::fixed);
+    if (error != std::errc{} || !(std::abs(to.value) <= kFarthestNumber)) return 0;
+    const auto written = std::string_view(text.data() + i, static_cast<std::size_t>(end - text.data()) - i);
+    const auto point = written.find('.');
+    to.decimals = point == written.npos ? 0 : static_cast<int>(written.size() - point - 1);
+    return i + written.size();
+}
+
+} // namespace
+
 void split(std::string_view code, Words& to) {
     to.words.clear();
-    to.own = false;
     to.fault = "";
+    to.own = begins_with_name(code);
+    if (to.own) return;
+    std::uint32_t seen = 0; // a bit for each letter
+    const auto fault = [&](const char* why) {
+        if (*to.fault == 0) to.fault = why;
+    };
     for (std::size_t i = 0; i < code.size();) {
         if (is_blank(code[i])) {
             ++i;
             continue;
         }
-        const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(code[i++])));
-        if (letter < 'A' || letter > 'Z') {
-            if (!to.words.empty() && is_place(to.words.back().letter)) to.fault = "holds what is no word";
-            to.own = true;
-            return;
+        Word word;
+        word.letter = upper(code[i++]);
+        if (word.letter < 'A' || word.letter > 'Z') return fault("holds what is no word");
+        const std::size_t length = number_at(code.substr(i), word);
+        word.flag = length == 0;
+        if (word.flag) {
+            word.value = 0;
+            fault("holds a word without a proper number");
         }
-        while (i < code.size() && (is_blank(code[i]) || code[i] == '+')) ++i;
-        double v = 0;
-        const char* const begin = code.data() + i;
-        const auto [end, error] = std::from_chars(begin, code.data() + code.size(), v, std::chars_format::fixed);
-        if (error != std::errc{} || !(std::abs(v) <= kFarthestNumber)) {
-            if (letter == 'G' || is_place(letter)) to.fault = "holds a word without a proper number";
-            to.own = true;
-            return;
-        }
-        const auto text = std::string_view(begin, static_cast<std::size_t>(end - begin));
-        const auto point = text.find('.');
-        to.words.push_back({letter, v, point == text.npos ? 0 : static_cast<int>(text.size() - point - 1)});
-        i = static_cast<std::size_t>(end - code.data());
+        const std::uint32_t bit = 1U << (word.letter - 'A');
+        const bool many = word.letter == 'G' || word.letter == 'M';
+        if (!many && (seen & bit) != 0) fault("holds a word twice");
+        seen |= bit;
+        to.words.push_back(word);
+        i += length;
     }
+}
+
+namespace {
+
+// The first word behind the number of the line.
+const Word* first_word(const Words& line) {
+    for (const Word& w : line.words)
+        if (w.letter != 'N') return &w;
+    return nullptr;
+}
+
+} // namespace
+
+bool is_command(const Words& line) {
+    const Word* const first = first_word(line);
+    if (first == nullptr || first->letter != 'M') return false;
+    const auto within = [m = first->value](double low, double high) { return m >= low && m <= high; };
+    return !(within(3, 9) || within(48, 53) || within(60, 68) || within(128, 129));
+}
+
+bool lacks_code(const Words& line) {
+    const Word* const first = first_word(line);
+    return first != nullptr && first->letter == 'G' && first->flag;
 }
 
 std::map<std::string, std::uint32_t> tool_lines(const Profile& p) {

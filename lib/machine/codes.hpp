@@ -32,18 +32,25 @@ class CodeLine {
 struct Word {
     char letter = 0; // upper case
     double value = 0;
-    int decimals = 0; // behind the point, as written
+    int decimals = 0;  // behind the point, as written
+    bool flag = false; // has no number, as X in "G28 X"
 };
 
 // What a line without comments holds.
 struct Words {
     std::vector<Word> words;
-    bool own = false;       // a command of the controller's own, as of Klipper: no words
-    const char* fault = ""; // of a line that moves: "holds a word without a proper number"
+    bool own = false;       // a command by a name of the controller's own, such as Klipper's: it has no words
+    const char* fault = ""; // why the line cannot move anything: "holds a word without a proper number"
 };
 
-// Splits it; numbers beyond 1e7 are none.  `to` is reused from line to line.
+// Splits a line into words.  Numbers beyond 1e7 are none.  Words end where something stands that is no word.  A fault
+// matters on a line that moves: other commands have flags and text.  `to` is reused from line to line.
 void split(std::string_view code, Words& to);
+
+// An M code owns the words of its line, as in "M84 X Y E", but for NIST's that others may follow: "M3 G1 X10".
+bool is_command(const Words& line);
+// It begins with a G without a number: what the line does is unknown.
+bool lacks_code(const Words& line);
 
 // The line of each tool's codes by which it is known: the first that no other tool's codes hold.
 std::map<std::string, std::uint32_t> tool_lines(const Profile& profile);

@@ -85,3 +85,20 @@ END
     [[ $err == *"line 1"* ]]
     expect 2 ingest --machine ur text
 }
+
+@test "commands with flags, origins and text are passed over; rotary words and turned coordinates are not" {
+    local begin='G21\nG90\nM83\nG28 XY\nM569 S1 X Y\nG1 Z0.2 F600\nG1 X10 Y10 F6000\n'
+    local bead='G1 X30 Y10 E0.665 F1200\nG1 X30 Y30 E0.665\n'
+    printf "${begin}${bead}M84 X Y E ; off\n" > flags.gcode
+    same flags.gcode
+    printf "${begin}G10 L2 P1 X100\nG54\n${bead}" > origin.gcode
+    ingest origin.gcode -o origin.toolpath 2> said
+    grep -q 'origins moved by G10' said
+    peek --json origin.toolpath | grep -q '"name":"retractions"[^}]*"value":0\b'
+    local line
+    for line in 'G43.4 H1' M128 'G68 R30' 'G51 X2' 'G1 X40 U10 E1' 'G1 X40 A10 E1'; do
+        printf "${begin}${bead}${line}\n${bead}" > turned.gcode
+        expect 3 ingest turned.gcode
+        complaint ingest
+    done
+}

@@ -1,0 +1,39 @@
+// Where the numbers of a program count from: G10 L2, G52, G54 to G59, G92.
+#pragma once
+
+#include "machine/codes.hpp"
+
+#include <array>
+
+namespace filum::ingest {
+
+using machine::AxisNumbers;
+
+// Places are the machine's, as far as the program tells them: where it homes is taken as 0.
+class Origin {
+  public:
+    static constexpr std::size_t kSystems = 9; // G54 to G59, G59.1 to G59.3
+
+    // What is added to the number of an axis.
+    [[nodiscard]] double of(std::size_t axis) const { return work_[system_][axis] + local_[axis] + zero_[axis]; }
+    // Places of axes that are given, from here on: the place `at` gets the number (G92).
+    void name(std::size_t axis, double at, double number);
+    void forget_names() { zero_ = {}; }
+    void home(std::size_t axis) { zero_[axis] = 0; }
+    void local(std::size_t axis, double offset) { local_[axis] = offset; }
+    // G10 L2: the origin of a system; L20: so that the place `at` gets the number.  System 0 is the one in use.
+    void work(std::size_t system, std::size_t axis, double offset);
+    void work_name(std::size_t system, std::size_t axis, double at, double number);
+    void use(std::size_t system) { system_ = system; }
+
+    [[nodiscard]] std::size_t in_use() const { return system_; }
+    [[nodiscard]] bool is_told(std::size_t system) const { return told_[system]; }
+
+  private:
+    std::array<AxisNumbers, kSystems> work_{};
+    std::array<bool, kSystems> told_{};
+    AxisNumbers local_{}, zero_{};
+    std::size_t system_ = 0;
+};
+
+} // namespace filum::ingest
