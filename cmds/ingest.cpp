@@ -10,7 +10,8 @@ using namespace filum;
 
 constexpr const char* kDescription =
     "Reads a finished program, of Filum or of any slicer, so that metrics, render and collide can judge it: 'ingest "
-    "part.gcode | metrics' tells how many strokes and stops a print has.\n\n"
+    "part.gcode | metrics' tells how many strokes and stops a print has. Programs come as text, as binary G-code "
+    "(.bgcode), or as a project with one program a plate (.gcode.3mf).\n\n"
     "It understands the dialects of Marlin, Klipper, RepRapFirmware and LinuxCNC: G0 to G3 (arcs by I J or R), G10, "
     "G11, G20, G21, G28, G52 to G59, G90, G91, G92, M82, M83, M200 D, T, M6, and ACTIVATE_EXTRUDER. Other moves, and "
     "codes that turn or scale what follows (G5, G43.4, G51, G68, M128, axes A B C U V W that the machine lacks), are "
@@ -34,7 +35,7 @@ cli::Spec spec(app::ingest::Options& o) {
     return {.name = "ingest",
             .synopsis = "the G-code of any slicer to a toolpath",
             .description = kDescription,
-            .in = cli::file("G-code"),
+            .in = cli::file("G-code, .bgcode, .gcode.3mf"),
             .out = cli::writes(stream::Payload::toolpath),
             .memory = "the program",
             .options =
@@ -51,6 +52,7 @@ cli::Spec spec(app::ingest::Options& o) {
                      .at_most(100)
                      .numbers(2)
                      .a_limit(),
+                 Option{"plate", &o.plate, "N", "plate of a .gcode.3mf, counted from 1; 0: the first"}.within(0, 1000),
                  Option{"start-code", &o.start_code, "", "keep what is laid before the first layer, too"}.a_limit(),
                  Option{"arc-tolerance", &o.arc_tolerance, "MM", "how far lines may be from the arcs they stand for"}
                      .at_least(0.0001)

@@ -14,11 +14,13 @@ void Zip::bad(const std::string& why) const { throw Error(Exit::bad_input, "cann
 
 bool Zip::begins(std::string_view bytes) { return bytes.starts_with("PK\003\004"); }
 
-Zip::Zip(std::string_view bytes, std::string name) : handle_(std::make_unique<Handle>()), name_(std::move(name)) {
+Zip::Zip(std::string_view bytes, std::string name, Names names)
+    : handle_(std::make_unique<Handle>()), name_(std::move(name)) {
+    const int flags = names == Names::of_both_places ? ZIP_RDONLY | ZIP_CHECKCONS : ZIP_RDONLY;
     zip_error_t error;
     zip_error_init(&error);
     zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
-    if (source != nullptr) handle_->zip.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
+    if (source != nullptr) handle_->zip.reset(zip_open_from_source(source, flags, &error));
     const std::string why = zip_error_strerror(&error);
     zip_error_fini(&error);
     if (handle_->zip != nullptr) return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -11,8 +12,11 @@ namespace filum::archive {
 
 class Zip {
   public:
+    // An archive states names and sizes twice: in its directory, and before each entry.
+    enum class Names : std::uint8_t { of_directory, of_both_places }; // the latter must agree
+
     // `bytes` must live as long as this; `name` is for messages.  Throws Error(bad_input) if they are no whole archive.
-    Zip(std::string_view bytes, std::string name);
+    Zip(std::string_view bytes, std::string name, Names names = Names::of_directory);
     ~Zip();
     Zip(const Zip&) = delete;
     Zip& operator=(const Zip&) = delete;

@@ -1,6 +1,7 @@
 #include "ingest/remarks.hpp"
 
 #include "machine/codes.hpp"
+#include "machine/type_names.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -75,13 +76,22 @@ constexpr std::pair<std::string_view, Feature> kNames[] = {
     {"PRIME-TOWER", Feature::tower},
 };
 
-// How our own programs name roles, so that viewers know them; see postproc.
-constexpr std::pair<std::string_view, Role> kOwnNames[] = {{"Solid infill", Role::bead},
-                                                           {"Perimeter", Role::lift},
-                                                           {"Gap fill", Role::jog},
-                                                           {"Support material", Role::connector}};
-
 constexpr const char* kOwn = "filum";
+
+// "jog wall": the role and the feature of what follows, in programs of Filum.
+void own_kind(std::string_view text, Remark& to) {
+    const auto index_of = [](const auto& names, std::string_view name) {
+        return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    };
+    const auto blank = text.find(' ');
+    if (blank == text.npos) return;
+    const std::size_t role = index_of(toolpath::kRoleNames, text.substr(0, blank));
+    const std::size_t feature = index_of(toolpath::kFeatureNames, trimmed(text.substr(blank)));
+    if (role >= toolpath::kRoles || feature >= toolpath::kFeatures || role == static_cast<std::size_t>(Role::travel))
+        return;
+    to.role = static_cast<Role>(role);
+    to.feature = static_cast<Feature>(feature);
+}
 
 // "; filament_diameter = 1.75,2.85"
 void diameters(std::string_view text, std::vector<double>& to) {
@@ -112,8 +122,8 @@ Remark remark_in(std::string_view comment, const Told& told) {
     if (comment.empty()) return out;
     const auto kind = [&](std::string_view name) {
         if (told.by == kOwn) {
-            for (const auto& [own, role] : kOwnNames)
-                if (same(own, name)) out.role = role;
+            out.role = Role::bead;
+            out.feature = machine::feature_of_type(name).value_or(Feature::none);
             return;
         }
         out.feature = Feature::none;
@@ -127,6 +137,8 @@ Remark remark_in(std::string_view comment, const Told& told) {
         out.layer = true;
     else if (const auto type = behind(comment, "TYPE:"))
         kind(*type);
+    else if (const auto role = told.by == kOwn ? behind(comment, "ROLE:") : std::nullopt)
+        own_kind(*role, out);
     else if (const auto type_of_bambu = behind(comment, "FEATURE:"))
         kind(*type_of_bambu);
     else if (const auto width = behind(comment, "WIDTH:"))

@@ -1,6 +1,7 @@
 #include "postproc/program.hpp"
 
 #include "base/number.hpp"
+#include "machine/type_names.hpp"
 #include "postproc/digits.hpp"
 
 #include <algorithm>
@@ -24,12 +25,6 @@ bool differs(double a, double b) { return std::abs(a - b) > kTold * b; }
 
 // What viewers know a kind of bead by (the names of PrusaSlicer, so that they get its colours).
 const char* type_name(Role role, Feature feature) {
-    constexpr std::array<const char*, toolpath::kFeatures> kNames{
-        "Solid infill",    "External perimeter", "Perimeter",
-        "Internal infill", "Solid infill",       "Top solid infill",
-        "Solid infill",    "Bridge infill",      "Gap fill",
-        "Ironing",         "Support material",   "Support material interface",
-        "Skirt/Brim",      "Wipe tower"};
     switch (role) {
     case Role::lift:
         return "Perimeter";
@@ -42,7 +37,12 @@ const char* type_name(Role role, Feature feature) {
     case Role::travel:
         break;
     }
-    return kNames[static_cast<std::size_t>(feature)];
+    return machine::kTypeNames[static_cast<std::size_t>(feature)];
+}
+
+// True if the name says the feature of a bead, and that it is one.
+bool says_all(Role role, Feature feature) {
+    return role == Role::bead && machine::feature_of_type(type_name(role, feature)) == feature;
 }
 
 } // namespace
@@ -204,8 +204,12 @@ void Program::push() {
 
 void Program::bead_comments(const Step& step) {
     if (!profile_->format.viewer_comments) return;
-    if (step.role != role_ || step.feature != feature_)
+    if (step.role != role_ || step.feature != feature_) {
         comment(std::string("TYPE:") + type_name(step.role, step.feature));
+        if (!says_all(step.role, step.feature))
+            comment(std::string("ROLE:") + toolpath::kRoleNames[static_cast<std::size_t>(step.role)] + " " +
+                    toolpath::kFeatureNames[static_cast<std::size_t>(step.feature)]);
+    }
     if (differs(step.width, width_)) comment("WIDTH:" + fixed_text(width_ = step.width, 3));
     if (differs(step.height, height_)) comment("HEIGHT:" + fixed_text(height_ = step.height, 3));
     role_ = step.role;

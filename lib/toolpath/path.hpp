@@ -91,7 +91,8 @@ enum class Role : std::uint8_t {
     travel,    // not extruding: a break
     hairpin,   // fill in a turn that is declared to be tighter than what the path keeps to elsewhere
 };
-inline constexpr std::size_t kRoles = 6;
+inline constexpr std::array<const char*, 6> kRoleNames{"bead", "lift", "jog", "connector", "travel", "hairpin"};
+inline constexpr std::size_t kRoles = kRoleNames.size();
 
 // What happens to the material on a travel.
 enum class Retraction : std::uint8_t {

@@ -102,3 +102,78 @@ END
         complaint ingest
     done
 }
+
+@test "projects with a program a plate: the first, or the one that is asked for; damaged ones are refused" {
+    filum print part.stl -o one.gcode
+    filum print towers.stl -o two.gcode
+    python3 - << 'END'
+import zipfile
+def project(name, *entries):
+    with zipfile.ZipFile(name, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path, data in entries:
+            archive.writestr(path, data)
+one, two = open("one.gcode").read(), open("two.gcode").read()
+project("both.gcode.3mf", ("Metadata/plate_1.gcode", one), ("Metadata/plate_12.gcode", two), ("../evil.gcode", "G1 X1"))
+project("none.3mf", ("3D/3dmodel.model", "<model/>"))
+project("twice.gcode.3mf", ("Metadata/plate_1.gcode", one), ("Metadata/PLATE_1.gcode", two))
+whole = open("both.gcode.3mf", "rb").read()
+open("short.gcode.3mf", "wb").write(whole[: len(whole) // 2])
+open("wrong.gcode.3mf", "wb").write(whole[:200] + bytes([whole[200] ^ 255]) + whole[201:])
+open("names.gcode.3mf", "wb").write(whole.replace(b"plate_1.", b"plate_7.", 1))
+END
+    same one.gcode
+    ingest one.gcode -o one.toolpath
+    ingest two.gcode -o two.toolpath
+    ingest both.gcode.3mf -o read.toolpath 2> said
+    grep -q 'other plates' said
+    metrics --format tsv read.toolpath | grep -v '^said\|^noted' > read.tsv
+    metrics --format tsv one.toolpath | grep -v '^said\|^noted' | diff - read.tsv
+    ingest -q --plate 12 both.gcode.3mf -o read.toolpath
+    metrics --format tsv read.toolpath | grep -v '^said\|^noted' > read.tsv
+    metrics --format tsv two.toolpath | grep -v '^said\|^noted' | diff - read.tsv
+    expect 2 ingest --plate 3 both.gcode.3mf
+    local file
+    for file in none.3mf twice.gcode.3mf short.gcode.3mf wrong.gcode.3mf names.gcode.3mf; do
+        expect 3 ingest "$file"
+        complaint ingest
+    done
+}
+
+@test "binary G-code: what is written reads back as the text does" {
+    filum print towers.stl --infill 15% -o towers.gcode
+    filum print towers.stl --infill 15% -o towers.bgcode --thumbnails 16x16
+    head -c 4 towers.bgcode | grep -q GCDE
+    [[ $(stat -c %s towers.bgcode) -lt $(($(stat -c %s towers.gcode) / 2)) ]]
+    for file in towers.gcode towers.bgcode; do
+        ingest -q $file -o read.toolpath
+        metrics --format tsv read.toolpath | grep -v '^said\|^noted' > $file.tsv
+    done
+    diff towers.gcode.tsv towers.bgcode.tsv
+    expect 2 filum print towers.stl -o towers.gcode.3mf
+    expect 2 filum print towers.stl --machine ur -o towers.bgcode
+    head -c 5000 towers.bgcode > short.bgcode
+    expect 4 ingest short.bgcode
+}
+
+@test "hollow programs with supports read back: time, lengths by role, volume" {
+    boxes table.stl 0,0,0,4,12,4 20,0,0,24,12,4 0,0,4,24,12,6
+    for how in '' '--infill 15%' '--infill 15% --support' '--infill 15% --lift ramp'; do
+        # shellcheck disable=SC2086
+        filum print table.stl $how --keep kept -o table.gcode
+        ingest -q table.gcode -o read.toolpath
+        metrics --machine marlin --format tsv kept/*.toolpath > laid.tsv
+        metrics --machine marlin --format tsv read.toolpath > read.tsv
+        python3 - << 'END'
+def figures(name):
+    out = {}
+    for row in open(name).read().splitlines()[1:]:
+        out.setdefault(row.split("\t")[0], row.split("\t")[1])
+    return out
+laid, read = figures("laid.tsv"), figures("read.tsv")
+for key in ("strokes", "stops", "print_time_s", "extruded_mm", "beads_mm", "lifts_mm", "jogs_mm", "connectors_mm", "volume_mm3"):
+    a, b = float(laid[key]), float(read[key])
+    assert abs(a - b) <= 0.005 * max(a, b) + 0.001, (key, a, b)
+END
+        rm -r kept
+    done
+}

@@ -9,6 +9,7 @@
 namespace filum::app::ingest {
 
 struct Options : filum::ingest::Options {
+    long plate = 0;           // of a project, from 1; 0: the first
     std::string machine, set; // profile; none: three axes and an extruder word E
 };
 

@@ -1,6 +1,7 @@
 #include "app/postproc/postproc.hpp"
 
 #include "app/postproc/ahead.hpp"
+#include "app/postproc/program_file.hpp"
 #include "app/postproc/thumbnails.hpp"
 #include "base/number.hpp"
 #include "cli/output.hpp"
@@ -94,7 +95,7 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     if (profile.format.dialect == machine::Dialect::gcode) io.idle("modules", "'" + profile.name + "' is no robot");
     stream::Reader reader(io.input, stream::Payload::toolpath);
     check_outside(reader.header(), profile);
-    stream::Sink sink(io.output, stream::Sink::Content::text);
+    ProgramFile file(io.output, profile);
     stream::Spool spool;
     cli::Progress progress(io, reader.header().expected);
     Notes notes;
@@ -127,21 +128,27 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
                                                              filum::metrics::figures::Format::tsv, "job"));
     Modules modules(o.modules);
     const auto program = filum::postproc::writer(
-        profile, first_pass, measure.program_shift(), [&](auto text) { sink.write(text); }, modules.file());
+        profile, first_pass, measure.program_shift(), [&](auto text) { file.write(text); }, modules.file());
     const auto told = filum::postproc::summary(profile, first_pass, measure.program_shift(), notes, facts);
     auto about = filum::postproc::about(profile, first_pass, told);
     if (!sizes.empty()) {
-        for (auto& line : thumbnail_lines(spool, sizes, io.threads)) about.push_back(std::move(line));
+        const auto pictures = thumbnails(spool, sizes, io.threads);
         spool.rewind();
+        if (file.binary())
+            for (std::size_t i = 0; i < sizes.size(); ++i) file.add(sizes[i], pictures[i]);
+        else
+            for (auto& line : thumbnail_lines(sizes, pictures)) about.push_back(std::move(line));
     }
     program->begin(about);
     const auto add = [&](std::span<const filum::postproc::Step> steps) { program->add(steps); };
     const auto written = filum::postproc::walker(profile, measure.walk_shift(), add, measure.joins());
     ahead.each(spool, [&](auto span, auto* moves) { written->add(measure.turned(std::move(span)), moves); });
     written->end();
-    program->end(filum::postproc::history(stages(reader.header(), io, profile), notes, facts));
+    const auto made_by = stages(reader.header(), io, profile);
+    program->end(filum::postproc::history(made_by, notes, facts));
     modules.commit();
-    sink.commit();
+    file.describe(profile, first_pass, made_by);
+    file.commit();
     if (!o.summary.empty()) {
         std::string text;
         for (const std::string& line : told) text += line + "\n";

@@ -38,7 +38,7 @@ std::vector<PictureSize> thumbnail_sizes(const std::string& text) {
     return out;
 }
 
-std::vector<std::string> thumbnail_lines(stream::Spool& spool, const std::vector<PictureSize>& sizes, int threads) {
+std::vector<std::string> thumbnails(stream::Spool& spool, const std::vector<PictureSize>& sizes, int threads) {
     render::Scene scene;
     while (const auto frame = spool.next()) render::add(scene, wire::span(*frame), {});
     std::vector<std::string> out;
@@ -46,7 +46,17 @@ std::vector<std::string> thumbnail_lines(stream::Spool& spool, const std::vector
         render::Options how;
         how.size = {static_cast<double>(size.width), static_cast<double>(size.height)};
         how.no_table = true;
-        const std::string png = render::draw(scene, how, "progress", threads);
+        out.push_back(render::draw(scene, how, "progress", threads));
+    }
+    return out;
+}
+
+std::vector<std::string> thumbnail_lines(const std::vector<PictureSize>& sizes,
+                                         const std::vector<std::string>& pictures) {
+    std::vector<std::string> out;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const PictureSize& size = sizes[i];
+        const std::string& png = pictures[i];
         const std::string text = base64({reinterpret_cast<const unsigned char*>(png.data()), png.size()});
         out.push_back(" thumbnail begin " + std::to_string(size.width) + "x" + std::to_string(size.height) + " " +
                       std::to_string(text.size()));

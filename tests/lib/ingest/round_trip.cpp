@@ -4,8 +4,10 @@
 #include "postproc/program.hpp"
 #include "read.hpp"
 
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <map>
 #include <random>
 
 using namespace filum;
@@ -124,6 +126,69 @@ TEST_P(RoundTrip, ComesBack) {
             there = std::max(there, off(s.points[i], moved));
     EXPECT_LE(there, (p.axes.active() ? 2 : 1) * shift_free);
     for (const Span& s : back.spans) EXPECT_EQ(s.normals.size(), p.axes.active() ? s.points.size() : 0);
+}
+
+namespace {
+
+// One stroke on one level after the other: pieces of every role and feature, each from where the one before ended.
+std::vector<Span> pieces_of_every_kind(std::mt19937& random, geom::Vec2 from) {
+    constexpr std::array kRoles{Role::bead, Role::bead, Role::jog, Role::connector, Role::lift, Role::hairpin};
+    std::uniform_real_distribution<double> any(0, 1);
+    std::vector<Span> out;
+    geom::Vec3 at{from.x, from.y, 0.2};
+    for (int i = 0; i < 120; ++i) {
+        Span s;
+        s.role = kRoles[random() % kRoles.size()];
+        s.feature = static_cast<toolpath::Feature>(random() % toolpath::kFeatures);
+        s.layer = static_cast<std::uint32_t>(std::lround(at.z / 0.2)) - 1;
+        s.points = {at};
+        const double rise = s.role == Role::lift ? 0.2 : 0;
+        for (int k = 1; k <= 5; ++k)
+            s.points.push_back({from.x + 25 * any(random), from.y + 20 * any(random), at.z + rise * k / 5});
+        s.height = {0.2};
+        s.width = {0.3 + 0.2 * any(random)};
+        at = s.points.back();
+        out.push_back(s);
+    }
+    return out;
+}
+
+std::map<std::pair<Role, toolpath::Feature>, std::pair<double, double>> sums(const std::vector<Span>& spans) {
+    std::map<std::pair<Role, toolpath::Feature>, std::pair<double, double>> out; // mm, mm3
+    for (const Span& s : spans)
+        for (std::size_t i = 0; toolpath::extrudes(s.role) && i + 1 < s.points.size(); ++i) {
+            auto& [length, volume] = out[{s.role, s.feature}];
+            length += distance(s.points[i], s.points[i + 1]);
+            volume += toolpath::volume(s, i);
+        }
+    return out;
+}
+
+} // namespace
+
+// Perimeters are no lifts, gap fill is no jog, supports are no connectors, though viewers know them by the same names.
+TEST_P(RoundTrip, RolesAndFeaturesComeBack) {
+    machine::Profile p = machine::load_profile(GetParam());
+    if (p.axes.chain.carrier == kinematics::Carrier::frame) GTEST_SKIP() << "a robot's language";
+    if (p.axes.active()) GTEST_SKIP() << "programs for rotary axes have no comments on features";
+    std::mt19937 random(7);
+    for (int trial = 0; trial < 3; ++trial) {
+        const auto spans = pieces_of_every_kind(random, p.bed.centre() - geom::Vec2{12, 10});
+        ingest::Options options;
+        if (p.extrusion.feeding == machine::Feeding::valve) options.bead = {0.4, 0.2};
+        const auto wanted = sums(spans), got = sums(ingested::read(written(p, spans), options, p).spans);
+        constexpr double kShare = 0.005;
+        for (const auto& [kind, sum] : wanted) {
+            const auto found = got.find(kind);
+            ASSERT_NE(found, got.end()) << toolpath::kRoleNames[static_cast<std::size_t>(kind.first)] << " "
+                                        << toolpath::kFeatureNames[static_cast<std::size_t>(kind.second)];
+            EXPECT_NEAR(found->second.first, sum.first, kShare * sum.first);
+            if (p.extrusion.feeding != machine::Feeding::valve) {
+                EXPECT_NEAR(found->second.second, sum.second, kShare * sum.second);
+            }
+        }
+        EXPECT_EQ(got.size(), wanted.size());
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, RoundTrip, testing::ValuesIn(machine::profile_names()), [](const auto& info) {
