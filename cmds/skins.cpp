@@ -43,7 +43,8 @@ cli::Spec spec(Options& all) {
         .memory = "the whole part",
         .options =
             {Option{"infill", &all.infill, "PERCENT",
-                    "share of the volume inside that is laid: 15%, or 0.15; 100%: all is solid"}
+                    "share of the volume inside that is laid: 15%, or 0.15; 0%: the inside stays empty; 100%: all is "
+                    "solid"}
                  .a_limit(),
              Option{"infill-pattern", &all.pattern, "", "how sparse parts are filled"}
                  .one_of({"rows", "wave", "concentric"})

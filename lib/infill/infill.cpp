@@ -95,6 +95,7 @@ double nearest_by_filling(const Sample& sample, double from, double density, dou
 } // namespace
 
 Loops loops(const Loops& area, const Lines& o) {
+    if (o.spacing >= kHollow) return {};
     const double half = o.bead_width / 2;
     const Loops room = inner(area, o.bead_width);
     if (room.empty()) return {};
@@ -108,7 +109,10 @@ Loops loops(const Loops& area, std::span<const Task> parts) {
     if (parts.size() == 1) return loops(area, parts[0].lines);
     const double w = parts[0].lines.bead_width;
     Loops cells;
-    for (const Task& t : parts) cells.add(polygon::intersect(*t.area, even_cells(*t.area, drawn_in(area, t.lines))));
+    for (const Task& t : parts)
+        if (t.lines.spacing < kHollow)
+            cells.add(polygon::intersect(*t.area, even_cells(*t.area, drawn_in(area, t.lines))));
+    if (cells.empty()) return {};
     const Loops room = inner(area, w);
     const Loops within = polygon::intersect(polygon::unite(cells), room);
     if (std::any_of(parts.begin(), parts.end(), [](const Task& t) { return t.lines.pattern == Pattern::concentric; }))

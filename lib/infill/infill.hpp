@@ -13,6 +13,9 @@ namespace filum::infill {
 
 using polygon::Loops;
 
+// mm: from this spacing on an area stays empty.
+inline constexpr double kHollow = 1e6;
+
 struct Lines {
     polygon::Pattern pattern = polygon::Pattern::rows;
     double direction = 0;    // rad, of rows, from the x axis

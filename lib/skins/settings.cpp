@@ -73,8 +73,8 @@ double share(const std::string& text) {
     const bool percent = !text.empty() && text.back() == '%';
     const double number = parse_number(percent ? text.substr(0, text.size() - 1) : text, "--infill");
     const double out = percent ? number / 100 : number;
-    if (!(out > 0 && out <= 1))
-        throw Error(Exit::usage, "cannot use '" + text + "' as --infill: it is not above 0% and up to 100%");
+    if (!(out >= 0 && out <= 1))
+        throw Error(Exit::usage, "cannot use '" + text + "' as --infill: it is not from 0% to 100%");
     return out;
 }
 

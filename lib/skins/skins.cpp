@@ -67,7 +67,9 @@ Loops covered(const Loops& layer, const std::vector<Loops>& above, const std::ve
 }
 
 // Half of what lies between lines: then a skin is so wide that a line lies under it.
-double reach(const Options& o) { return o.bead_width * std::clamp(1 / (2 * o.infill), kReach, kReachMost); }
+double reach(const Options& o) {
+    return o.bead_width * (o.infill > 0 ? std::clamp(1 / (2 * o.infill), kReach, kReachMost) : kReachMost);
+}
 
 // Without its connected parts that are so small that they are filled whole.
 Loops large(const Loops& sparse, double least) {
@@ -99,7 +101,8 @@ Loops sparse(const Region& r, const Loops& inner, const Options& o, double depth
     const Loops skin = polygon::offset(polygon::subtract(within, inner), -hair, kBeadArc);
     const Loops rest =
         skin.empty() ? within : polygon::subtract(within, polygon::offset(skin, reach(o) + hair, kBeadArc));
-    return large(polygon::opened(zone(rest), open, kBeadArc), o.solid_below);
+    const double least = o.infill > 0 ? o.solid_below : 0; // a hollow part stays hollow
+    return large(polygon::opened(zone(rest), open, kBeadArc), least);
 }
 
 // What of `area`, the sparse part of a region, carries a skin on one of the next layers.
@@ -173,6 +176,7 @@ double direction_of(std::uint32_t layer) { return (layer % 2 == 0 ? 1 : 3) * std
 // Facts get names that begin with `whose`.
 double spacing_of(const std::vector<Region>& regions, const std::vector<Loops>& plain, const std::vector<Loops>& dense,
                   const Options& o, double depth, const std::string& whose, Facts& facts) {
+    if (o.infill == 0) return infill::kHollow;
     std::vector<Loops> rims(regions.size());
     if (o.pattern == polygon::Pattern::concentric)
         parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
@@ -219,7 +223,7 @@ void part_dense(std::vector<Sparse>& settings, const std::vector<Region>& region
         for (std::size_t i = 0; i < regions.size(); ++i) of_layer[regions[i].layer].add(s.plain[i]);
     for (Sparse& s : settings)
         parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
-            if (s.plain[i].empty()) return;
+            if (s.plain[i].empty() || s.how.infill == 0) return;
             s.dense[i] = carrying(s.plain[i], of_layer, regions[i].layer, s.how);
             s.plain[i] = polygon::subtract(s.plain[i], s.dense[i]);
         });

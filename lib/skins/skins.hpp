@@ -15,7 +15,7 @@ struct Options {
     double bead_width = 0.4;          // mm
     std::int64_t top = 4, bottom = 4; // layers, >= 0
     std::int64_t walls = 2;           // rings along the outline, >= 1
-    double infill = 0.15;             // share of the sparse areas' volume that is to be laid
+    double infill = 0.15;             // share of the sparse areas' volume that is to be laid; 0: they stay empty
     double solid_below = 70;          // mm2: smaller sparse parts are made solid
     double bridge = 2;                // mm: the widest gap that a skin is laid over as it is
     polygon::Pattern pattern = polygon::Pattern::rows;
@@ -25,7 +25,7 @@ struct Options {
 // of skin: an empty stretch of so many layers is as good as a longer one.
 std::uint32_t reach_in_layers(const Options& options);
 
-// 0.15 of "15%" or "0.15".  Error(usage) for what is not above 0, or above 1.
+// 0.15 of "15%" or "0.15".  Error(usage) for what is below 0, or above 1.
 double share(const std::string& text);
 
 // A body in which other settings hold than in the rest of a part.

@@ -223,6 +223,16 @@ TEST(Infill, PartsOfDifferentSpacingAreOne) {
         }
 }
 
+TEST(Infill, HollowAreasStayEmpty) {
+    for (const Pattern pattern : {Pattern::rows, Pattern::wave, Pattern::concentric})
+        for (const Loops& area : random_areas(3, 20)) {
+            const Lines hollow = lines_of(pattern, 1, kHollow);
+            EXPECT_TRUE(loops(area, hollow).empty());
+            const std::vector<Task> parts{{&area, hollow}, {&area, hollow}};
+            EXPECT_TRUE(loops(area, parts).empty());
+        }
+}
+
 } // namespace
 } // namespace filum::infill
 
@@ -244,6 +254,16 @@ TEST(Infill, DensityOfAPrism) {
                 laid += kWidth * length(loops(square, t.lines)) / 6;
             }
             EXPECT_NEAR(laid / (side * side), density, 0.02 * density) << side << " spacing " << spacing;
+        }
+}
+
+TEST(Infill, HollowAreasStayEmpty) {
+    for (const Pattern pattern : {Pattern::rows, Pattern::wave, Pattern::concentric})
+        for (const Loops& area : random_areas(3, 20)) {
+            const Lines hollow = lines_of(pattern, 1, kHollow);
+            EXPECT_TRUE(loops(area, hollow).empty());
+            const std::vector<Task> parts{{&area, hollow}, {&area, hollow}};
+            EXPECT_TRUE(loops(area, parts).empty());
         }
 }
 

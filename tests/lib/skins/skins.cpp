@@ -221,7 +221,7 @@ TEST(Skins, TheLastOfSeveralModifiersCounts) {
 
 TEST(Skins, SettingsOfModifiersThatMeanNothingAreRefused) {
     for (const char* text :
-         {"infill", "infill=0", "infill=200%", "walls=0", "walls=2.5", "walls=two", "top=-1", "spacing=3",
+         {"infill", "infill=-1%", "infill=200%", "walls=0", "walls=2.5", "walls=two", "top=-1", "spacing=3",
           "bead-width=0", "bead-width=x", "infill-pattern=stars", "=4", "infill=20%,,top=3", "top="})
         EXPECT_THROW(modified({}, text), Error) << text;
     EXPECT_EQ(modified({}, "top=0,bottom=9").bottom, 9);
