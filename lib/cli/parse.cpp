@@ -1,5 +1,7 @@
 #include "cli/parse.hpp"
 
+#include "cli/output_name.hpp"
+
 #include "base/nearest.hpp"
 #include "base/number.hpp"
 #include "cli/document.hpp"
@@ -181,6 +183,9 @@ std::string parse(int argc, char** argv, const Spec& spec, Io& io) {
     for (const auto& path : io.inputs)
         if (path.empty()) misused("cannot use '' as a file name; is a variable empty?");
     if (io.output.empty()) misused("cannot use '' for --output; is a variable empty?");
+    if (spec.out.kind != Port::Kind::none && spec.name != "filum") // which writes what its commands do
+        check_output_name(io.output, spec.name,
+                          (spec.out.kind == Port::Kind::stream ? "a stream of " : "") + spec.out.text);
     if (!io.inputs.empty()) io.input = io.inputs.front();
     check_needs(spec, defaults, io);
     for (std::size_t i = 0; i < defaults.size(); ++i) {

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "base/shell.hpp"
+#include "cli/output_name.hpp"
 #include "machine/profile.hpp"
 #include "stream/sink.hpp"
 
@@ -148,14 +149,17 @@ std::string pipeline(const std::vector<Command>& commands, const std::vector<Sta
     return line + "\n";
 }
 
-// What files of settings say that means nothing here.
+// What of files of settings is not used; first what can do harm.
 void tell_left(const Translated& from) {
+    const auto list = [](const std::string& what, const std::vector<std::string>& names) {
+        if (names.empty()) return;
+        std::cerr << "filum: " << names.size() << what;
+        for (const std::string& name : names) std::cerr << ' ' << name;
+        std::cerr << std::endl;
+    };
+    list(" settings of --load are not followed, and a print without them can go wrong:", from.harmful);
     for (const std::string& remark : from.remarks) std::cerr << "filum: " << remark << std::endl;
-    const auto& names = from.left;
-    if (names.empty()) return;
-    std::cerr << "filum: " << names.size() << " settings of --load have no meaning here:";
-    for (const std::string& name : names) std::cerr << ' ' << name;
-    std::cerr << std::endl;
+    list(" more settings of --load are not used yet (filum settings FILE tells why):", from.left);
 }
 
 // The exit code of the chain, where it is not 0 and the stage has said why; else throws.
@@ -212,6 +216,9 @@ int print_part(const std::vector<std::string>& typed) {
     keep_wished(words, request, stages);
     if (!request.report.empty() && !request.report.ends_with(".html"))
         throw Error(Exit::usage, "cannot make the report '" + request.report + "': its name must end in .html");
+    cli::check_output_name(request.output, "filum print", "machine code");
+    if (!request.picture.empty())
+        cli::check_output_name(request.picture, "--picture", "a PNG picture, SVG, VTP or an HTML page");
     if (!request.quiet) tell_left(ours);
     check_profiles(request, stages);
     std::vector<Command> commands = commands_of(request, stages);
