@@ -10,7 +10,11 @@ namespace filum::wire {
 namespace {
 
 std::string text_of(const google::protobuf::Value& v) {
-    if (v.has_list_value()) return v.list_value().values_size() > 0 ? text_of(v.list_value().values(0)) : "";
+    if (v.has_list_value()) {
+        std::string out;
+        for (const auto& item : v.list_value().values()) out += (out.empty() ? "" : ",") + text_of(item);
+        return out;
+    }
     if (v.has_number_value()) return shortest_text(v.number_value());
     if (v.has_bool_value()) return v.bool_value() ? "1" : "0";
     return v.string_value();

@@ -37,6 +37,18 @@ PY
     peek --text part.layers | grep '^layer' | tail -1 | grep -q 'z 15 '
 }
 
+@test "of several plates the first one is made, and the others are named" {
+    "$FILUM_SOURCE/tests/threemf/two-plates" plates.3mf
+    run filum print plates.3mf -o first.gcode
+    [ "$status" -eq 0 ]
+    [[ "$output" == *"plate 2"* ]]
+    filum print plates.3mf --plate 2 -q -o second.gcode
+    [ "$(grep -c '^;LAYER_CHANGE' first.gcode)" -eq 10 ]
+    [ "$(grep -c '^;LAYER_CHANGE' second.gcode)" -eq 20 ]
+    run filum print plates.3mf --plate 3 -o third.gcode
+    [ "$status" -eq 3 ]
+}
+
 @test "public 3MF files: a verdict for each" {
     [ -n "${FILUM_3MF_SAMPLES:-}" ] || skip "FILUM_3MF_SAMPLES names no folder with 3mf-samples and lib3mf"
     "$FILUM_SOURCE/tests/threemf/check-samples" $FILUM_3MF_SAMPLES

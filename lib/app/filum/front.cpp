@@ -3,6 +3,7 @@
 #include "app/filum/check.hpp"
 #include "app/filum/print.hpp"
 #include "app/filum/process.hpp"
+#include "app/filum/show_settings.hpp"
 #include "app/filum/stage.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -107,6 +108,7 @@ int front(const std::vector<std::string>& words) {
         return 0;
     }
     if (what == "check") return check_foreign(rest);
+    if (what == "settings") return show_settings(rest);
     const std::string extra = is_stage(what) ? "" : extra_program(what);
     Command command{extra.empty() ? stage_program(what) : extra};
     command.insert(command.end(), rest.begin(), rest.end());

@@ -1,15 +1,16 @@
 #include "app/filum/slicer_names.hpp"
 
-#include "app/filum/slicer_file.hpp"
+#include "app/filum/slicer_settings.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "cli/other_names.hpp"
 #include "cli/other_values.hpp"
+#include "machine/profile.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <optional>
+#include <iterator>
+#include <limits>
 #include <string_view>
 #include <tuple>
 
@@ -19,14 +20,6 @@ namespace {
 
 using cli::OtherName;
 using cli::Value;
-
-// Ours by the same name and with the same meaning in a file.
-constexpr std::string_view kSame[] = {"layer-height", "z-offset"};
-
-std::string dashed(std::string name) {
-    std::replace(name.begin(), name.end(), '_', '-');
-    return name;
-}
 
 std::string option_of(const std::string& name, const std::string& value) {
     std::string out = "--";
@@ -44,66 +37,10 @@ const OtherName* known(const std::vector<Stage>& stages, const std::string& thei
     return cli::other_name(theirs, [&](std::string_view ours) { return has(stages, ours); });
 }
 
-bool says_nothing(const std::string& value) {
-    return value.empty() || value == "0" || value == "0%" || value == "\"\"";
-}
-
-using ValueOf = std::function<std::string(std::string_view key)>;
-
-// Whether a setting asks for nothing: by itself, or because of another one.
-bool idle(const std::string& name, const std::string& value, const ValueOf& value_of) {
-    const auto none = [&](const char* key) { return says_nothing(value_of(key)); };
-    if (says_nothing(value)) return true;
-    if (name.starts_with("support-material-")) return value_of("support-material") != "1";
-    if (name == "skirts" || name == "skirt-loops") return true; // told by its distance
-    if (name == "skirt-distance") return none("skirts") && none("skirt-loops");
-    if (name == "brim-type") return value == "no_brim" || value == "outer_only"; // the only kind there is here
-    if (name == "brim-width") return value_of("brim-type") == "no_brim";
-    if (name == "nozzle-diameter") return !none("extrusion-width") || !none("line-width"); // else as wide as the bead
-    if (name == "filament-shrink" || name == "filament-shrinkage-compensation-z")
-        return value == "100%" || value == "100";
-    return false;
-}
-
-// Our words for a setting that asks for something; none if it has no meaning here.
-std::optional<std::string> word_for(const SlicerSetting& s, const std::vector<Stage>& stages, const ValueOf& value_of) {
-    const std::string name = dashed(s.key);
-    if (std::find(std::begin(kSame), std::end(kSame), name) != std::end(kSame)) return option_of(name, s.value);
-    const OtherName* n = known(stages, name);
-    if (n == nullptr) return std::nullopt;
-    const std::string brim = value_of("brim-type");
-    if (name == "brim-width" && !brim.empty() && !brim.starts_with("outer_")) return std::nullopt;
-    try {
-        return cli::our_word(*n, s.value);
-    } catch (const Error&) { // a value of another kind
-        return std::nullopt;
-    }
-}
-
-// A file says shrinkage in x and y and in z apart; here it is one option.
-void join_shrinkages(std::vector<std::string>& words) {
-    const std::string option = "--shrinkage=", flat = option + "0,0,";
-    const auto z = std::find_if(words.begin(), words.end(), [&](const std::string& w) { return w.starts_with(flat); });
-    const auto xy = std::find_if(words.begin(), words.end(),
-                                 [&](const std::string& w) { return w.starts_with(option) && !w.starts_with(flat); });
-    if (z == words.end() || xy == words.end()) return;
-    *xy = xy->substr(0, xy->rfind(',') + 1) + z->substr(flat.size());
-    words.erase(z);
-}
-
-// Whether a file asks for supports, and if so whether only where bodies or painted faces say.
-bool supports_asked(const ValueOf& value_of) {
-    return value_of("support-material") == "1" || value_of("enable-support") == "1";
-}
-bool supports_by_hand(const ValueOf& value_of) {
-    return value_of("support-material-auto") == "0" || value_of("support-type").find("(manual)") != std::string::npos;
-}
-
 // The bodies of a project whose part is printed; of another part's they are left out.
-void load_bodies(const std::string& file, bool printed, const ValueOf& value_of, const std::vector<Stage>& stages,
+void load_bodies(const std::string& file, bool printed, bool supports, const std::vector<Stage>& stages,
                  Translated& out) {
     const ProjectBodies there = project_bodies(file);
-    const bool supports = supports_asked(value_of);
     const std::tuple<bool, const char*, const char*> kinds[] = {
         {there.modifiers, "modifier", "bodies that change settings"},
         {there.wanted && supports, "support-in", "places for supports"},
@@ -118,24 +55,73 @@ void load_bodies(const std::string& file, bool printed, const ValueOf& value_of,
     }
 }
 
-// What of a file has a meaning here; `printed`: it is also the part.
-void load(const std::string& file, bool printed, const std::vector<Stage>& stages, Translated& out) {
-    const std::vector<SlicerSetting> all = slicer_settings(file);
-    const ValueOf value_of = [&](std::string_view key) {
-        const auto at =
-            std::find_if(all.begin(), all.end(), [&](const SlicerSetting& s) { return dashed(s.key) == key; });
-        return at == all.end() ? std::string() : at->value;
-    };
-    for (const SlicerSetting& s : all) {
-        if (idle(dashed(s.key), s.value, value_of)) continue;
-        if (const auto word = word_for(s, stages, value_of))
-            out.words.push_back(*word);
-        else
+// Whether a value of a slicer's file asks for nothing: it is empty, off, or G-code without a command.
+bool says_nothing(const std::string& value) {
+    for (const char* off : {"", "0", "0%", "\"\"", "none", "nil", "disabled", "no", "by layer", "FFF", "E", "0x0"})
+        if (value == off) return true;
+    std::size_t at = 0;
+    while (at < value.size()) { // lines end with the letters \n in such files
+        const std::size_t end = std::min(value.find("\\n", at), value.size());
+        const std::size_t first = value.find_first_not_of(" \t\"", at);
+        if (first < end && value[first] != ';') return false;
+        at = end + 2;
+    }
+    return true;
+}
+
+// The last value of an option among the user's own words; "" if it is not there.
+std::string last_value(const std::vector<std::string>& words, const std::string& name) {
+    std::string out;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i].starts_with(name + "=")) out = words[i].substr(name.size() + 1);
+        if (words[i] == name && i + 1 < words.size()) out = words[i + 1];
+    }
+    return out;
+}
+
+// The fastest that the machine of the job moves, mm/s; infinite if it has no profile that can be read.
+double fastest(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
+    std::string machine = last_value(words, "--machine");
+    for (const Stage& s : stages)
+        for (const StageOption& o : s.options)
+            if (machine.empty() && s.name == "postproc" && o.name == "machine") machine = o.value;
+    constexpr double kInf = std::numeric_limits<double>::infinity();
+    if (machine.empty()) return kInf;
+    try {
+        return machine::load_profile(machine, last_value(words, "--set")).motion.max_speed;
+    } catch (const Error&) { // told where the profile is used
+        return kInf;
+    }
+}
+
+// Speeds of a file that are beyond the machine become its own.
+void limit_speeds(SlicerWishes& all, double most) {
+    const std::string start = "--set=feeds.";
+    for (const ReadSetting& s : all.settings)
+        for (const std::string& word : s.words) {
+            if (!word.starts_with(start)) continue;
+            const auto equal = word.find('=', start.size());
+            if (!(parse_number(word.substr(equal + 1), s.key) > most)) continue;
+            std::ranges::replace(all.words, word, word.substr(0, equal + 1) + shortest_text(most));
+            all.remarks.push_back(s.key + " = " + s.value + " is above the machine's limit: " + shortest_text(most) +
+                                  " mm/s taken");
+        }
+}
+
+// What of a file has a meaning here; `printed`: it is also the part; `most`: mm/s.
+void load(const std::string& file, bool printed, double most, const std::vector<Stage>& stages, Translated& out) {
+    SlicerWishes all = wishes(slicer_file(file), [&](std::string_view name) { return has(stages, name); });
+    limit_speeds(all, most);
+    out.words.insert(out.words.end(), all.words.begin(), all.words.end());
+    std::ranges::move(all.remarks, std::back_inserter(out.remarks));
+    for (const ReadSetting& s : all.settings) {
+        if (says_nothing(s.value)) continue;
+        if (s.use == Use::harm)
+            out.harmful.push_back(s.key);
+        else if (s.use == Use::later || s.use == Use::unknown)
             out.left.push_back(s.key);
     }
-    join_shrinkages(out.words);
-    if (supports_asked(value_of) && supports_by_hand(value_of)) std::erase(out.words, "--support");
-    load_bodies(file, printed, value_of, stages, out);
+    load_bodies(file, printed, all.supports, stages, out);
 }
 
 // --rotate 45, --scale 150%: our options, values of theirs.
@@ -197,7 +183,9 @@ Translated translated(const std::vector<std::string>& words, const std::vector<S
             rest.push_back(word);
         }
     }
-    for (const std::string& file : files) load(file, std::ranges::find(rest, file) != rest.end(), stages, out);
+    join_sets(rest);
+    const double most = files.empty() ? 0 : fastest(rest, stages);
+    for (const std::string& file : files) load(file, std::ranges::find(rest, file) != rest.end(), most, stages, out);
     out.words.insert(out.words.end(), rest.begin(), rest.end());
     out.words.insert(out.words.end(), words.begin() + static_cast<std::ptrdiff_t>(i), words.end());
     join_sets(out.words);

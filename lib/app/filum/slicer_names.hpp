@@ -11,8 +11,9 @@ namespace filum::app::filum {
 
 struct Translated {
     std::vector<std::string> words; // as `route` takes them
-    // Settings of files that say something, but nothing here: "ironing", "raft_layers", ... in the file's order.
-    std::vector<std::string> left;
+    // Settings of files that say something, but are not used here, in the file's order; first those without which a
+    // print can go wrong: "start_gcode", ...
+    std::vector<std::string> harmful, left;
     std::vector<std::string> remarks; // on what else of files is left out
 };
 

@@ -1,0 +1,250 @@
+#include "app/filum/slicer_settings.hpp"
+
+#include "app/filum/slicer_values.hpp"
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "cli/other_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace filum::app::filum {
+
+namespace {
+
+using cli::Value;
+using Words = std::vector<std::string>;
+
+std::string option(std::string_view name, const std::string& value) { return "--" + std::string(name) + "=" + value; }
+std::string option(std::string_view name, double value) { return option(name, shortest_text(value)); }
+std::string set(std::string_view key, double value) { return "--set=" + std::string(key) + "=" + shortest_text(value); }
+
+// How the words of one setting are made; none: it asks for what Filum does anyway.  Throws Error for a value that has
+// no meaning here.
+class Reader {
+  public:
+    Reader(const SlicerValues& values, Words& remarks) : values_(values), remarks_(remarks) {}
+
+    Words words(const std::string& key, const SettingRow& row) {
+        const std::string value = values_.text(key);
+        if (value.empty() || values_.overridden(key, row)) return {};
+        if (row.reading == "special") return special(key, row);
+        if (row.reading == "number") return {option(row.target, values_.number(key))};
+        if (row.reading == "nonzero" || row.reading == "positive" || row.reading == "foot")
+            return {positive(key, row, row.reading == "nonzero")};
+        if (row.reading == "count") return count(key, row);
+        if (row.reading == "share") return {option(row.target, shortest_text(values_.density(key)) + "%")};
+        if (row.reading == "speed") return speed(key, row);
+        if (row.reading == "key" || row.reading == "key_positive") {
+            const double number = values_.number(key);
+            return number > 0 || row.reading == "key" ? Words{set(row.target, number)} : Words{};
+        }
+        if (row.reading == "celsius") return celsius(key, row);
+        if (row.reading == "supported")
+            return supports() && !values_.percent(key) && values_.number(key) > 0
+                       ? Words{option(row.target, values_.number(key))}
+                       : Words{};
+        if (row.reading == "base") return {};
+        return by_name(key, row, value);
+    }
+
+    [[nodiscard]] bool supports() const {
+        return values_.text("support_material") == "1" || values_.text("enable_support") == "1";
+    }
+    [[nodiscard]] bool supports_by_hand() const {
+        return values_.text("support_material_auto") == "0" ||
+               values_.text("support_type").find("(manual)") != std::string::npos;
+    }
+
+  private:
+    Words positive(const std::string& key, const SettingRow& row, bool negative_too) {
+        double number = values_.percent(key) ? values_.share_of(key, row) : values_.number(key);
+        // PrusaSlicer's is positive, SuperSlicer's negative where the first layer becomes smaller
+        if (row.reading == "foot" && key == "first_layer_size_compensation") number = -number;
+        if (number > 0 || (negative_too && number != 0)) return {option(row.target, number)};
+        return {};
+    }
+
+    Words count(const std::string& key, const SettingRow& row) {
+        if (values_.number(key) >= 1) return {option(row.target, values_.number(key))};
+        remarks_.push_back(key + " = 0: Filum lays at least one wall");
+        return {option(row.target, 1)};
+    }
+
+    Words speed(const std::string& key, const SettingRow& row) {
+        const double mm_s = values_.speed(key, row);
+        return mm_s > 0 ? Words{set(row.target, mm_s)} : Words{};
+    }
+
+    Words celsius(const std::string& key, const SettingRow& row) {
+        if (values_.number(key) > 0) return {set(row.target, values_.number(key))};
+        remarks_.push_back(key +
+                           " = 0: the slicer leaves it to the start codes; Filum heats as its machine profile says");
+        return {};
+    }
+
+    // Values that are words, or flags.
+    Words by_name(const std::string& key, const SettingRow& row, const std::string& value) {
+        constexpr std::pair<std::string_view, Value> kReadings[] = {{"pattern", Value::pattern},
+                                                                    {"seam", Value::seam},
+                                                                    {"steepness", Value::steepness},
+                                                                    {"bed_only", Value::bed_only}};
+        if ((row.reading == "steepness" || row.reading == "bed_only") && (!supports() || value == "0")) return {};
+        for (const auto& [name, reading] : kReadings) {
+            if (row.reading != name) continue;
+            const std::string theirs = key;
+            if (const auto word = cli::our_word({theirs, row.target, reading}, value)) return {*word};
+        }
+        throw Error(Exit::usage, "Filum has no '" + value + "'");
+    }
+
+    // Settings that several keys make together; the first of them that stands in the file makes them.
+    Words special(const std::string& key, const SettingRow& row) {
+        if (row.target == "bead-width")
+            return first_of(key, {"extrusion_width", "line_width", "nozzle_diameter"}) ? width() : Words{};
+        if (row.target == "brim") return key == "brim_width" ? brim() : Words{};
+        if (row.target == "skirt") return key == "skirt_distance" ? skirt() : Words{};
+        if (row.target == "shrinkage")
+            return first_of(key, {"filament_shrink", "filament_shrinkage_compensation_xy",
+                                  "filament_shrinkage_compensation_z"})
+                       ? shrinkage()
+                       : Words{};
+        if (row.target == "xy-compensation")
+            return first_of(key, {"xy_size_compensation", "xy_contour_compensation", "xy_inner_size_compensation",
+                                  "hole_size_compensation", "xy_hole_compensation"})
+                       ? compensation()
+                       : Words{};
+        if (row.target == "support")
+            return (key == "support_material" || key == "enable_support") && supports() && !supports_by_hand()
+                       ? Words{"--support"}
+                       : Words{};
+        return bed(key, row);
+    }
+
+    bool first_of(const std::string& key, std::initializer_list<const char*> keys) const {
+        for (const char* k : keys)
+            if (!values_.text(k).empty()) return key == k;
+        return false;
+    }
+
+    Words width() {
+        const double nozzle = values_.number_or("nozzle_diameter", 0);
+        const std::string key = values_.text("extrusion_width").empty() ? "line_width" : "extrusion_width";
+        if (values_.text(key).empty() || values_.number(key) <= 0) // by itself
+            return nozzle > 0 ? Words{option("bead-width", nozzle)} : Words{};
+        if (!values_.percent(key)) return {option("bead-width", values_.number(key))};
+        const double wide = nozzle > 0 ? nozzle : 0.4, layer = values_.number_or("layer_height", 0.2);
+        const double share = values_.number(key) / 100;
+        const bool of_layer =
+            values_.width_is_of_layer() && !(values_.slicer() == Slicer::unknown && share * layer < wide);
+        const double mm = std::round(share * (of_layer ? layer : wide) * 1e6) / 1e6; // no digits of rounding
+        remarks_.push_back(key + " = " + values_.text(key) + " taken of the " + (of_layer ? "layer height" : "nozzle") +
+                           ", as " + (values_.slicer() == Slicer::unknown ? "SuperSlicer" : name_of(values_.slicer())) +
+                           " does: " + shortest_text(std::max(mm, wide)) + " mm" +
+                           (mm < wide ? ", the nozzle's width, since " + shortest_text(mm) + " mm is less" : ""));
+        return {option("bead-width", std::max(mm, wide))};
+    }
+
+    Words brim() {
+        const std::string type = values_.text("brim_type");
+        const double mm = values_.number("brim_width");
+        if (mm <= 0 || type == "no_brim") return {};
+        if (type == "outer_only" || (type.empty() && !values_.of_orca())) return {option("brim", mm)};
+        if (type == "outer_and_inner") {
+            remarks_.push_back("brim_type = outer_and_inner: the outer brim only");
+            return {option("brim", mm)};
+        }
+        remarks_.push_back("no brim: brim_type is " + (type.empty() ? "auto_brim, the slicer's default," : type) +
+                           " and Filum makes outer ones; add --brim");
+        return {};
+    }
+
+    Words skirt() {
+        const std::string loops = values_.text("skirts").empty() ? values_.text("skirt_loops") : values_.text("skirts");
+        const double mm = values_.number("skirt_distance");
+        return !loops.empty() && loops != "0" && mm > 0 ? Words{option("skirt", mm)} : Words{};
+    }
+
+    // PrusaSlicer says what is lost, at most 10 %; OrcaSlicer and SuperSlicer what is left, partly by the same name.
+    Words shrinkage() {
+        const auto lost = [&](const char* key, bool left) {
+            const double value = values_.text(key).empty() ? (left ? 100 : 0) : values_.number(key);
+            return left || value > 10 ? 100 - value : value;
+        };
+        const double xy = values_.text("filament_shrink").empty() ? lost("filament_shrinkage_compensation_xy", false)
+                                                                  : lost("filament_shrink", true);
+        const double z = lost("filament_shrinkage_compensation_z", false);
+        if (!(xy > 0) && !(z > 0)) return {};
+        const std::string flat = shortest_text(std::max(xy, 0.0));
+        return {"--shrinkage=" + flat + "," + flat + "," + shortest_text(std::max(z, 0.0))};
+    }
+
+    // Filum's first value moves all outlines, holes, too; its second one widens holes on top of that.  PrusaSlicer has
+    // the first; OrcaSlicer's and SuperSlicer's leaves holes alone, and another one moves them.
+    Words compensation() {
+        const auto mm = [&](const char* key) { return values_.number_or(key, 0); };
+        double outline = mm("xy_size_compensation"), holes = 0;
+        if (values_.of_orca()) {
+            outline = mm("xy_contour_compensation");
+            holes = outline + mm("xy_hole_compensation");
+        } else if (values_.slicer() == Slicer::super) {
+            holes = outline - mm("xy_inner_size_compensation") + mm("hole_size_compensation");
+        }
+        const auto in_nm = [](double value) { return std::round(value * 1e6) / 1e6; };
+        Words out;
+        if (in_nm(outline) != 0) out.push_back(option("xy-compensation", in_nm(outline)));
+        if (in_nm(holes) != 0) out.push_back(option("hole-compensation", in_nm(holes)));
+        return out;
+    }
+
+    // OrcaSlicer and Bambu Studio keep a temperature for each kind of plate.
+    Words bed(const std::string& key, const SettingRow&) {
+        constexpr std::pair<std::string_view, std::string_view> kPlates[] = {
+            {"Cool Plate", "cool_plate_temp"},           {"Engineering Plate", "eng_plate_temp"},
+            {"High Temp Plate", "hot_plate_temp"},       {"Textured PEI Plate", "textured_plate_temp"},
+            {"Supertack Plate", "supertack_plate_temp"}, {"Textured Cool Plate", "textured_cool_plate_temp"}};
+        const std::string type = values_.text("curr_bed_type");
+        for (const auto& [name, plate] : kPlates) {
+            const bool meant = type.empty() ? plate == "hot_plate_temp" : name == type;
+            if (!meant || !key.starts_with(plate)) continue;
+            if (key != plate && key != std::string(plate) + "_initial_layer") continue;
+            if (type.empty() && key == plate)
+                remarks_.push_back("the file does not name its plate: the bed is heated as for the High Temp Plate");
+            return {set(key == plate ? "bed_temp" : "first_bed_temp", values_.number(key))};
+        }
+        return {};
+    }
+
+    const SlicerValues& values_;
+    Words& remarks_;
+};
+
+} // namespace
+
+SlicerWishes wishes(const SlicerFile& file, const std::function<bool(std::string_view)>& has) {
+    SlicerWishes out;
+    const SlicerValues values(file);
+    Reader reader(values, out.remarks);
+    out.supports = reader.supports();
+    out.supports_by_hand = reader.supports_by_hand();
+    for (const SlicerSetting& s : file.settings) {
+        const SettingRow row = row_of(s.key, file.slicer);
+        ReadSetting& read = out.settings.emplace_back(ReadSetting{s.key, s.value, row.use, std::string(row.why)});
+        if (row.use != Use::used) continue;
+        try {
+            read.words = reader.words(s.key, row);
+        } catch (const Error& e) {
+            read.use = Use::harm;
+            read.why = "its value cannot be used: " + std::string(e.what());
+            continue;
+        }
+        std::erase_if(read.words, [&](const std::string& word) {
+            return !word.starts_with("--set=") && !has(word.substr(2, word.find('=') - 2));
+        });
+        out.words.insert(out.words.end(), read.words.begin(), read.words.end());
+    }
+    return out;
+}
+
+} // namespace filum::app::filum

@@ -1,0 +1,78 @@
+#include "app/filum/slicer_table.hpp"
+
+#include <array>
+#include <vector>
+
+// The file between two labels, by the assembler: FILUM_SETTINGS is given by the build.
+__asm__(".section .rodata\n.global filum_settings\nfilum_settings:\n.incbin \"" FILUM_SETTINGS
+        "\"\n.global filum_settings_end\nfilum_settings_end:\n.byte 0\n.previous\n");
+extern "C" const char filum_settings[], filum_settings_end[];
+
+namespace filum::app::filum {
+
+namespace {
+
+struct Line {
+    std::string_view key, slicers;
+    SettingRow row;
+};
+
+std::string_view cut(std::string_view& from, char at) {
+    const auto end = std::min(from.find(at), from.size());
+    const std::string_view out = from.substr(0, end);
+    from.remove_prefix(std::min(end + 1, from.size()));
+    return out;
+}
+
+Use use_of(std::string_view word) {
+    return word == "used" ? Use::used : word == "none" ? Use::none : word == "harm" ? Use::harm : Use::later;
+}
+
+std::vector<Line> lines() {
+    std::vector<Line> out;
+    std::string_view all(filum_settings, static_cast<std::size_t>(filum_settings_end - filum_settings));
+    while (!all.empty()) {
+        std::string_view line = cut(all, '\n');
+        if (line.empty() || line[0] == '#') continue;
+        std::array<std::string_view, 8> cell;
+        for (auto& c : cell) {
+            c = cut(line, '\t');
+            if (c == "-") c = {};
+        }
+        out.push_back({cell[0], cell[1], {use_of(cell[2]), cell[3], cell[4], cell[5], cell[6], cell[7]}});
+    }
+    return out;
+}
+
+// Whether a key is as the pattern, in which one or two * stand for anything.
+bool fits(std::string_view key, std::string_view pattern) {
+    const auto star = pattern.find('*');
+    if (star == std::string_view::npos) return key == pattern;
+    if (!key.starts_with(pattern.substr(0, star))) return false;
+    const std::string_view rest = pattern.substr(star + 1);
+    for (std::size_t i = star; i <= key.size(); ++i)
+        if (fits(key.substr(i), rest)) return true;
+    return false;
+}
+
+bool has_word(std::string_view list, std::string_view word) {
+    while (!list.empty())
+        if (cut(list, ',') == word) return true;
+    return false;
+}
+
+std::string_view word_of(Slicer slicer) {
+    constexpr std::string_view kWords[] = {"unknown", "slic3r", "prusa", "super", "orca", "bambu"};
+    return kWords[static_cast<std::size_t>(slicer)];
+}
+
+} // namespace
+
+SettingRow row_of(std::string_view key, Slicer slicer) {
+    static const std::vector<Line> all = lines();
+    for (const Line& line : all)
+        if (fits(key, line.key) && (line.slicers == "*" || has_word(line.slicers, word_of(slicer)))) return line.row;
+    return {};
+}
+
+} // namespace filum::app::filum

@@ -1,0 +1,55 @@
+#!/usr/bin/env bats
+# Settings of slicers' files as those slicers read them, and endings of names.
+
+bats_require_minimum_version 1.5.0
+
+setup() {
+    PATH="$(cd "$(dirname "$(command -v slice)")" && pwd):$PATH" # a relative entry must outlive the cd
+    cd "$BATS_TEST_TMPDIR" || return 1
+    awk 'BEGIN { for (i = 0; i < 8; i++) print "v", 20 * (i % 2), 20 * (int(i / 2) % 2), 20 * int(i / 4)
+        print "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6" }' > cube.obj
+}
+
+# cm3 FILE: the material of a program.
+cm3() { sed -n 's/^; filament used \[cm3\] = //p' "$1"; }
+
+@test "a hollow part without a top is hollow, and an old share is a density" {
+    printf 'layer_height = 0.2\nfill_density = 0%%\nperimeters = 2\ntop_solid_layers = 0\nbottom_solid_layers = 3\n' > hollow.ini
+    filum print cube.obj --load hollow.ini -q -o hollow.gcode
+    awk -v v="$(cm3 hollow.gcode)" 'BEGIN { exit !(v > 1.4 && v < 1.6) }' # PrusaSlicer: 1.53
+    printf 'layer_height = 0.2\nfill_density = 0.25\nperimeters = 2\n' > old.ini
+    filum print cube.obj --load old.ini -q -o old.gcode
+    awk -v v="$(cm3 old.gcode)" 'BEGIN { exit !(v > 3.2 && v < 3.5) }' # PrusaSlicer: 3.44
+}
+
+@test "a speed beyond the machine is limited and reported" {
+    echo '{"type": "process", "travel_speed": "480", "brim_width": "5"}' > stock.json
+    run filum print cube.obj --load stock.json --dry-run
+    [ "$status" -eq 0 ]
+    [[ "$output" == *"feeds.travel=300"* && "$output" == *"travel_speed = 480 is above the machine's limit"* ]]
+    [[ "$output" != *"--brim="* ]]
+}
+
+@test "settings are shown in their groups, each key of PrusaSlicer in one" {
+    printf 'perimeters = 3\nstart_gcode = G28\\nG1 Z5\nwipe = 1\nnotes = mine\nnew_key = 1\n' > x.ini
+    run filum settings x.ini
+    [ "$status" -eq 0 ]
+    [[ "$output" == *"used (1)"*"--walls=3"*"go wrong (1)"*"start_gcode"*"not used yet (1)"*"not known (1)"*"meaning here (1)"* ]]
+    command -v prusa-slicer > /dev/null || skip "PrusaSlicer is not installed"
+    prusa-slicer --save full.ini > /dev/null 2>&1
+    filum settings full.ini > groups
+    run ! grep -q '^not known' groups
+}
+
+@test "endings mean what they say" {
+    for name in x.pdf x.jpg x.bgcode x.gcode.3mf x.png; do
+        run filum print cube.obj -o "$name"
+        [ "$status" -eq 2 ]
+        [ ! -e "$name" ]
+    done
+    run slice cube.obj -o x.gcode
+    [ "$status" -eq 2 ]
+    run filum print cube.obj -o x.gcode --picture x.jpg
+    [ "$status" -eq 2 ]
+    [ ! -e x.gcode ]
+}
