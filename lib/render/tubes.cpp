@@ -204,7 +204,8 @@ void Tubes::State::stand(const Thing& thing) {
 Tubes::Tubes(const Scene& scene, const Tint& tint, bool travels, int threads) : state_(std::make_unique<State>()) {
     // Embree's limit holds for the whole process, and TBB complains where it is asked for more: none from all cores on.
     const bool fewer = threads > 0 && static_cast<unsigned>(threads) < std::thread::hardware_concurrency();
-    const std::string config = fewer ? "threads=" + std::to_string(threads) : "";
+    // Embree's instructions for any x86-64 processor: those for newer ones round other pixels another way.
+    const std::string config = "isa=sse2" + (fewer ? ",threads=" + std::to_string(threads) : "");
     state_->device = rtcNewDevice(config.c_str());
     if (state_->device == nullptr) throw Error(Exit::failure, "cannot draw in perspective: Embree does not start");
     state_->scene = rtcNewScene(state_->device);

@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 
-#include <mutex>
 #include <suitesparse/cholmod.h>
 
 // Of GCC's OpenMP, on which CHOLMOD runs; clang's omp.h would bring a second one.
@@ -12,14 +11,8 @@ namespace filum::sparse {
 
 namespace {
 
-// CHOLMOD stands on whatever BLAS is there, and OpenBLAS built for one thread has buffers that all callers share: two
-// that factorised at once got wrong numbers.  So one after the other.
-std::mutex& turn() {
-    static std::mutex one;
-    return one;
-}
-
-// CHOLMOD takes four threads whatever it is told, and they mostly wait: none but the calling one from here on.
+// CHOLMOD starts four threads, whatever its settings are, and they mostly wait.  From here on only the calling thread
+// works.
 void by_one_thread() { omp_set_max_active_levels(0); }
 
 // The matrix as CHOLMOD sees it, without a copy.
@@ -66,11 +59,6 @@ struct Factor::State {
     ~State() {
         if (factor != nullptr) cholmod_free_factor(&factor, &workspace->common);
     }
-
-    // Of BLAS, which only supernodes ask for.
-    [[nodiscard]] std::unique_lock<std::mutex> turn() const {
-        return factor->is_super != 0 ? std::unique_lock(filum::sparse::turn()) : std::unique_lock<std::mutex>();
-    }
 };
 
 Factor::Factor() : state_(std::make_unique<State>()) {}
@@ -94,7 +82,6 @@ Factor Factor::same_order() const {
 
 bool Factor::factorise(const Matrix& a) {
     by_one_thread();
-    const auto lock = state_->turn();
     cholmod_sparse m = view(a);
     cholmod_common& common = state_->workspace->common;
     cholmod_factorize(&m, state_->factor, &common);
@@ -112,7 +99,6 @@ Eigen::VectorXd Factor::solve(const Eigen::VectorXd& b) const {
     right.xtype = CHOLMOD_REAL;
     right.dtype = CHOLMOD_DOUBLE;
     cholmod_common& common = state_->workspace->common;
-    const auto lock = state_->turn();
     cholmod_dense* x = cholmod_solve(CHOLMOD_A, state_->factor, &right, &common);
     if (x == nullptr) throw Error(Exit::failure, "cannot solve on the surface: out of memory");
     Eigen::VectorXd out = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(x->x), b.size());
