@@ -1,5 +1,6 @@
 #include "cli/command.hpp"
 
+#include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/printable.hpp"
 #include "cli/document.hpp"
@@ -13,8 +14,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <fcntl.h>
 #include <malloc.h>
 #include <new>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace filum::cli {
@@ -207,7 +210,35 @@ void write_all(const Io& io, const stream::Header& header, const Whole& before, 
     output.close();
 }
 
+namespace {
+
+// Whoever starts a program may have closed its standard input or output, as cron jobs do.  The next file to be opened
+// would take that number, and be read or written by mistake.
+void open_standard_files() {
+    for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(fd, F_GETFD) < 0) (void)!::open("/dev/null", fd == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+// Writing a file that is read at the same time would leave a part of it, or replace the original by what was made of
+// it.
+void refuse_input_as_output(const Io& io) {
+    struct stat out {};
+    if (io.output.empty() || io.output == "-" || ::stat(io.output.c_str(), &out) != 0 || !S_ISREG(out.st_mode)) return;
+    std::vector<std::string> inputs = io.inputs;
+    inputs.push_back(io.input);
+    for (const std::string& input : inputs) {
+        struct stat in {};
+        if (input.empty() || input == "-" || ::stat(input.c_str(), &in) != 0) continue;
+        if (in.st_dev == out.st_dev && in.st_ino == out.st_ino)
+            throw Error(Exit::usage,
+                        "cannot write '" + io.output + "': it is the input; give another name by --output");
+    }
+}
+
+} // namespace
+
 int guarded(const std::string& program, const std::function<int()>& work) {
+    open_standard_files();
     std::signal(SIGPIPE, SIG_DFL); // a reader that leaves ends us quietly
     try {
         return work();
@@ -226,6 +257,7 @@ int detail::run(int argc, char** argv, const Spec& spec, const std::function<voi
         Io io;
         const std::string text = parse(argc, argv, spec, io);
         if (text.empty()) {
+            refuse_input_as_output(io);
             const Clock clock(io);
             work(io);
             return 0;

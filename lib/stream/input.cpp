@@ -48,7 +48,8 @@ std::size_t Input::refill(std::size_t from) {
             filled_ = from + static_cast<std::size_t>(n);
             return static_cast<std::size_t>(n);
         }
-        if (errno != EINTR) throw Error(Exit::io, "cannot read " + name_ + ": " + std::strerror(errno));
+        if (errno != EINTR && !waited(fd_, POLLIN))
+            throw Error(Exit::io, "cannot read " + name_ + ": " + std::strerror(errno));
     }
 }
 

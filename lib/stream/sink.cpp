@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "stream/block.hpp"
+#include "stream/unfinished.hpp"
 
 #include <cerrno>
 #include <climits>
@@ -62,7 +63,8 @@ struct Sink::State {
     std::string path;      // final name, "" where there is nothing to rename
     std::string temporary; // its name until commit, "" while it has none
     int fd = -1;
-    bool owned = false; // whether to close it
+    bool owned = false;                     // whether to close it
+    std::unique_ptr<Unfinished> unfinished; // of the temporary
     std::string buffer;
 
     State() = default;
@@ -98,14 +100,30 @@ struct Sink::State {
     void begin() {
         fd = ::open(folder_of(path).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
         if (fd >= 0) return;
-        temporary = temporary_name();
-        fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-        if (fd >= 0) return;
-        temporary.clear();
-        fail("create", name, errno);
+        name_anew([&](const char* wanted) {
+            fd = ::open(wanted, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            return fd >= 0;
+        });
     }
 
-    [[nodiscard]] std::string temporary_name() const { return path + ".part" + std::to_string(::getpid()); }
+    // Finds a name beside the final one that nobody has: `make` takes a name and sets errno.  It is short whatever the
+    // final name is, which may be as long as the file system allows.
+    template <class Make>
+    void name_anew(const Make& make) {
+        constexpr int kTries = 1000; // leftovers of other programs with this number
+        for (int n = 0; n < kTries; ++n) {
+            const std::string wanted =
+                folder_of(path) + "/filum-" + std::to_string(::getpid()) + "-" + std::to_string(n) + ".part";
+            auto watched = std::make_unique<Unfinished>(wanted);
+            if (make(wanted.c_str())) {
+                temporary = wanted;
+                unfinished = std::move(watched);
+                return;
+            }
+            if (errno != EEXIST) break;
+        }
+        fail("create", name, errno);
+    }
 
     // Writes the buffer and `more` behind it, and empties the buffer.
     void drain(std::string_view more) {
@@ -116,7 +134,7 @@ struct Sink::State {
             while (at != end && at->iov_len == 0) ++at;
             if (at == end) break;
             const ssize_t n = ::writev(fd, at, static_cast<int>(end - at));
-            if (n < 0 && errno == EINTR) continue;
+            if (n < 0 && (errno == EINTR || waited(fd, POLLOUT))) continue;
             if (n < 0) fail("write to", name, errno);
             auto left = static_cast<std::size_t>(n);
             for (iovec* p = at; left > 0; ++p) {
@@ -131,12 +149,10 @@ struct Sink::State {
 
     // Gives the unnamed file a name beside the final one, since a link cannot replace a file.
     void name_it() {
-        const std::string wanted = temporary_name();
         const std::string self = "/proc/self/fd/" + std::to_string(fd);
-        ::unlink(wanted.c_str());
-        if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, wanted.c_str(), AT_SYMLINK_FOLLOW) != 0)
-            fail("create", name, errno);
-        temporary = wanted;
+        name_anew([&](const char* wanted) {
+            return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, wanted, AT_SYMLINK_FOLLOW) == 0;
+        });
     }
 };
 
@@ -177,12 +193,15 @@ void Sink::commit() {
         if (::close(::dup(s.fd)) != 0) fail("write to", s.name, errno);
         return;
     }
+    // A name for a file whose contents a power cut could still lose would replace a good one.
+    if (!s.path.empty() && ::fsync(s.fd) != 0 && errno != EINVAL && errno != EROFS) fail("write to", s.name, errno);
     if (!s.path.empty() && s.temporary.empty()) s.name_it();
     const int fd = std::exchange(s.fd, -1);
     if (::close(fd) != 0) fail("write to", s.name, errno);
     if (s.path.empty()) return;
     if (std::rename(s.temporary.c_str(), s.path.c_str()) != 0) fail("create", s.name, errno);
     s.temporary.clear();
+    s.unfinished.reset();
 }
 
 } // namespace filum::stream

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <unistd.h>
 
 namespace filum::app::filum {
 
@@ -27,14 +28,19 @@ Kept::Kept(const Request& request, const std::vector<Stage>& stages) {
     std::error_code failed;
     if (!request.keep.empty() && (fs::create_directories(request.keep, failed), failed))
         throw Error(Exit::io, "cannot make the folder '" + request.keep + "': " + failed.message());
+    const std::string own = std::to_string(::getpid()) + ".part"; // another print may keep its streams there, too
     for (std::size_t s = 0; s < stages.size(); ++s) {
         const bool stream = stages[s].out.starts_with(kStream);
         payloads_.push_back(stream ? stages[s].out.substr(kStream.size()) : "");
         const std::string name = std::to_string(s + 1) + "-" + stages[s].name + "." + lower(payloads_.back());
         const bool wanted = request.keep.empty() ? request.shows() : true;
         names_.push_back(stream && !request.keep.empty() ? request.keep + "/" + name : "");
-        files_.push_back(!stream || !wanted ? "" : request.keep.empty() ? folder_.file(name) : names_.back() + ".part");
-        if (!names_.back().empty()) unfinished_.push_back(files_.back());
+        files_.push_back(!stream || !wanted     ? ""
+                         : request.keep.empty() ? folder_.file(name)
+                                                : names_.back() + "." + own);
+        if (names_.back().empty()) continue;
+        unfinished_.push_back(files_.back());
+        watched_.push_back(std::make_unique<stream::Unfinished>(files_.back()));
     }
 }
 
@@ -52,6 +58,7 @@ void Kept::commit() {
         files_[s] = names_[s];
     }
     unfinished_.clear();
+    watched_.clear();
 }
 
 std::string Kept::last(const std::string& payload) const {

@@ -4,6 +4,7 @@
 #include "app/filum/folder.hpp"
 #include "app/filum/route.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ class Kept {
     Folder folder_;
     std::vector<std::string> files_, names_, payloads_;
     std::vector<std::string> unfinished_; // as long as the streams may be incomplete
+    std::vector<std::unique_ptr<stream::Unfinished>> watched_;
 };
 
 } // namespace filum::app::filum

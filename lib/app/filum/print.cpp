@@ -13,8 +13,10 @@
 
 #include <algorithm>
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 #include <set>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace filum::app::filum {
@@ -203,6 +205,31 @@ void swap(const std::vector<std::string>& words, std::vector<Stage>& stages) {
     }
 }
 
+// Makes what was asked for beside the program.
+void finish(const Request& request, Kept& kept) {
+    kept.commit();
+    if (!request.picture.empty()) kept.draw({}, request.picture);
+    if (request.report.empty()) return;
+    const std::string machine = value_in(request.arguments.back(), "machine", "");
+    const bool named = request.inputs.size() == 1 && request.inputs[0] != "-";
+    kept.report(named ? request.inputs[0] : request.inputs.size() > 1 ? "plate" : "part", machine, request.report);
+}
+
+// Which file stands under a name: another number once it was replaced, 0 for none and for what is no file.
+ino_t number_of(const std::string& name) {
+    struct stat info {};
+    return name != "-" && ::stat(name.c_str(), &info) == 0 && S_ISREG(info.st_mode) ? info.st_ino : 0;
+}
+
+void refuse_input_as_output(const Request& request) {
+    for (const std::string& input : request.inputs) {
+        std::error_code none;
+        if (input != "-" && std::filesystem::equivalent(input, request.output, none) &&
+            std::filesystem::is_regular_file(input, none))
+            throw Error(Exit::usage, "cannot write '" + request.output + "': it is the input; give another name by -o");
+    }
+}
+
 } // namespace
 
 int print_part(const std::vector<std::string>& typed) {
@@ -221,6 +248,7 @@ int print_part(const std::vector<std::string>& typed) {
         cli::check_output_name(request.picture, "--picture", "a PNG picture, SVG, VTP or an HTML page");
     if (!request.quiet) tell_left(ours);
     check_profiles(request, stages);
+    refuse_input_as_output(request);
     std::vector<Command> commands = commands_of(request, stages);
     if (request.dry_run) return tell(pipeline(commands, stages));
     if (request.output == "-" && ::isatty(STDOUT_FILENO) != 0)
@@ -229,15 +257,16 @@ int print_part(const std::vector<std::string>& typed) {
     const bool talks = ::isatty(STDERR_FILENO) != 0 && !request.quiet;
     Kept kept(request, stages);
     if (talks) commands.back().push_back("--summary=" + kept.summary());
-    const auto ended =
-        talks ? run_watched(commands, kept.files(), names_of(stages)) : run_piped(commands, kept.files());
-    if (const int code = judge(ended, stages); code != 0) return code;
-    kept.commit();
-    if (!request.picture.empty()) kept.draw({}, request.picture);
-    if (!request.report.empty()) {
-        const std::string machine = value_in(request.arguments.back(), "machine", "");
-        const bool named = request.inputs.size() == 1 && request.inputs[0] != "-";
-        kept.report(named ? request.inputs[0] : request.inputs.size() > 1 ? "plate" : "part", machine, request.report);
+    const ino_t before = number_of(request.output);
+    try {
+        const auto ended =
+            talks ? run_watched(commands, kept.files(), names_of(stages)) : run_piped(commands, kept.files());
+        if (const int code = judge(ended, stages); code != 0) return code;
+        finish(request, kept);
+    } catch (const Error&) {
+        // A print of which a part could not be written leaves no program.
+        if (number_of(request.output) != before) ::unlink(request.output.c_str());
+        throw;
     }
     if (talks) std::cerr << kept.told(request.output) << std::flush;
     return 0;

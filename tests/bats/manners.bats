@@ -1,0 +1,126 @@
+#!/usr/bin/env bats
+# How the programs behave as processes: signals, closed descriptors, names, two runs at once.
+# shellcheck disable=SC2154
+
+load common
+
+setup_file() {
+    cd "$BATS_FILE_TMPDIR" || exit 1
+    box_stl > part.stl
+}
+
+setup() {
+    cd "$BATS_TEST_TMPDIR" || exit 1
+    cp "$BATS_FILE_TMPDIR/part.stl" .
+}
+
+@test "a signal leaves neither a folder in TMPDIR nor part of a file" {
+    mkdir tmp kept
+    for signal in INT TERM HUP; do
+        for wait in 0.02 0.1 0.3; do
+            # timeout, not the shell, starts it: a shell ignores SIGINT in what it runs in the background
+            TMPDIR=$PWD/tmp timeout --signal="$signal" "$wait" \
+                filum print part.stl --scale 9 --quiet --keep kept --report page.html -o part.gcode 2> said || true
+            sleep 0.3 # the stages end after the front
+            left=$(ls tmp; find . -name '*.part*')
+            [[ -z $left ]] || { echo "$signal after $wait s left: $left"; false; }
+        done
+    done
+}
+
+@test "no temporary folder where none is needed" {
+    TMPDIR=$PWD/none filum print part.stl --quiet -o part.gcode
+    [[ -s part.gcode ]]
+}
+
+@test "standard input may be closed, as by cron" {
+    filum print part.stl --quiet -o part.gcode <&-
+    [[ $(tail -n 1 part.gcode) == *"end of program"* ]]
+    slice part.stl -o part.layers <&-
+    peek --check part.layers
+    expect 4 regions -o none <&-
+}
+
+@test "an output that is the input is refused" {
+    cp part.stl before.stl
+    ln part.stl other.stl
+    expect 2 filum print part.stl -o other.stl
+    [[ $err == *"it is the input"* ]]
+    expect 2 slice part.stl -o other.stl
+    cmp part.stl before.stl
+    slice part.stl -o a.layers
+    cp a.layers b.layers
+    expect 2 regions a.layers -o ./a.layers
+    cmp a.layers b.layers
+}
+
+@test "names may have 255 characters" {
+    printf -v name 'n%.0s' {1..255}
+    slice part.stl -o "$name"
+    peek --check "$name"
+    [[ -z $(find . -name '*.part*') ]]
+}
+
+@test "two prints keep their streams in one folder" {
+    for k in 1 2; do filum print part.stl --quiet --keep kept -o $k.gcode & done
+    wait
+    cmp 1.gcode 2.gcode
+    for file in kept/*; do peek --check "$file"; done
+    [[ -z $(find kept -name '*.part*') ]]
+}
+
+@test "a pipe that does not block is waited for" {
+    python3 - << 'END'
+import os
+import subprocess
+import time
+
+def unblocked(pair):
+    for fd in pair:
+        os.set_blocking(fd, False)
+    return pair
+
+subprocess.run(["slice", "part.stl", "--layer-height", "0.02", "-o", "part.layers"], check=True)
+layers = open("part.layers", "rb").read()
+inside, outside = unblocked(os.pipe()), unblocked(os.pipe())
+stage = subprocess.Popen(["regions"], stdin=inside[0], stdout=outside[1], close_fds=True)
+os.close(inside[0])
+os.close(outside[1])
+got = b""
+ended = False
+while not ended:
+    if layers:
+        try:
+            layers = layers[os.write(inside[1], layers[:9000]):]
+        except BlockingIOError:
+            pass
+        if not layers:
+            os.close(inside[1])
+    try:
+        more = os.read(outside[0], 3000)
+        ended = more == b"" and not layers
+        got += more
+    except BlockingIOError:
+        time.sleep(0.001)
+assert stage.wait() == 0
+assert got == subprocess.run(["regions", "part.layers"], check=True, stdout=subprocess.PIPE).stdout
+END
+}
+
+@test "a full disk under --keep leaves no program" {
+    mkdir kept
+    mkdir kept/1-slice.layers # no stream can take this name
+    expect '1|5' filum print part.stl --quiet --keep kept -o part.gcode
+    [[ ! -e part.gcode ]]
+    echo mine > part.gcode
+    rmdir kept/1-slice.layers
+    expect 2 filum print part.stl --quiet --nonsense -o part.gcode
+    [[ $(cat part.gcode) == mine ]]
+}
+
+@test "endless input is refused" {
+    for stage in slice geodesic; do
+        expect '3|4|5|1' timeout 60 "$stage" /dev/zero -o none
+    done
+    expect '3|4' timeout 20 regions /dev/zero -o none
+}
