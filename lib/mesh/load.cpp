@@ -49,7 +49,7 @@ Bytes load(const std::string& path) {
     Bytes out;
     enlarge(out, capacity);
     for (;;) {
-        if (out.size == capacity) enlarge(out, capacity *= 2);
+        if (out.size == capacity) enlarge(out, capacity = std::min(2 * capacity, kMaxFile + 1));
         const ssize_t n = ::read(in.fd, out.data.get() + out.size, capacity - out.size);
         if (n < 0 && errno == EINTR) continue;
         if (n < 0) throw Error(Exit::io, "cannot read " + name + ": " + std::strerror(errno));
