@@ -10,6 +10,8 @@ namespace filum::wire {
 
 inline constexpr double kMaxCoordinate = 1e8; // mm; keeps every later product far from overflow
 
+inline constexpr double kMaxBead = 1e4; // mm, of width and height: no machine lays one of 10 m
+
 inline bool usable(double v) { return std::abs(v) <= kMaxCoordinate; } // false for nan, too
 
 // Whether `v` is finite and not negative.

@@ -84,7 +84,8 @@ std::vector<double> per_point(const RepeatedField<double>& v, std::size_t n, con
     const auto size = static_cast<std::size_t>(v.size());
     if (size != 1 && size != n) bad_frame(what, std::string(name) + " is neither one for all nor one per point");
     for (const double value : v)
-        if (!usable(value) || value <= 0) bad_frame(what, std::string(name) + " is not positive");
+        if (!(value > 0 && value <= kMaxBead))
+            bad_frame(what, std::string(name) + " is not between 0 and 10 m, as of a bead");
     return {v.begin(), v.end()};
 }
 
