@@ -168,7 +168,7 @@ class Vtu {
 
     static ArrayHead head_of(const pugi::xml_node& a) {
         ArrayHead out{a.attribute("Name").value(), a.attribute("NumberOfComponents").as_uint(1), {}};
-        for (std::size_t k = 0; k < out.width && k < kMostComponents; ++k) {
+        for (std::size_t k = 0; k < out.width && out.width <= kMostComponents; ++k) {
             const auto name = a.attribute(("ComponentName" + std::to_string(k)).c_str());
             if (name || !out.components.empty()) out.components.resize(k);
             if (name) out.components.emplace_back(name.value());
@@ -284,7 +284,7 @@ class Vtu {
         bad(name_, "it has no array of 6 or 9 numbers per point that holds stresses; name one of vectors by --columns");
     }
 
-    static constexpr std::size_t kMostComponents = 64; // whose names are read
+    static constexpr std::size_t kMostComponents = 64; // per point: of arrays of more, no names are read
     static constexpr double kAsymmetry = 1e-3; // share of the largest component: more than four digits of text lose
 
     const std::string& name_;

@@ -192,6 +192,12 @@ TEST(Vtu, CellsOfOtherTypesAreNotedAndPointsRemain) {
     EXPECT_EQ(notes[2].count, 2U);
 }
 
+TEST(Vtu, AnArrayOfAnyWidthCostsNoMemory) {
+    const std::string text = with(grid({"ascii"}), "Name=\"u\" NumberOfComponents=\"3\"",
+                                  "Name=\"u\" NumberOfComponents=\"4000000000\" ComponentName0=\"XX\"");
+    EXPECT_EQ(vtu(text).cases.size(), 1U);
+}
+
 TEST(Vtu, FaultsAreNamed) {
     const std::string ascii = grid({"ascii"}), binary = grid({"binary"}), packed = grid({"binary", false, false, true});
     EXPECT_TRUE(has(vtu_fault(grid({"ascii"}, 6, "S_X", "PolyData"), Exit::bad_input), "PolyData"));
