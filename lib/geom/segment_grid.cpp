@@ -4,24 +4,6 @@
 
 namespace filum::geom {
 
-template <class F>
-void SegmentGrid::cells_of(const Segment& s, double margin, F&& f) const {
-    const Vec2 a = s.a.y <= s.b.y ? s.a : s.b, b = s.a.y <= s.b.y ? s.b : s.a;
-    const double beside = margin + 1e-9 * cell_; // one cell more on each side where rounding could have gone either way
-    const unsigned y0 = row(a.y - margin), y1 = row(b.y + margin);
-    const auto cells = [&](unsigned y, double xa, double xb) {
-        const unsigned x0 = column(std::min(xa, xb) - beside), x1 = column(std::max(xa, xb) + beside);
-        for (unsigned x = x0; x <= x1; ++x) f(x, y);
-    };
-    if (y0 == y1) return cells(y0, a.x, b.x); // as of most
-    const double slope = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
-    for (unsigned y = y0; y <= y1; ++y) { // the stretch of the segment within this row of cells
-        const double bottom = origin_.y + y * cell_ - margin, top = bottom + cell_ + 2 * margin;
-        cells(y, y > y0 && bottom > a.y ? a.x + slope * (bottom - a.y) : a.x,
-              y < y1 && top < b.y ? a.x + slope * (top - a.y) : b.x);
-    }
-}
-
 SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell, double margin) : cell_(cell) {
     if (segments.empty()) return;
     Box2 box;

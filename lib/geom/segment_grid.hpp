@@ -42,11 +42,21 @@ class SegmentGrid {
             }
     }
 
+    // Calls f(i) for every segment that has a cell in common with the segment p-q; a segment may come up several times.
+    // A long slanting segment passes few of the cells of its box.
+    template <class F>
+    void along(Vec2 p, Vec2 q, F&& f) const {
+        if (columns_ == 0) return;
+        cells_of({p, q}, 0, [&](unsigned x, unsigned y) {
+            for (const std::uint32_t i : in(number(x, y))) f(i);
+        });
+    }
+
     // True if the open segment p-q properly crosses any segment i for which use(i) holds.
     template <class Use>
     bool crosses(Vec2 p, Vec2 q, std::span<const Segment> segments, Use&& use) const {
         bool found = false;
-        near({std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}, [&](std::uint32_t i) {
+        along(p, q, [&](std::uint32_t i) {
             if (!found && use(i)) found = cross_properly(p, q, segments[i].a, segments[i].b);
         });
         return found;
@@ -74,5 +84,23 @@ class SegmentGrid {
     std::vector<std::uint32_t> first_;   // per block: its first cell; of all empty ones 0
     std::vector<std::uint32_t> start_, item_;
 };
+
+template <class F>
+void SegmentGrid::cells_of(const Segment& s, double margin, F&& f) const {
+    const Vec2 a = s.a.y <= s.b.y ? s.a : s.b, b = s.a.y <= s.b.y ? s.b : s.a;
+    const double beside = margin + 1e-9 * cell_; // one cell more on each side where rounding could have gone either way
+    const unsigned y0 = row(a.y - margin), y1 = row(b.y + margin);
+    const auto cells = [&](unsigned y, double xa, double xb) {
+        const unsigned x0 = column(std::min(xa, xb) - beside), x1 = column(std::max(xa, xb) + beside);
+        for (unsigned x = x0; x <= x1; ++x) f(x, y);
+    };
+    if (y0 == y1) return cells(y0, a.x, b.x); // as of most
+    const double slope = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
+    for (unsigned y = y0; y <= y1; ++y) { // the stretch of the segment within this row of cells
+        const double bottom = origin_.y + y * cell_ - margin, top = bottom + cell_ + 2 * margin;
+        cells(y, y > y0 && bottom > a.y ? a.x + slope * (bottom - a.y) : a.x,
+              y < y1 && top < b.y ? a.x + slope * (top - a.y) : b.x);
+    }
+}
 
 } // namespace filum::geom

@@ -12,12 +12,53 @@ namespace {
 
 constexpr std::uint32_t kFan = 16;
 
-void add(Box2& to, const Box2& from) {
-    to.add(from.lo);
-    to.add(from.hi);
-}
+constexpr double kRounding = 1e-9; // mm; more than turning a point can change it, so that no box is left out for it
 
 } // namespace
+
+void SegmentIndex::TurnedBox::add(Vec2 p) { box.add({geom::dot(p, x), geom::dot(p, geom::left_of(x))}); }
+
+double SegmentIndex::TurnedBox::distance(Vec2 p) const {
+    return std::sqrt(distance2(box, {geom::dot(p, x), geom::dot(p, geom::left_of(x))})) - kRounding;
+}
+
+// Whether no side of the turned box parts them; those of `other` part few that are not parted already.
+bool SegmentIndex::TurnedBox::may_meet(const Box2& other) const {
+    const Vec2 middle = 0.5 * (other.lo + other.hi), half = 0.5 * (other.hi - other.lo);
+    const Vec2 at{geom::dot(middle, x), geom::dot(middle, geom::left_of(x))};
+    const double c = std::abs(x.x), s = std::abs(x.y);
+    const Vec2 reach{c * half.x + s * half.y + kRounding, s * half.x + c * half.y + kRounding};
+    return meet(box, {at - reach, at + reach});
+}
+
+// Boxes of so many segments each, turned as these run: by the mean of their directions with doubled angles, weighted by
+// length.
+std::vector<SegmentIndex::TurnedBox> SegmentIndex::boxes_of(std::uint32_t segments) const {
+    const std::uint32_t count = first_.back();
+    std::vector<TurnedBox> out((count + segments - 1) / segments);
+    std::vector<Vec2> doubled(out.size());
+    const auto each = [&](const auto& f) {
+        for (std::uint32_t c = 0; c + 1 < first_.size(); ++c)
+            for (std::uint32_t s = first_[c]; s < first_[c + 1]; ++s)
+                f(s / segments, points_[s + c], points_[s + c + 1]);
+    };
+    each([&](std::uint32_t i, Vec2 a, Vec2 b) {
+        const Vec2 d = b - a;
+        if (const double l = geom::norm(d); l > 0)
+            doubled[i] = doubled[i] + (1 / l) * Vec2{d.x * d.x - d.y * d.y, 2 * d.x * d.y};
+    });
+    for (std::size_t i = 0; i < out.size(); ++i)
+        if (const double l = geom::norm(doubled[i]); l > 0) { // half the angle
+            const Vec2 u = (1 / l) * doubled[i];
+            const double c = std::sqrt(std::max(0.0, (1 + u.x) / 2)), s = std::sqrt(std::max(0.0, (1 - u.x) / 2));
+            out[i].x = {c, u.y < 0 ? -s : s};
+        }
+    each([&](std::uint32_t i, Vec2 a, Vec2 b) {
+        out[i].add(a);
+        out[i].add(b);
+    });
+    return out;
+}
 
 SegmentIndex::SegmentIndex(std::span<const toolpath::Curve> curves) {
     std::size_t n = 0;
@@ -32,19 +73,9 @@ SegmentIndex::SegmentIndex(std::span<const toolpath::Curve> curves) {
     }
     const std::uint32_t count = first_.back();
     if (count == 0) return;
-    std::vector<Box2> boxes((count + kFan - 1) / kFan);
-    for (std::uint32_t c = 0; c + 1 < first_.size(); ++c)
-        for (std::uint32_t s = first_[c]; s < first_[c + 1]; ++s) {
-            boxes[s / kFan].add(points_[s + c]);
-            boxes[s / kFan].add(points_[s + c + 1]);
-        }
-    levels_.push_back(std::move(boxes));
-    while (levels_.back().size() > 1) {
-        const auto& below = levels_.back();
-        std::vector<Box2> above((below.size() + kFan - 1) / kFan);
-        for (std::size_t i = 0; i < below.size(); ++i) add(above[i / kFan], below[i]);
-        levels_.push_back(std::move(above));
-    }
+    for (const Vec2 p : points_) bounds_.add(p);
+    for (std::uint64_t segments = kFan; levels_.empty() || levels_.back().size() > 1; segments *= kFan)
+        levels_.push_back(boxes_of(static_cast<std::uint32_t>(std::min<std::uint64_t>(segments, count))));
 }
 
 std::uint32_t SegmentIndex::curve_of(std::uint32_t segment) const {
@@ -79,7 +110,7 @@ std::optional<Place> SegmentIndex::nearest(Vec2 p, double limit, std::span<const
     if (empty()) return std::nullopt;
     using Node = std::tuple<double, std::size_t, std::uint32_t>; // distance, level, box
     std::priority_queue<Node, std::vector<Node>, std::greater<>> open;
-    open.emplace(std::sqrt(distance2(levels_.back().front(), p)), levels_.size() - 1, 0U);
+    open.emplace(levels_.back().front().distance(p), levels_.size() - 1, 0U);
     double best = limit;
     std::optional<std::uint32_t> found;
     while (!open.empty()) {
@@ -91,7 +122,7 @@ std::optional<Place> SegmentIndex::nearest(Vec2 p, double limit, std::span<const
             const auto& below = levels_[level - 1];
             const auto to = std::min<std::uint32_t>(from + kFan, static_cast<std::uint32_t>(below.size()));
             for (std::uint32_t i = from; i < to; ++i)
-                if (const double e = std::sqrt(distance2(below[i], p)); e <= best) open.emplace(e, level - 1, i);
+                if (const double e = below[i].distance(p); e <= best) open.emplace(e, level - 1, i);
             continue;
         }
         const auto to = std::min(from + kFan, first_.back());
@@ -116,7 +147,7 @@ void SegmentIndex::within(const Box2& box, const std::function<bool(std::uint32_
     while (!open.empty()) {
         const auto [level, at] = open.back();
         open.pop_back();
-        if (!meet(levels_[level][at], box)) continue;
+        if (!levels_[level][at].may_meet(box)) continue;
         const std::uint32_t from = at * kFan;
         if (level > 0) {
             const auto to = std::min<std::uint32_t>(from + kFan, static_cast<std::uint32_t>(levels_[level - 1].size()));

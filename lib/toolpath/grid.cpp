@@ -126,10 +126,9 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_pairs(const std::v
     Pairs out;
     for (std::uint32_t i = 0; i < all.size(); ++i) {
         const Vec2 a = all[i].a, b = all[i].b;
-        grid.near({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)},
-                  [&](std::uint32_t j) {
-                      if (j > i && geom::cross_properly(a, b, all[j].a, all[j].b)) out.emplace_back(i, j);
-                  });
+        grid.along(a, b, [&](std::uint32_t j) {
+            if (j > i && geom::cross_properly(a, b, all[j].a, all[j].b)) out.emplace_back(i, j);
+        });
     }
     std::sort(out.begin(), out.end());
     out.erase(std::unique(out.begin(), out.end()), out.end()); // a pair may share several cells
