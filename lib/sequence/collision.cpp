@@ -1,8 +1,10 @@
 #include "sequence/collision.hpp"
 
 #include "geom/bvh.hpp"
+#include "sequence/drift.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace filum::sequence {
@@ -31,6 +33,7 @@ struct PairSearch {
     const machine::Head& head;
     std::vector<std::vector<Box2>> block; // per column, of every kBlock regions
     std::vector<Box2> box;                // per column
+    std::vector<Drift> drifts;            // per column
     std::optional<geom::Bvh> tree;        // over those
     double top = 0;                       // mm, of all
     std::vector<std::size_t> limit;       // per column: places from there on wait for the column at hand
@@ -46,6 +49,7 @@ struct PairSearch {
             for (std::size_t i = 0; i < member.size(); ++i) add(block.back()[i / kBlock], box_of(member[i]));
             for (const auto& b : block.back()) add(box.back(), b);
             limit.push_back(member.size());
+            drifts.push_back(drift(member, outlines));
             top = std::max(top, g.node[member.back()].z);
         }
         std::vector<geom::Box3> flat;
@@ -53,8 +57,68 @@ struct PairSearch {
         tree.emplace(std::move(flat));
     }
 
+    // How much two regions can be nearer than as measured: place i of column a, place k of column c.
+    [[nodiscard]] double slack(Index a, Index c, const Measured& m, std::size_t i, std::size_t k) const {
+        return drifts[a].between(m.i, i) + drifts[c].between(m.k, k);
+    }
+
+    // Whether the box as measured is the one of `r`, and tells of regions that are `most` nearer or farther.
+    [[nodiscard]] static bool knows_box(const Measured& m, const Reach& r, double most) {
+        return r.half_x == m.half_x && r.half_y == m.half_y && (most == 0 || (m.sure && most < kBoxMargin));
+    }
+
+    // Whether what was measured proves that the head over v, place i of column a, touches nothing of the places
+    // first .. last of column c.
+    [[nodiscard]] bool clear(Index v, Index a, Index c, const Measured& m, std::size_t first, std::size_t last) const {
+        const std::size_t i = place(v, a);
+        const double most = std::max(slack(a, c, m, i, first), slack(a, c, m, i, last));
+        if (!(most < m.distance)) return false;
+        const Reach r = reach_of(v, columns.member[c][last]);
+        if (r.everywhere || m.distance - most < r.radius) return false;
+        if (std::hypot(r.half_x, r.half_y) <= m.distance - most) return true;
+        return !m.in_box && knows_box(m, r, most);
+    }
+
+    // The first place from `first` on, below `limit`, of which the measured distance does not prove that the head
+    // over v is clear.
+    [[nodiscard]] std::size_t skip(Index v, Index a, Index c, const Measured& m, std::size_t first,
+                                   std::size_t limit) const {
+        if (!m.known || !clear(v, a, c, m, first, first)) return first;
+        std::size_t proven = first, open = limit; // clear up to and with `proven`; from `open` on not known to be
+        while (open - proven > 1) {
+            const std::size_t middle = proven + (open - proven) / 2;
+            (clear(v, a, c, m, first, middle) ? proven : open) = middle;
+        }
+        return proven + 1;
+    }
+
+    // Whether the head over v touches place k of column c.
+    bool touches(Index v, Index a, Index c, std::size_t k, Measured& m) {
+        const Index u = columns.member[c][k];
+        const Reach r = reach_of(v, u);
+        if (r.everywhere) return true;
+        const std::size_t i = place(v, a);
+        const double most = m.known ? slack(a, c, m, i, k) : 0;
+        if (m.known && m.distance + most < std::max(r.radius, std::min(r.half_x, r.half_y))) return true;
+        if (m.known && m.in_box && knows_box(m, r, most)) return true;
+        if (drifts[a].alone(i) || drifts[c].alone(k)) return within(outlines[v], outlines[u], r);
+        m = {true, i, k, distance(outlines[v], outlines[u]), r.half_x, r.half_y, false, false};
+        if (r.half_x > 0 && r.half_y > 0) {
+            const auto in_box = [&](double more) {
+                return within(outlines[v], outlines[u], {0, r.half_x + more, r.half_y + more, false});
+            };
+            m.in_box = in_box(0);
+            m.sure = m.in_box == in_box(m.in_box ? -kBoxMargin : kBoxMargin);
+        }
+        return m.distance < r.radius || m.in_box;
+    }
+
+    [[nodiscard]] std::size_t place(Index v, Index a) const {
+        return g.node[v].layer - g.node[columns.member[a][0]].layer;
+    }
+
     // The first place of column c, below `limit`, whose region stands in the way of v, of column a; `limit` if none.
-    [[nodiscard]] std::size_t first(Index v, Index a, Index c, std::size_t limit) const {
+    [[nodiscard]] std::size_t first(Index v, Index a, Index c, std::size_t limit, Measured& m) {
         const auto& member = columns.member[c];
         const Index layer = g.node[v].layer, lowest = g.node[member[0]].layer;
         std::size_t i = layer + 1 > lowest ? layer + 1 - lowest : 0;
@@ -65,6 +129,8 @@ struct PairSearch {
                                                           member.begin() + static_cast<long>(limit), out_of_reach) -
                                      member.begin());
         for (; i < limit; ++i) {
+            i = skip(v, a, c, m, i, limit);
+            if (i == limit) break;
             if (i % kBlock == 0) {
                 const std::size_t last = std::min(member.size(), i + kBlock) - 1;
                 if (!may_collide(box_of(v), block[c][i / kBlock], reach_of(v, member[last]))) {
@@ -72,10 +138,9 @@ struct PairSearch {
                     continue;
                 }
             }
-            const Reach r = reach_of(v, member[i]);
-            if (may_collide(box_of(v), box_of(member[i]), r) && within(outlines[v], outlines[member[i]], r)) return i;
+            if (may_collide(box_of(v), box_of(member[i]), reach_of(v, member[i])) && touches(v, a, c, i, m)) return i;
         }
-        return limit;
+        return std::min(i, limit);
     }
 
     // A column whose lowest region rests on one that must wait for v waits as a whole.
@@ -110,16 +175,18 @@ struct PairSearch {
     void column(Index a) {
         const auto& own = columns.member[a];
         const auto near = others(a);
+        std::vector<Measured> measured_of(near.size());
         for (std::size_t i = own.size(); i-- > 0;) {
             const Index v = own[i];
             limit[a] = i; // what rests on v or higher waits for it by support
-            for (const Index c : near) {
+            for (std::size_t k = 0; k < near.size(); ++k) {
+                const Index c = near[k];
                 if (limit[c] == 0) continue;
                 if (implied(c)) {
                     limit[c] = 0;
                     continue;
                 }
-                const std::size_t at = first(v, a, c, limit[c]);
+                const std::size_t at = first(v, a, c, limit[c], measured_of[k]);
                 if (at < limit[c]) found.emplace_back(v, columns.member[c][at]);
                 limit[c] = at;
             }
@@ -133,7 +200,7 @@ struct PairSearch {
 
 std::vector<Pair> collisions(const Graph& g, const Columns& columns, const std::vector<Outline>& outlines,
                              const machine::Head& head) {
-    PairSearch s{g, columns, outlines, head, {}, {}, {}, 0, {}, {}};
+    PairSearch s{g, columns, outlines, head, {}, {}, {}, {}, 0, {}, {}};
     s.boxes();
     for (Index a = 0; a < columns.member.size(); ++a) s.column(a);
     return std::move(s.found);
