@@ -235,7 +235,7 @@ SlicerWishes wishes(const SlicerFile& file, const std::function<bool(std::string
         try {
             read.words = reader.words(s.key, row);
         } catch (const Error& e) {
-            read.use = Use::harm;
+            read.use = Use::later;
             read.why = "its value cannot be used: " + std::string(e.what());
             continue;
         }
