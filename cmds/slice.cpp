@@ -1,7 +1,7 @@
 // slice - cut a mesh into layers of closed contours
 // reads:  mesh files: STL, OBJ, PLY, OFF, 3MF or STEP
 // writes: Layers
-// memory: the model
+// memory: the model, and all contours with --hole-compensation
 #include "app/slice/slice.hpp"
 #include "cli/step_options.hpp"
 
@@ -92,7 +92,7 @@ std::vector<Option> compensating(app::slice::Options& o) {
                "how far all outlines move outwards, as holes close; negative: inwards"}
             .within(-10, 10),
         Option{"hole-compensation", &o.compensation.holes, "MM",
-               "how far holes widen in radius, on top of that; negative: close"}
+               "how far holes widen in radius, on top of that, and bores where windows open them; negative: close"}
             .within(-10, 10),
         Option{"shrinkage", &o.shrinkage, "%|X,Y,Z",
                "what a part loses of its size as it cools, 0.5 if 100 mm become 99.5: it is made so much larger; one "
@@ -142,7 +142,7 @@ cli::Spec spec(app::slice::Options& o) {
             .description = kDescription,
             .in = cli::file("mesh file"),
             .out = cli::writes(stream::Payload::layers),
-            .memory = "the model",
+            .memory = "the model, and all contours with --hole-compensation",
             .options = std::move(options),
             .groups = {{"heights of layers", {"adaptive", "min-layer-height", "max-layer-height", "cusp"}},
                        {"mending", {"close-gaps", "close-openings", "hairline"}},

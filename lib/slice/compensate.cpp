@@ -1,6 +1,7 @@
 #include "slice/compensate.hpp"
 
 #include "polygon/clip.hpp"
+#include "slice/bores.hpp"
 
 #include <cmath>
 
@@ -56,9 +57,11 @@ Loops less_foot(const Loops& area, double foot, std::uint32_t layer, Notes& note
 
 } // namespace
 
-Loops compensated(const Loops& contours, const Compensation& by, std::uint32_t layer, Notes& notes) {
+Loops compensated(const Loops& contours, const Loops& bores, const Compensation& by, std::uint32_t layer,
+                  Notes& notes) {
     Loops out = contours;
     if (by.holes != 0) out = with_wider_holes_in_all(out, by.holes);
+    if (by.holes != 0) out = with_wider_bores(out, bores, by.holes);
     if (by.xy < 0) tell("too thin for the compensation in x and y", lost(out, -by.xy), layer, notes);
     if (by.xy != 0) out = polygon::offset(out, by.xy);
     if (by.elephant_foot > 0 && layer == 0) out = less_foot(out, by.elephant_foot, layer, notes);

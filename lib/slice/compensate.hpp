@@ -17,6 +17,8 @@ struct Compensation {
 // The layer's outlines moved so.  On the first one no place loses more than half of its width to the elephant's foot:
 // what is narrower than four times that stays, with a note of its area.  What an inward move leaves nothing of is
 // noted, too.  Corners that grow become round; contours stay simple.
-polygon::Loops compensated(const polygon::Loops& contours, const Compensation& by, std::uint32_t layer, Notes& notes);
+// `bores` are those that the layer leaves open (bores.hpp): their walls move as those of holes do.
+polygon::Loops compensated(const polygon::Loops& contours, const polygon::Loops& bores, const Compensation& by,
+                           std::uint32_t layer, Notes& notes);
 
 } // namespace filum::slice

@@ -25,8 +25,9 @@ struct OnBed {
     std::vector<plate::Place> at{{}}; // where each copy stands
     filum::slice::Sweep sweep;
     std::optional<filum::slice::Measured> measured;
-    std::vector<double> area; // of each of its layers, mm2
-    Notes notes;              // on the mesh, where it was read
+    std::vector<double> area;          // of each of its layers, mm2
+    std::vector<polygon::Loops> bores; // of each of its layers: outlines of those that it leaves open
+    Notes notes;                       // on the mesh, where it was read
 };
 
 // Reads and places every input, checks its size and makes it ready.  The settings of `self` get what the files are

@@ -2,7 +2,9 @@
 
 #include "app/modifier/modifier.hpp"
 #include "app/slice/plate.hpp"
+#include "parallel/parallel.hpp"
 #include "polygon/clip.hpp"
+#include "slice/bores.hpp"
 #include "wire/planar.hpp"
 
 #include <algorithm>
@@ -44,6 +46,21 @@ void take_notes(const Job& job, const OnBed& part, Notes found, Notes& to) {
     }
 }
 
+// Finds the bores that layers leave open, which only the layers above and below can tell.
+void find_bores(Job& job, int threads, Notes& notes) {
+    if (job.o.compensation.holes == 0) return;
+    for (OnBed& part : job.parts) {
+        std::vector<polygon::Loops> contours(part.sweep.levels.size());
+        parallel::for_chunks(part.sweep.chunks(), 1, threads, [&](std::size_t chunk, std::size_t) {
+            for (polygon::Layer& layer : filum::slice::cut(part.sweep, chunk).layers)
+                contours[layer.index] = std::move(layer.contours);
+        });
+        Notes own;
+        part.bores = filum::slice::open_bores(contours, own);
+        take_notes(job, part, std::move(own), notes);
+    }
+}
+
 // The layers of a chunk, of all parts together.
 std::vector<stream::RawFrame> cut_all(Job& job, std::size_t chunk, Notes& notes) {
     const std::size_t first = chunk * filum::slice::kChunk;
@@ -57,8 +74,9 @@ std::vector<stream::RawFrame> cut_all(Job& job, std::size_t chunk, Notes& notes)
             if (job.o.compensation.any()) {
                 if (polygon::split(layer.contours).part.size() < layer.contours.size()) job.holed = true;
                 Notes own;
-                layer.contours =
-                    filum::slice::compensated(layer.contours, job.o.compensation, job.above_bed(layer.index), own);
+                const polygon::Loops bores = part.bores.empty() ? polygon::Loops{} : part.bores[layer.index];
+                layer.contours = filum::slice::compensated(layer.contours, bores, job.o.compensation,
+                                                           job.above_bed(layer.index), own);
                 for (Note& note : own) note.layer = layer.index;
                 take_notes(job, part, std::move(own), notes);
             }
@@ -100,6 +118,7 @@ void run(const Options& o, const cli::Io& io) {
     auto header = cli::header(self, stream::Payload::layers);
     header.history.back().objects = std::move(objects);
     header.expected = job.wanted.last - job.wanted.first;
+    find_bores(job, io.threads, notes);
     const std::size_t chunks = (levels.size() + filum::slice::kChunk - 1) / filum::slice::kChunk;
     cli::source_stage(
         io, header, chunks, std::move(notes),

@@ -41,7 +41,7 @@ TEST(Compensated, MovesOutlinesByWhatWasAsked) {
     const Loops area = with(with(square(20), ring(10, 10, 5, true)), ring(10, 10, 2, false));
     const auto of = [&](const slice::Compensation& by, std::uint32_t layer) {
         Notes notes;
-        const Loops out = slice::compensated(area, by, layer, notes);
+        const Loops out = slice::compensated(area, {}, by, layer, notes);
         EXPECT_TRUE(notes.empty());
         EXPECT_EQ(out.size(), 3U);
         return polygon::signed_area(out);
@@ -61,7 +61,7 @@ TEST(Compensated, ThinWallsKeepStandingOnTheFirstLayer) {
     fin.add(std::vector<geom::Vec2>{{19, 9}, {30, 9}, {30, 9.5}, {19, 9.5}});
     const Loops area = polygon::unite(square(20), fin);
     Notes notes;
-    const Loops out = slice::compensated(area, {0.2, 0, 0}, 0, notes);
+    const Loops out = slice::compensated(area, {}, {0.2, 0, 0}, 0, notes);
     EXPECT_EQ(out.size(), 1U); // in one piece
     EXPECT_NEAR(polygon::bounds(out).hi.x, 30, 1e-3);
     EXPECT_NEAR(polygon::bounds(out).lo.x, 0.2, 1e-3);
@@ -72,7 +72,7 @@ TEST(Compensated, ThinWallsKeepStandingOnTheFirstLayer) {
 TEST(Compensated, WhatVanishesIsTold) {
     const Loops area = with(square(20), ring(40, 10, 0.2, false));
     Notes notes;
-    const Loops out = slice::compensated(area, {0, -0.3, 0}, 3, notes);
+    const Loops out = slice::compensated(area, {}, {0, -0.3, 0}, 3, notes);
     EXPECT_EQ(out.size(), 1U);
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_NEAR(notes[0].amount, disc(0.2), 1e-3);
