@@ -3,6 +3,7 @@
 // writes: Surface
 // memory: the patches, and windows of distance of one candidate per thread
 #include "choose/choose.hpp"
+#include "base/density.hpp"
 #include "cli/command.hpp"
 #include "cli/progress.hpp"
 #include "stream/sink.hpp"
@@ -108,6 +109,7 @@ void run(const Options& o, const cli::Io& io) {
         how.far = [&](double share) {
             progress.reach(static_cast<std::uint64_t>(kParts * (static_cast<double>(k) + share)));
         };
+        check_density(surface::area(sheets[k].surface), how.plan.spacing, Exit::usage, "--spacing");
         const auto choice = choose::choose(sheets[k], how, io.threads, own);
         const bool several = sheets.size() > 1;
         for (Note& note : own) {

@@ -2,6 +2,7 @@
 // reads:  Regions
 // writes: Paths
 // memory: one region per thread, and outlines filled before, up to 32 MB
+#include "base/density.hpp"
 #include "baselines/sun2019/spiral.hpp"
 #include "cli/command.hpp"
 #include "fill/reuse.hpp"
@@ -116,13 +117,19 @@ cli::Spec spec(Options& all) {
         .see_also = {"sequence", "link3d", "metrics"}};
 }
 
+polygon::Region region_of(const stream::RawFrame& frame, const fill::Options& o) {
+    polygon::Region region = wire::region(frame);
+    check_density(polygon::signed_area(region.loops), o.bead_width, Exit::usage, "--bead-width");
+    return region;
+}
+
 void run(const Options& o, const cli::Io& io) {
     const fill::Options& options = o.how;
     if (options.pattern == fill::Pattern::scaffold) {
         fill::strand_spacing(options);
         fill::Before before;
         const auto work = [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
-            emit(wire::frame(fill::fill_scaffold(wire::region(frame), options, before, notes)));
+            emit(wire::frame(fill::fill_scaffold(region_of(frame, options), options, before, notes)));
         };
         return cli::scan_stage(io, stream::Payload::regions, stream::Payload::paths, work);
     }
@@ -132,7 +139,7 @@ void run(const Options& o, const cli::Io& io) {
     fill::Reuse filled = as_paper ? baselines::sun2019::filler(paper) : fill::Reuse(options);
     std::atomic<bool> any_hollow = false;
     cli::map_stage(io, stream::Payload::regions, stream::Payload::paths, [&](stream::RawFrame frame, Notes& notes) {
-        const polygon::Region region = wire::region(frame);
+        const polygon::Region region = region_of(frame, options);
         if (region.walls > 0) any_hollow = true;
         if (region.walls > 0)
             return std::vector{wire::frame(hollow::fill(region, {.bead_width = options.bead_width}, notes))};

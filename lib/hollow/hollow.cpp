@@ -1,5 +1,6 @@
 #include "hollow/hollow.hpp"
 
+#include "base/density.hpp"
 #include "fill/finish.hpp"
 #include "fill/identify.hpp"
 #include "fill/join/attempt.hpp"
@@ -229,9 +230,22 @@ fill::join::Hanging hanging(const Region& r, double w) {
     };
 }
 
+// Refuses areas whose lines would be too many, or would lie one on the other.
+void check_densities(const Region& r, double narrowest) {
+    for (const Area& a : r.areas) {
+        const double area = polygon::signed_area(a.loops);
+        if (a.kind == AreaKind::zone) check_density(area, a.width, Exit::bad_input, "the bead width of a zone");
+        if (a.kind != AreaKind::sparse) continue;
+        check_spacing(a.spacing, narrowest, Exit::bad_input, "the spacing of an area");
+        check_density(area, a.spacing, Exit::bad_input, "the spacing of an area");
+        if (a.gap > 0) check_spacing(a.gap, narrowest, Exit::bad_input, "the gap of an area");
+    }
+}
+
 } // namespace
 
 toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
+    check_densities(r, widths(r, o.bead_width).narrowest);
     toolpath::RegionPaths out;
     fill::identify(out, r);
     const std::size_t first = notes.size();

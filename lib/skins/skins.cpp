@@ -1,5 +1,6 @@
 #include "skins/skins.hpp"
 
+#include "base/density.hpp"
 #include "infill/infill.hpp"
 #include "infill/squares.hpp"
 #include "parallel/parallel.hpp"
@@ -272,6 +273,8 @@ Notes skins(std::vector<Region>& regions, const Options& o, std::span<const Modi
     for (const Modifier& m : modifiers) settings.push_back({m.how, depth(m.how, o.bead_width), {}, {}});
     const auto solid = [](const Sparse& s) { return s.how.infill >= 1; };
     if (regions.empty() || (modifiers.empty() && solid(settings[0]))) return {};
+    for (const Region& r : regions)
+        check_density(polygon::signed_area(r.loops), o.bead_width, Exit::usage, "--bead-width");
     const auto layers = coarse(polygon::materials(regions, polygon::RegionClass::part));
     const Zones zones(o, modifiers, layers.size());
     std::vector<Cut> cuts(regions.size());

@@ -1,5 +1,6 @@
 #include "supports/supports.hpp"
 
+#include "base/density.hpp"
 #include "geom/segment.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/segments.hpp"
@@ -239,6 +240,9 @@ void tell_hanging(Stack& stack, const Stack& added, const Options& o, Notes& not
 
 std::vector<Region> supports(std::vector<Region> regions, const Options& options, Facts& facts, Notes& notes) {
     Options o = options;
+    for (const Region& r : regions)
+        check_density(polygon::signed_area(r.loops), o.bead_width, Exit::usage, "--bead-width");
+    if (o.carries()) check_spacing(o.spacing, o.bead_width, Exit::usage, "--support-spacing");
     if (o.raft > 0) raise(regions, o, static_cast<std::uint32_t>(o.raft + o.gap));
     const auto layers = polygon::materials(regions);
     Stack stack = stack_of(std::move(regions)), added(stack.size());

@@ -1,6 +1,7 @@
 #include "app/laminate/laminate.hpp"
 
 #include "app/surfpath/surfpath.hpp"
+#include "base/density.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "cli/output.hpp"
@@ -126,6 +127,8 @@ void run(const Options& o, const cli::Io& io) {
     how.done = [&] { progress.step(); };
     for (std::size_t k = 0; k < sheets.size(); ++k) {
         const std::size_t stroke = spans.empty() ? 0 : spans.back().stroke + 1;
+        for (const Ply& ply : plies)
+            check_density(surface::area(sheets[k].surface), ply.spacing, Exit::usage, "the --spacing of a ply");
         Laminate made = filum::laminate::laminate(sheets[k], plies, how, io.threads);
         filum::laminate::add_spans(made, plies, how, 0, spans);
         add_trims(made, stroke, trims);

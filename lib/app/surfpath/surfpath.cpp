@@ -1,5 +1,6 @@
 #include "app/surfpath/surfpath.hpp"
 
+#include "base/density.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "cli/progress.hpp"
@@ -33,6 +34,11 @@ filum::surfpath::Plan lay(const surface::Sheet& sheet, const Flange* flange, con
     paper.algorithm = algorithm;
     paper.spacing = asked.spacing;
     if (const auto& p = o.plane; !p.empty()) paper.plane = {{p[0], p[1], p[2]}, p[3]};
+    for (const auto& [spacing, option] : {std::pair{asked.spacing, "--spacing"},
+                                          {paper.iso, "--d-iso"},
+                                          {paper.least_spacing, "--min-spacing"},
+                                          {paper.resample, "--resample"}})
+        if (spacing > 0) check_density(surface::area(sheet.surface), spacing, Exit::usage, option);
     filum::surfpath::Plan out;
     const auto lines = [&] {
         out = asked.method == filum::surfpath::Method::kipping2022 ? baselines::kipping2022::plan(sheet, paper)
