@@ -257,15 +257,5 @@ TEST(Infill, DensityOfAPrism) {
         }
 }
 
-TEST(Infill, HollowAreasStayEmpty) {
-    for (const Pattern pattern : {Pattern::rows, Pattern::wave, Pattern::concentric})
-        for (const Loops& area : random_areas(3, 20)) {
-            const Lines hollow = lines_of(pattern, 1, kHollow);
-            EXPECT_TRUE(loops(area, hollow).empty());
-            const std::vector<Task> parts{{&area, hollow}, {&area, hollow}};
-            EXPECT_TRUE(loops(area, parts).empty());
-        }
-}
-
 } // namespace
 } // namespace filum::infill
