@@ -314,7 +314,9 @@ TEST(Skins, ShareReadsPercentAndNumbers) {
     EXPECT_DOUBLE_EQ(share("15%"), 0.15);
     EXPECT_DOUBLE_EQ(share("0.15"), 0.15);
     EXPECT_DOUBLE_EQ(share("100%"), 1);
-    for (const char* wrong : {"", "%", "0", "0%", "101%", "1.5", "-5%", "x", "15%%"}) EXPECT_THROW(share(wrong), Error);
+    EXPECT_EQ(share("0%"), 0);
+    EXPECT_EQ(share("0"), 0);
+    for (const char* wrong : {"", "%", "101%", "1.5", "-5%", "x", "15%%"}) EXPECT_THROW(share(wrong), Error);
 }
 
 } // namespace

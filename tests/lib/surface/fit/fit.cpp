@@ -91,13 +91,15 @@ std::vector<Given> surfaces() {
     return out;
 }
 
-// By places all over the triangles, about a fifth of a millimetre apart, and triangles one by one.
+// Measured at places all over each triangle, a fifth of a millimetre apart or closer.  A multiple of six of them along
+// a side, so that the middles of sides and of the triangle are among them.
 double farthest(const Surface& from, const Surface& to) {
     const curve::Locator locator(to);
     double out = 0;
     for (const auto& [a, b, c] : from.triangles) {
         const Vec3 &p = from.vertices[a], u = from.vertices[b] - p, v = from.vertices[c] - p;
-        const int n = std::clamp(static_cast<int>(5 * std::max({norm(u), norm(v), distance(u, v)})), 1, 200);
+        const int n =
+            6 * std::clamp(static_cast<int>(std::ceil(5.0 / 6 * std::max({norm(u), norm(v), distance(u, v)}))), 1, 33);
         for (int i = 0; i <= n; ++i)
             for (int j = 0; i + j <= n; ++j) {
                 const Vec3 q = p + double(i) / n * u + double(j) / n * v;
