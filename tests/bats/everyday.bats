@@ -200,7 +200,7 @@ strokes_of() { metrics --format tsv "$1" | awk '$1 == "strokes" || $2 == "stroke
 }
 
 @test "what --infill cannot be is told" {
-    for wrong in 0% 101% -1 x '' 15%%; do
+    for wrong in 101% -1 x '' 15%%; do
         expect 2 skins --infill "$wrong" part.regions
         complaint skins
         [[ $err == *infill* ]]

@@ -243,12 +243,12 @@ int print_part(const std::vector<std::string>& typed) {
     keep_wished(words, request, stages);
     if (!request.report.empty() && !request.report.ends_with(".html"))
         throw Error(Exit::usage, "cannot make the report '" + request.report + "': its name must end in .html");
+    refuse_input_as_output(request);
     cli::check_output_name(request.output, "filum print", "machine code");
     if (!request.picture.empty())
         cli::check_output_name(request.picture, "--picture", "a PNG picture, SVG, VTP or an HTML page");
     if (!request.quiet) tell_left(ours);
     check_profiles(request, stages);
-    refuse_input_as_output(request);
     std::vector<Command> commands = commands_of(request, stages);
     if (request.dry_run) return tell(pipeline(commands, stages));
     if (request.output == "-" && ::isatty(STDOUT_FILENO) != 0)

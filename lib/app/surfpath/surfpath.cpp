@@ -34,9 +34,10 @@ filum::surfpath::Plan lay(const surface::Sheet& sheet, const Flange* flange, con
     paper.algorithm = algorithm;
     paper.spacing = asked.spacing;
     if (const auto& p = o.plane; !p.empty()) paper.plane = {{p[0], p[1], p[2]}, p[3]};
+    const bool ortheo = algorithm == Algorithm::ortheo; // the only one that uses these two
     for (const auto& [spacing, option] : {std::pair{asked.spacing, "--spacing"},
-                                          {paper.iso, "--d-iso"},
-                                          {paper.least_spacing, "--min-spacing"},
+                                          {ortheo ? paper.iso : 0, "--d-iso"},
+                                          {ortheo ? paper.least_spacing : 0, "--min-spacing"},
                                           {paper.resample, "--resample"}})
         if (spacing > 0) check_density(surface::area(sheet.surface), spacing, Exit::usage, option);
     filum::surfpath::Plan out;
