@@ -123,7 +123,7 @@ Pair arc(double a, double b) {
                                        -0x1.8c34d25aadef6p-56,
                                        0x1.1a62633145c07p-55};
     static constexpr double of[] = {-1.0 / 3, 1.0 / 5, -1.0 / 7, 1.0 / 9, -1.0 / 11, 1.0 / 13};
-    const int k = static_cast<int>(8 * (a / b) + 0.5);
+    const int k = static_cast<int>(rint(8 * (a / b)));
     const double c = k / 8.0;
     const double t = k == 0 ? a / b : (a - c * b) / (b + c * a);
     const double z = t * t;

@@ -36,6 +36,7 @@ Loops contours(const Carved::Group& group, polygon::Layer& part, const polygon::
 // The layers of what is left, between neighbouring planes of the list as levels.
 std::vector<Loops> sections(Carved& carved, const std::vector<double>& planes, int threads) {
     std::vector<Level> levels;
+    levels.reserve(planes.size());
     for (const double z : planes) levels.push_back({z, kLift, z - kLift});
     sweep(carved, {}, levels, threads);
     std::vector<Loops> out(planes.size());
