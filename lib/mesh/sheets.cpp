@@ -23,8 +23,9 @@ struct Corner {
 };
 
 // True if the triangles form one fan in which no side occurs twice.  Where two triangles come from the same vertex, the
-// walk could enter a ring without its first triangle; such triangles are no fan.
+// walk could enter a ring without its first triangle; such triangles are no fan.  No triangles are one, too.
 bool is_fan(std::span<Corner> around) {
+    if (around.empty()) return true;
     const bool large = around.size() > kLargeFan;
     if (large)
         std::sort(around.begin(), around.end(), [](const Corner& a, const Corner& b) { return a.next < b.next; });
@@ -32,7 +33,7 @@ bool is_fan(std::span<Corner> around) {
         const auto first =
             large ? std::partition_point(around.begin(), around.end(), [&](const Corner& c) { return c.next < v; })
                   : around.begin();
-        const auto found = std::find_if(first, large ? std::min(first + 1, around.end()) : around.end(),
+        const auto found = std::find_if(first, large && first != around.end() ? first + 1 : around.end(),
                                         [&](const Corner& c) { return c.next == v; });
         return found != around.end() && found->next == v ? found : around.end();
     };
