@@ -7,8 +7,8 @@
 
 namespace filum {
 
-// Time and memory of whatever lays lines, samples or triangles at a spacing grow with the number of squares of that
-// side that fit the area.  A square metre at 0.4 mm holds 6 million.
+// A program that places lines, samples or triangles at a spacing needs time and memory that grow with the number of
+// squares of that side in the area.  A square metre at 0.4 mm holds 6 million.
 inline constexpr double kMostSquares = 1e7;
 
 // Throws Error(exit) if `area` mm2 hold more than kMostSquares squares of side `spacing` mm, or the spacing is no

@@ -20,7 +20,7 @@ struct Line {
     std::vector<double> g, m;
     std::optional<double> tool, d, l, p, s;
     char foreign_axis = 0; // a letter of an axis that the machine has not: A B C U V W
-    char first = 0;        // the letter of the first word, but for N
+    char first = 0;        // the letter of the first word behind the line number
 
     [[nodiscard]] bool places() const;
     [[nodiscard]] bool moves() const { return places() || extruder || foreign_axis != 0; }

@@ -47,7 +47,8 @@ struct Words {
 // matters on a line that moves: other commands have flags and text.  `to` is reused from line to line.
 void split(std::string_view code, Words& to);
 
-// An M code owns the words of its line, as in "M84 X Y E", but for NIST's that others may follow: "M3 G1 X10".
+// True if the words of the line belong to its M code, as in "M84 X Y E", and move nothing.  The M codes of NIST's
+// RS274/NGC are an exception: other codes may follow them, as in "M3 G1 X10".
 bool is_command(const Words& line);
 // It begins with a G without a number: what the line does is unknown.
 bool lacks_code(const Words& line);

@@ -33,7 +33,7 @@ bool fan_fits(const std::vector<Vec3>& at, std::span<const std::uint32_t> corner
     return round < 2 * std::numbers::pi;
 }
 
-// The corners but for those in the place of the one before, as numbers in the polygon.
+// Positions in the polygon of its corners, without each corner that lies exactly where the one before it lies.
 std::vector<std::uint32_t> distinct(const std::vector<Vec3>& at, std::span<const std::uint32_t> corners) {
     std::vector<std::uint32_t> out;
     for (std::uint32_t k = 0; k < corners.size(); ++k)

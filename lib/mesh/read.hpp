@@ -34,7 +34,8 @@ struct Body {
     What what = What::modifier;
     std::vector<std::pair<std::string, std::string>> settings{}; // names and values as that slicer has them
     Mesh mesh{};
-    std::uint32_t item = 0; // of the build, of which it is cut away if it is negative; see File::items
+    std::uint32_t item =
+        0; // the item of the build that the body belongs to; a negative body is cut away from it.  See File::items
 };
 
 // How notes begin of bodies that a project has and that are left out of its mesh.

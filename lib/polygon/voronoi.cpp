@@ -173,8 +173,8 @@ bool mark_inside(const Sites& sites, const std::vector<std::uint32_t>& next, Dia
     return true;
 }
 
-// Takes out edges inside whose ends are the same place but for rounding, as Boost does: the edges around them then
-// share one vertex.
+// Removes edges inside the region whose two ends differ by rounding only, by Boost's own test of equal vertices.  The
+// edges that met at the two ends then share one vertex.
 void remove_short_edges(std::vector<std::uint32_t>& next, Diagram& d) {
     const boost::polygon::voronoi_diagram_traits<double>::vertex_equality_predicate_type same;
     std::vector<std::uint32_t> stands_for(d.vertex.size());

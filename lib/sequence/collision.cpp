@@ -79,8 +79,8 @@ struct PairSearch {
         return !m.in_box && knows_box(m, r, most);
     }
 
-    // The first place from `first` on, below `limit`, of which the measured distance does not prove that the head
-    // over v is clear.
+    // The first place in [first, limit) where the distance measured so far does not prove that the head over v is
+    // clear.
     [[nodiscard]] std::size_t skip(Index v, Index a, Index c, const Measured& m, std::size_t first,
                                    std::size_t limit) const {
         if (!m.known || !clear(v, a, c, m, first, first)) return first;

@@ -264,7 +264,7 @@ int print_part(const std::vector<std::string>& typed) {
         if (const int code = judge(ended, stages); code != 0) return code;
         finish(request, kept);
     } catch (const Error&) {
-        // A print of which a part could not be written leaves no program.
+        // If the report, picture or a kept stream cannot be written, the program is removed, too.
         if (number_of(request.output) != before) ::unlink(request.output.c_str());
         throw;
     }

@@ -20,7 +20,7 @@ struct SettingRow {
     Use use = Use::unknown;
     std::string_view target;  // our option, or a key of the machine's profile
     std::string_view reading; // how the value becomes one of ours; see slicer_settings.cpp
-    std::string_view of;      // the key of which percentages are
+    std::string_view of;      // the key that a percentage refers to
     std::string_view usual;   // the slicer's default
     std::string_view why;     // it is not used
 };

@@ -88,7 +88,7 @@ OnBed read_part(const std::string& path, const Options& o, const cli::Io& io, bo
         for (const geom::Vec3& v : file.mesh.vertices) flat.push_back(v.xy());
         out.outline = geom::convex_hull(flat);
     }
-    Notes of_heights; // on a mesh of which only the heights count
+    Notes of_heights; // dropped: of a carved part this mesh gives the heights only, `carved` says what is wrong with it
     out.part = std::make_unique<filum::slice::Part>(
         filum::slice::make_part(std::move(file.mesh), out.carved ? of_heights : out.notes, o.slice.hairline));
     return out;

@@ -1,4 +1,4 @@
-// Text of a stream, whoever sent it, never becomes a line of a program, in any dialect.
+// No text of a stream becomes a line of its own in a program, in any dialect.
 #include "../trials.hpp"
 
 #include "postproc/about.hpp"
