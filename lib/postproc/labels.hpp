@@ -17,7 +17,7 @@ struct Labelled {
     std::vector<Vec2> outline; // convex, counter-clockwise, mm, in the toolpath's frame
 };
 
-// The same parts with names that are safe in a program: letters, digits and underscores, no name twice.
+// The same parts with names that are safe in a program: letters, digits, '-' and '_', no name twice.
 std::vector<Labelled> with_plain_names(std::vector<Labelled> parts);
 
 // The part that `at` lies in, or the nearest; of several as near the first.  Precondition: there is one.

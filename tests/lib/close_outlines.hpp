@@ -84,7 +84,8 @@ class CloseOutlines {
     void shake(std::vector<Point>& p) {
         for (Point& q : p) q = {q.x + below(3) - 1, q.y + below(3) - 1};
     }
-    // Adds corners to the edges.  They lie on the edge up to rounding to the grid; some are moved aside by one grid unit.
+    // Adds corners to the edges.  They lie on the edge up to rounding to the grid; some are moved aside by one grid
+    // unit.
     std::vector<Point> with_points_on_edges(const std::vector<Point>& p) {
         std::vector<Point> out;
         for (std::size_t i = 0; i < p.size(); ++i) {
