@@ -10,9 +10,41 @@ using namespace filum;
 
 using app::skins::Options;
 
-cli::Spec spec(Options& all) {
+std::vector<cli::Option> options(Options& all) {
     using cli::Option;
     skins::Options& o = all.how;
+    return {
+        Option{"infill", &all.infill, "PERCENT",
+               "share of the volume inside that is laid: 15%, or 0.15; 0%: the inside stays empty; 100%: all is "
+               "solid"}
+            .a_limit(),
+        Option{"infill-pattern", &all.pattern, "", "how sparse parts are filled"}
+            .one_of({"rows", "wave", "concentric"})
+            .a_limit(),
+        Option{"walls", &o.walls, "N", "rings along the outline"}.within(1, 1000).a_limit(),
+        Option{"top", &o.top, "LAYERS", "solid layers under what is seen from above"}.within(0, 1e6).a_limit(),
+        Option{"bottom", &o.bottom, "LAYERS", "solid layers over what is seen from below"}.within(0, 1e6).a_limit(),
+        Option{"solid-below", &o.solid_below, "MM2", "connected sparse parts that are smaller are made solid"}
+            .within(0, 1e6)
+            .a_limit(),
+        Option{"bridge", &o.bridge, "MM",
+               "widest gap that a skin is laid over as it is: between lines, which lie nearer to each other under "
+               "skins if need be, and over air, beyond which it is a bridge"}
+            .within(0.01, 1e6)
+            .a_limit(),
+        Option{"modifier", &all.modifiers, "FILE:SETTINGS",
+               "within the body in FILE other settings hold: infill=40%,walls=4, out of infill, infill-pattern, "
+               "walls, top, bottom and bead-width; or a slicer's project, PROJECT.3mf, whose modifiers have settings "
+               "of their own; several with ';' between"}
+            .not_a_setting()
+            .a_limit(),
+        Option{"bead-width", &o.bead_width, "MM", "width of a bead"}
+            .within(0.01, 100)
+            .same_as({"regions.bead-width"})
+            .a_limit()};
+}
+
+cli::Spec spec(Options& all) {
     return {
         .name = "skins",
         .synopsis = "what of each region must be solid, and what is filled in part",
@@ -41,38 +73,7 @@ cli::Spec spec(Options& all) {
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
         .memory = "the whole part",
-        .options =
-            {Option{"infill", &all.infill, "PERCENT",
-                    "share of the volume inside that is laid: 15%, or 0.15; 0%: the inside stays empty; 100%: all is "
-                    "solid"}
-                 .a_limit(),
-             Option{"infill-pattern", &all.pattern, "", "how sparse parts are filled"}
-                 .one_of({"rows", "wave", "concentric"})
-                 .a_limit(),
-             Option{"walls", &o.walls, "N", "rings along the outline"}.within(1, 1000).a_limit(),
-             Option{"top", &o.top, "LAYERS", "solid layers under what is seen from above"}.within(0, 1e6).a_limit(),
-             Option{"bottom", &o.bottom, "LAYERS", "solid layers over what is seen from below"}
-                 .within(0, 1e6)
-                 .a_limit(),
-             Option{"solid-below", &o.solid_below, "MM2", "connected sparse parts that are smaller are made solid"}
-                 .within(0, 1e6)
-                 .a_limit(),
-             Option{"bridge", &o.bridge, "MM",
-                    "widest gap that a skin is laid over as it is: between lines, which lie nearer to each other under "
-                    "skins if need be, and over air, beyond which it is a bridge"}
-                 .within(0.01, 1e6)
-                 .a_limit(),
-             Option{
-                 "modifier", &all.modifiers, "FILE:SETTINGS",
-                 "within the body in FILE other settings hold: infill=40%,walls=4, out of infill, infill-pattern, "
-                 "walls, top, bottom and bead-width; or a slicer's project, PROJECT.3mf, whose modifiers have settings "
-                 "of their own; several with ';' between"}
-                 .not_a_setting()
-                 .a_limit(),
-             Option{"bead-width", &o.bead_width, "MM", "width of a bead"}
-                 .within(0.01, 100)
-                 .same_as({"regions.bead-width"})
-                 .a_limit()},
+        .options = options(all),
         .groups = {{"sparse parts", {"infill", "infill-pattern", "solid-below"}},
                    {"walls and skins", {"walls", "top", "bottom", "bridge"}}},
         .examples = {{"slice part.stl | regions | skins > part.regions", "two walls, four skins, 15 % inside"},

@@ -119,6 +119,7 @@ void run(const Options& o, const cli::Io& io) {
         stressfield::add(sheets, samples, o.place, io.threads, notes, facts);
     }
     std::vector<stream::RawFrame> frames;
+    frames.reserve(sheets.size());
     for (const auto& sheet : sheets) frames.push_back(wire::frame(sheet));
     cli::write_all(io, cli::header(self, stream::Payload::surface, {&before.header}), before, notes, facts, frames);
 }

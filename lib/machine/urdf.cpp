@@ -216,7 +216,7 @@ class Tree {
 
     [[nodiscard]] std::string end() const {
         for (const char* name : {"tool0", "flange"})
-            if (const auto link = tip(name); !link.empty()) return link;
+            if (auto link = tip(name); !link.empty()) return link;
         std::set<std::string> last; // of a chain of six, before anything fixed
         for (const Joint& j : joints_)
             if (j.turns() && axes_of(up(j.child)) == kAxes) last.insert(j.child);

@@ -65,8 +65,9 @@ void Plates::tell(Notes& notes) const {
         if (i == plate_ || items_[i] == 0) continue;
         const std::string name = i < plates_.size() && !plates_[i].name.empty() ? " '" + plates_[i].name + "'" : "";
         const std::string number = std::to_string(i + 1);
-        notes.push_back(
-            note("objects of plate " + number + name + " left out; print them by --plate " + number, 0, ""));
+        std::string what = "objects of plate ";
+        what.append(number).append(name).append(" left out; print them by --plate ").append(number);
+        notes.push_back(note(what, 0, ""));
         notes.back().count = items_[i];
     }
     if (nowhere_ == 0) return;

@@ -125,6 +125,7 @@ void weld_rims(Mesh& mesh, double most, Notes& notes) {
     const SeamRims rims(mesh, most);
     const auto& vertices = rims.vertices();
     std::vector<geom::Box3> boxes;
+    boxes.reserve(vertices.size());
     for (const std::uint32_t v : vertices) boxes.push_back({mesh.vertices[v], mesh.vertices[v]});
     const geom::Bvh tree(boxes);
     geom::DisjointSets sets(vertices.size());

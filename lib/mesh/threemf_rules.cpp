@@ -84,7 +84,7 @@ std::string unsupported_extension(const pugi::xml_node& model) {
     for (std::string prefix; required >> prefix;) {
         const std::string uri = model.attribute((std::string(kXmlns) + prefix).c_str()).value();
         if (uri.empty()) return prefix;
-        const std::string name = extension_name(uri);
+        std::string name = extension_name(uri);
         if (!supported(uri, name)) return name;
     }
     return "";

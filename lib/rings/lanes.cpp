@@ -3,6 +3,7 @@
 #include "polygon/clip.hpp"
 #include "rings/fewer_points.hpp"
 #include "rings/level.hpp"
+#include "rings/wall_lanes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -230,7 +230,9 @@ class Table {
                 continue;
             }
             if (own.empty()) continue;
-            if (!factor) bad(name_, "the unit '" + own + "' in its header is not known; give " + flag);
+            if (!factor)
+                bad(name_,
+                    std::string("the unit '").append(own).append("' in its header is not known; give ").append(flag));
             factor_[r] = *factor;
             if (common.empty()) common = own;
             if (*factor != factor_of(dimension, common)) mixed_ = true;

@@ -93,8 +93,7 @@ class Reader {
         if ((row.reading == "steepness" || row.reading == "bed_only") && (!supports() || value == "0")) return {};
         for (const auto& [name, reading] : kReadings) {
             if (row.reading != name) continue;
-            const std::string theirs = key;
-            if (const auto word = cli::our_word({theirs, row.target, reading}, value)) return {*word};
+            if (const auto word = cli::our_word({key, row.target, reading}, value)) return {*word};
         }
         throw Error(Exit::usage, "Filum has no '" + value + "'");
     }

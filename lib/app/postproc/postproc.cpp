@@ -86,6 +86,23 @@ void tell_idle(const filum::postproc::FirstPass& found, const cli::Io& io) {
     if (beyond) io.idle("by-layer", "the part has " + std::to_string(found.layers) + " layers");
 }
 
+// Writes the summary's lines to the file `path`, if it has a name.
+void write_summary(const std::string& path, const std::vector<std::string>& lines) {
+    if (path.empty()) return;
+    std::string text;
+    for (const std::string& line : lines) text += line + "\n";
+    cli::write_text(path, text);
+}
+
+// Pictures go into a table of binary G-code, and into comments at the head of a text.
+void add_pictures(const std::vector<PictureSize>& sizes, const std::vector<std::string>& pictures, ProgramFile& file,
+                  std::vector<std::string>& about) {
+    if (file.binary())
+        for (std::size_t i = 0; i < sizes.size(); ++i) file.add(sizes[i], pictures[i]);
+    else
+        for (auto& line : thumbnail_lines(sizes, pictures)) about.push_back(std::move(line));
+}
+
 } // namespace
 
 void run(const filum::postproc::Options& o, const cli::Io& io) {
@@ -132,12 +149,8 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     const auto told = filum::postproc::summary(profile, first_pass, measure.program_shift(), notes, facts);
     auto about = filum::postproc::about(profile, first_pass, told);
     if (!sizes.empty()) {
-        const auto pictures = thumbnails(spool, sizes, io.threads);
+        add_pictures(sizes, thumbnails(spool, sizes, io.threads), file, about);
         spool.rewind();
-        if (file.binary())
-            for (std::size_t i = 0; i < sizes.size(); ++i) file.add(sizes[i], pictures[i]);
-        else
-            for (auto& line : thumbnail_lines(sizes, pictures)) about.push_back(std::move(line));
     }
     program->begin(about);
     const auto add = [&](std::span<const filum::postproc::Step> steps) { program->add(steps); };
@@ -149,11 +162,7 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     modules.commit();
     file.describe(profile, first_pass, made_by);
     file.commit();
-    if (!o.summary.empty()) {
-        std::string text;
-        for (const std::string& line : told) text += line + "\n";
-        cli::write_text(o.summary, text);
-    }
+    write_summary(o.summary, told);
 }
 
 } // namespace filum::app::postproc
