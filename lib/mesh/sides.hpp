@@ -1,4 +1,4 @@
-// The sides of triangles by the edges that they lie on; private to lib/mesh.
+// The sides of triangles by the edges that they lie on.
 #pragma once
 
 #include "mesh/mesh.hpp"

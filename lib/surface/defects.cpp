@@ -1,5 +1,7 @@
 #include "surface/defects.hpp"
 
+#include "mesh/sides.hpp"
+
 #include <algorithm>
 
 namespace filum::surface {
@@ -8,34 +10,6 @@ namespace {
 
 constexpr double kFlat = 1e-9;       // height over longest side
 constexpr int kSplittingRounds = 20; // of splitting, each of which may leave new triangles without area
-
-struct Side {
-    std::uint64_t key; // both vertices, the lower number in the high half
-    std::uint32_t h;   // half-edge
-};
-
-// All half-edges, those of one edge side by side.
-std::vector<Side> sides_of(const mesh::Mesh& mesh) {
-    std::vector<Side> out;
-    out.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint64_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-            out.push_back({std::min(a, b) << 32 | std::max(a, b), 3 * t + k});
-        }
-    std::sort(out.begin(), out.end(),
-              [](const Side& a, const Side& b) { return a.key != b.key ? a.key < b.key : a.h < b.h; });
-    return out;
-}
-
-// Calls visit(first, last) for the sides of each edge.
-template <class Visit>
-void each_edge(const std::vector<Side>& sides, const Visit& visit) {
-    for (std::size_t i = 0, j; i < sides.size(); i = j) {
-        for (j = i + 1; j < sides.size() && sides[j].key == sides[i].key;) ++j;
-        visit(i, j);
-    }
-}
 
 Vec3 cross_of(const mesh::Mesh& mesh, std::uint32_t t) {
     const auto& [a, b, c] = mesh.triangles[t];
@@ -76,7 +50,7 @@ std::size_t split_across_flat(mesh::Mesh& mesh) {
     for (std::uint32_t t = 0; t < longest.size(); ++t) flat += (longest[t] = flat_side(mesh, t)) != 3 ? 1 : 0;
     if (flat == 0) return 0;
     std::vector<char> touched(longest.size(), 0);
-    const auto sides = sides_of(mesh);
+    const auto sides = mesh::half_edges(mesh);
     std::vector<Triangle> more;
     std::vector<std::uint32_t> faces; // of those
     const auto split = [&](std::uint32_t h, std::uint32_t middle) {
@@ -89,17 +63,17 @@ std::size_t split_across_flat(mesh::Mesh& mesh) {
         if (!mesh.faces.empty()) faces.push_back(mesh.faces[h / 3]);
     };
     std::size_t out = 0;
-    each_edge(sides, [&](std::size_t i, std::size_t j) {
+    mesh::each_edge(sides, [&](std::size_t i, std::size_t j) {
         for (std::size_t k = i; k < j; ++k) {
-            const std::uint32_t t = sides[k].h / 3;
-            if (longest[t] != sides[k].h % 3 || touched[t] != 0) continue;
+            const std::uint32_t t = sides[k].side / 3;
+            if (longest[t] != sides[k].side % 3 || touched[t] != 0) continue;
             bool free = true; // one change per triangle and round
-            for (std::size_t m = i; m < j; ++m) free = free && touched[sides[m].h / 3] == 0;
+            for (std::size_t m = i; m < j; ++m) free = free && touched[sides[m].side / 3] == 0;
             if (!free) continue;
-            const std::uint32_t middle = mesh.triangles[t][(sides[k].h % 3 + 2) % 3];
+            const std::uint32_t middle = mesh.triangles[t][(sides[k].side % 3 + 2) % 3];
             for (std::size_t m = i; m < j; ++m) {
-                touched[sides[m].h / 3] = 1;
-                if (m != k) split(sides[m].h, middle);
+                touched[sides[m].side / 3] = 1;
+                if (m != k) split(sides[m].side, middle);
             }
             mesh.triangles[t] = {};
             ++out;
@@ -161,22 +135,22 @@ void remove_flat(mesh::Mesh& mesh, Notes& notes) {
 
 std::vector<std::uint32_t> join_sides(const mesh::Mesh& mesh, Notes& notes) {
     std::vector<std::uint32_t> twin(3 * mesh.triangles.size(), kNone);
-    const auto sides = sides_of(mesh);
+    const auto sides = mesh::half_edges(mesh);
     std::size_t crowded = 0, one_sided = 0;
     const auto tail = [&](std::uint32_t h) { return mesh.triangles[h / 3][h % 3]; };
-    each_edge(sides, [&](std::size_t i, std::size_t j) {
+    mesh::each_edge(sides, [&](std::size_t i, std::size_t j) {
         if (j - i < 2) return;
         crowded += j - i > 2 ? 1 : 0;
         std::uint32_t a = kNone, b = kNone;
         double least = 3;
         for (std::size_t k = i; k < j; ++k)
             for (std::size_t m = k + 1; m < j; ++m) {
-                if (tail(sides[k].h) == tail(sides[m].h)) continue; // they face opposite ways
-                const double f = j - i == 2 ? 0 : fold(mesh, sides[k].h / 3, sides[m].h / 3);
+                if (tail(sides[k].side) == tail(sides[m].side)) continue; // they face opposite ways
+                const double f = j - i == 2 ? 0 : fold(mesh, sides[k].side / 3, sides[m].side / 3);
                 if (f < least) {
                     least = f;
-                    a = sides[k].h;
-                    b = sides[m].h;
+                    a = sides[k].side;
+                    b = sides[m].side;
                 }
             }
         if (a == kNone) {
