@@ -113,7 +113,7 @@ void run(const Options& o, const cli::Io& io) {
         const auto choice = choose::choose(sheets[k], how, io.threads, own);
         const bool several = sheets.size() > 1;
         for (Note& note : own) {
-            note.what += several ? " on patch " + name : "";
+            if (several) note.patch = name;
             notes.push_back(std::move(note));
         }
         for (Fact& fact : choose::facts(choice))

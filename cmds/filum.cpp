@@ -23,7 +23,7 @@ cli::Spec spec(Options&) {
             "postproc) and writes machine code. An option goes to every stage that has it, so one --bead-width serves "
             "all; --fill.bead-width goes to fill alone and wins there. The exit code is that of the first stage that "
             "failed by itself; then no output file appears. --dry-run prints the pipeline instead. See "
-            "filum help print. On a terminal it says in five lines what was made; --report x.html makes a page of it, "
+            "filum help print. On a terminal it says in a few lines what was made; --report x.html makes a page of it, "
             "--keep FOLDER keeps every stage's stream, --stage fill=./mine puts a program of your own in place of a "
             "stage.\n\n"
             "filum check ./mine --as fill runs such a program on a small part and on damaged streams, and says which "

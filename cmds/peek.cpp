@@ -15,8 +15,8 @@ cli::Spec spec(app::peek::Options& o) {
         .description =
             "Reads a whole stream of any kind, from a file or standard input, and prints its payload, its history with "
             "all settings, and a summary of its contents: how many frames, points, layers and strokes, areas, bounds, "
-            "the facts that stages found out about the whole, and the sums of the notes by which they tell what they "
-            "dropped, repaired or could not place.\n\n"
+            "the facts that stages found out about the whole, and the sums of their notes: what they dropped, "
+            "repaired or could not place, each with its grade and code (docs/notes.md).\n\n"
             "The stream is verified as it is read: the preamble, every frame and its values, the checksum, the end "
             "frame. A stream whose writer did not finish ends with exit code 4, a corrupt one with 3; --check does "
             "only "
@@ -39,7 +39,8 @@ cli::Spec spec(app::peek::Options& o) {
                      {"slice part.stl | regions | sequence | fill | peek --check && echo fine", "verify a chain"},
                      {"slice part.stl --output part.layers && peek --script part.layers", "how a file was made"}},
         .see_also = {"filum", "filum-slice"},
-        .arguments = "[STREAM]"};
+        .arguments = "[STREAM]",
+        .pages = {{"notes", notes_page}}};
 }
 
 } // namespace

@@ -182,8 +182,7 @@ Choice choose(Sheet& sheet, const Options& o, int threads, Notes& notes) {
     if (out.best == kNothing) {
         sheet.algorithm.clear();
         const Vec3& p = sheet.surface.vertices.front();
-        notes.push_back(
-            {.stage = "", .what = "no path found", .amount = out.area, .unit = "mm2", .x = p.x, .y = p.y, .z = p.z});
+        notes.push_back({.code = NoteCode::no_path_found, .amount = out.area, .x = p.x, .y = p.y, .z = p.z});
         return out;
     }
     const Candidate& best = out.trials[out.best].candidate;

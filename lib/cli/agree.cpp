@@ -38,12 +38,9 @@ Notes disagreements(const Io& io, const stream::Header& header) {
             const std::string program = as.substr(0, dot), name = as.substr(dot + 1);
             const stream::Run* run = last_run(header.history, program);
             if (run == nullptr || !differ(own, find(*run, name))) continue;
-            out.push_back({.stage = io.program,
-                           .what = "--" + same.name + " is " + spoken(own) + ", but '" + program + "' had --" + name +
-                                   " " + spoken(find(*run, name)) + "; give both the same",
-                           .amount = 1,
-                           .unit = "",
-                           .count = 1});
+            out.push_back({.code = NoteCode::setting_differs,
+                           .detail = "--" + same.name + " is " + spoken(own) + ", but '" + program + "' had --" + name +
+                                     " " + spoken(find(*run, name))});
         }
     }
     return out;

@@ -56,33 +56,25 @@ void write_text(const std::string& file, const std::string& text) {
     out.commit();
 }
 
+Report::Report(const Io& io) : io_(&io) {
+    const char* whose = std::getenv("FILUM_NOTES");
+    all_ = whose != nullptr && std::string_view(whose) == "all";
+    none_ = whose != nullptr && std::string_view(whose) == "later";
+}
+
 void Report::add(const Note& note) {
-    if (note.stage != io_->program) return;
-    for (Note& sum : sums_) {
-        if (sum.what != note.what || sum.unit != note.unit) continue;
-        if (note.amount > sum.amount / static_cast<double>(sum.count)) {
-            sum.layer = note.layer;
-            sum.x = note.x;
-            sum.y = note.y;
-            sum.z = note.z;
-        }
-        sum.amount += note.amount;
-        sum.count += note.count;
-        return;
-    }
-    sums_.push_back(note);
+    if (!all_ && note.stage != io_->program) return;
+    const auto same = [&](const Note& sum) { return same_kind(sum, note); };
+    if (const auto sum = std::find_if(sums_.begin(), sums_.end(), same); sum != sums_.end())
+        filum::add(*sum, note);
+    else
+        sums_.push_back(note);
 }
 
 void Report::say() const {
-    if (io_->quiet) return;
-    for (const Note& n : sums_) {
-        std::string text = n.what + ": " + std::to_string(n.count) + (n.count == 1 ? " case" : " cases");
-        if (!n.unit.empty()) text += ", " + fixed_text(n.amount, 4) + " " + n.unit;
-        if (n.layer >= 0) text += "; for one on layer " + std::to_string(n.layer);
-        if (std::isfinite(n.x) && std::isfinite(n.y)) text += " at " + fixed_text(n.x, 2) + "," + fixed_text(n.y, 2);
-        if (std::isfinite(n.z)) text += "," + fixed_text(n.z, 2);
-        io_->say(text);
-    }
+    if (io_->quiet || none_) return;
+    for (const Note& n : summed(sums_))
+        if (grade(n) >= io_->notes) io_->say(std::string(name(grade(n))) + ": " + line(n));
 }
 
 namespace {

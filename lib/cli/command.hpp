@@ -23,6 +23,7 @@ struct Io {
     std::string output = "-";              // --output
     int threads = 0;                       // --threads, 0 for all cores
     bool quiet = false;                    // --quiet: no warnings
+    Grade notes = Grade::look;             // --notes: notes below that grade are not said
     std::vector<stream::Setting> settings; // the resolved options, for the history
     std::vector<std::string> given;        // options that are not at their defaults
     struct Same {
@@ -40,15 +41,18 @@ struct Io {
 // A header for `payload` whose history is that of `before`, if any, plus this run.
 stream::Header header(const Io& io, stream::Payload payload, const std::vector<const stream::Header*>& before = {});
 
-// Sums notes by stage and phrase, and says each sum once on standard error at the end (unless --quiet).
+// Sums notes by kind and says each sum once on standard error, grade by grade (unless --quiet).  Says the notes of this
+// program.  In a chain that the front command started (environment variable FILUM_NOTES) only the last program speaks,
+// for all stages.
 class Report {
   public:
-    explicit Report(const Io& io) : io_(&io) {}
-    void add(const Note& note); // notes of other programs are not said again
+    explicit Report(const Io& io);
+    void add(const Note& note);
     void say() const;
 
   private:
     const Io* io_;
+    bool all_ = false, none_ = false; // whose notes it says
     Notes sums_;
 };
 

@@ -42,10 +42,13 @@ std::string help_and_default(const Option& o) {
 std::vector<Option> common() {
     static std::string output = "-";
     static std::int64_t threads = 0;
+    static std::string notes = "look";
     static bool off = false;
     return {{"output", &output, "FILE", "where to write; a named file appears only when it is complete"},
             {"threads", &threads, "N", "how many threads to use, 0 for all cores; never changes the result"},
             {"quiet", &off, "", "no warnings on standard error"},
+            Option{"notes", &notes, "", "which notes to say: all, also harmless ones; those to look at; what will fail"}
+                .one_of({"all", "look", "will-fail"}),
             {"help", &off, "", "this text"},
             {"version", &off, "", "the version"}};
 }

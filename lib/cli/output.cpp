@@ -5,10 +5,7 @@
 namespace filum::cli {
 
 Output::Output(const Io& io, const stream::Header& header) : io_(io), writer_(io.output, header), report_(io) {
-    for (const Note& note : disagreements(io, header)) {
-        writer_.write(note);
-        if (!io.quiet) io.say(note.what);
-    }
+    add(disagreements(io, header));
 }
 
 void Output::pass_on(const Whole& before, const std::function<bool(const Fact&)>& keep) {

@@ -124,7 +124,7 @@ void take_leading(const Spec& spec, Io& io) {
 [[noreturn]] void unknown(const std::string& word, const Spec& spec) {
     const std::string name = word.substr(0, word.find('='));
     const std::size_t dashes = std::min(name.find_first_not_of('-'), name.size());
-    std::vector<std::string> names{"output", "threads", "quiet", "help", "version"};
+    std::vector<std::string> names{"output", "threads", "quiet", "notes", "help", "version"};
     for (const Option& o : spec.options) names.push_back(o.name);
     std::string meant = in_our_words(name.substr(dashes), names);
     if (meant.empty()) meant = did_you_mean(name.substr(dashes), names, "--");
@@ -146,6 +146,14 @@ void check_needs(const Spec& spec, const std::vector<std::string>& defaults, Io&
     }
 }
 
+// The least grade of the notes that --notes asks for.
+Grade least_grade(const std::string& text) {
+    for (const auto& [word, grade] :
+         {std::pair{"all", Grade::harmless}, {"look", Grade::look}, {"will-fail", Grade::will_fail}})
+        if (text == word) return grade;
+    misused("cannot use '" + text + "' for --notes: it must be all, look or will-fail");
+}
+
 void read_command_line(int argc, char** argv, const Spec& spec, Io& io) {
     CLI::App app;
     app.set_help_flag();
@@ -153,6 +161,7 @@ void read_command_line(int argc, char** argv, const Spec& spec, Io& io) {
     app.add_option("--output,-o", io.output);
     app.add_option("--threads", io.threads)->check(CLI::Range(0, 1024));
     app.add_flag("--quiet,-q", io.quiet);
+    app.add_option_function<std::string>("--notes", [&](const std::string& text) { io.notes = least_grade(text); });
     app.add_option("input", io.inputs);
     try {
         app.parse(argc, argv);

@@ -59,11 +59,13 @@ std::string complaint(const Answer& a) {
 }
 
 Notes notes(const Answer& a) {
+    constexpr std::array kMeets{NoteCode::head_meets_beads, NoteCode::head_meets_part, NoteCode::head_meets_fixture,
+                                NoteCode::head_meets_bed};
+    static_assert(kMeets.size() == kAgainstNames.size());
     Notes out;
     for (std::size_t k = 0; k < kAgainstNames.size(); ++k) {
         Note note;
-        note.what = std::string("head meets the ") + kAgainstNames[k];
-        note.unit = "mm";
+        note.code = kMeets[k];
         note.count = 0;
         for (const Place& p : a.found.collisions) {
             if (static_cast<std::size_t>(p.against) != k) continue;

@@ -33,10 +33,10 @@ std::vector<toolpath::Curve> single_walls(const polygon::Region& r, double width
     const auto graph = walls::wall_graph(r.loops, width);
     if (!graph) return {};
     walls::WallWalk walk = walls::wall_walk(*graph);
-    if (walk.twice > 0) notes.push_back({"", "wall laid twice", walk.twice, "mm", 1, -1, walk.at.x, walk.at.y});
+    if (walk.twice > 0) notes.push_back({NoteCode::wall_doubled, walk.twice, 1, -1, walk.at.x, walk.at.y});
     if (walk.curves.size() > 1)
-        notes.push_back({"", "wall not joined", static_cast<double>(walk.curves.size() - 1), "curves",
-                         walk.curves.size() - 1, -1, walk.at.x, walk.at.y});
+        notes.push_back({NoteCode::wall_unjoined, static_cast<double>(walk.curves.size() - 1), walk.curves.size() - 1,
+                         -1, walk.at.x, walk.at.y});
     return std::move(walk.curves);
 }
 
@@ -51,7 +51,7 @@ void pass_one_wall_once(const polygon::Region& r, double width, toolpath::Curve&
             twice += thin.walls[k].length;
             at = thin.walls[k].line.points.front();
         }
-    if (twice > 0) notes.push_back({"", "wall laid twice", twice, "mm", 1, -1, at.x, at.y});
+    if (twice > 0) notes.push_back({NoteCode::wall_doubled, twice, 1, -1, at.x, at.y});
 }
 
 std::vector<toolpath::Curve> by_spiral(const polygon::Region& r, const Options& o, double& unplaced, Notes& notes) {
@@ -99,10 +99,10 @@ void stack_thin_walls(const polygon::Region& r, const Options& o, Notes& notes, 
     double length = 0;
     for (const auto& line : out.stacked) length += geom::length(line);
     for (std::size_t i = first; i < notes.size(); ++i) // those are not narrow any more
-        if (notes[i].what == "bead below the least width") notes[i].amount -= std::min(notes[i].amount, 2 * length);
+        if (notes[i].code == NoteCode::bead_too_thin) notes[i].amount -= std::min(notes[i].amount, 2 * length);
     const auto from = notes.begin() + static_cast<std::ptrdiff_t>(first);
     notes.erase(std::remove_if(from, notes.end(),
-                               [&](const Note& n) { return n.what == "bead below the least width" && n.amount < w; }),
+                               [&](const Note& n) { return n.code == NoteCode::bead_too_thin && n.amount < w; }),
                 notes.end());
 }
 
@@ -110,7 +110,7 @@ void stack_thin_walls(const polygon::Region& r, const Options& o, Notes& notes, 
 void place(const polygon::Region& r, Notes& notes, std::size_t first, toolpath::RegionPaths& out) {
     for (std::size_t i = first; i < notes.size(); ++i) {
         notes[i].layer = r.layer;
-        if (notes[i].what == "not reached by a bead") out.unplaced += notes[i].amount;
+        if (notes[i].code == NoteCode::area_unreached) out.unplaced += notes[i].amount;
     }
 }
 
@@ -129,7 +129,7 @@ std::size_t column(const polygon::Region& r, Before& before) {
 bool has_area(const polygon::Region& r, Notes& notes) {
     if (polygon::signed_area(r.loops) > 0) return true;
     const geom::Vec2 at = r.loops.points.empty() ? geom::Vec2{} : r.loops.points.front();
-    notes.push_back({"", "region without area left out", 1, "regions", 1, -1, at.x, at.y});
+    notes.push_back({NoteCode::region_without_area, 1, 1, -1, at.x, at.y});
     return false;
 }
 

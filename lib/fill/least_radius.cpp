@@ -105,7 +105,7 @@ double drawn_radius(double radius, double scale, double off) {
 }
 
 Note tight_turns(const std::vector<toolpath::Curve>& curves, double scale, double radius) {
-    Note out{"", "turn tighter than the least radius", 0, "turns", 0};
+    Note out{NoteCode::turn_too_tight, 0, 0};
     double tightest = radius;
     for (const auto& c : curves) {
         double since = std::numeric_limits<double>::infinity(); // the last tight vertex

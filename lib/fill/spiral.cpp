@@ -29,7 +29,7 @@ rings::Rings rings_of(const Loops& region, const SpiralOptions& o, double tolera
 
 Spiral spiral_by(const Loops& region, const SpiralOptions& o, const join::Attempt& how) {
     const double w = o.bead_width, tolerance = how.share * join::tolerance_for(w);
-    Spiral out{{}, 0, 0, {"", "left open for the least radius", 0, "mm2", 0}};
+    Spiral out{{}, 0, 0, {NoteCode::area_left_for_radius, 0, 0}};
     const rings::Rings all = rings_of(region, o, tolerance, out);
     const Rounded corners = how.round ? Rounded::everywhere : Rounded::nowhere;
     // a right angle's parabola that leaves r^2 / 3 turns no tighter than r
@@ -44,7 +44,7 @@ Spiral spiral_by(const Loops& region, const SpiralOptions& o, const join::Attemp
 
 Loops without_small_holes(const Loops& region, double least, Notes& notes) {
     Loops out;
-    Note closed{"", "hole smaller than a bead closed", 0, "mm2", 0};
+    Note closed{NoteCode::hole_closed_small, 0, 0};
     for (std::size_t l = 0; l < region.size(); ++l) {
         const double area = polygon::signed_area(region[l]);
         if (l == 0 || -area >= least) {
@@ -76,7 +76,7 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
         const Note tight = tight_turns(spiral.curves, o.bead_width / 2, o.min_radius);
         if (tight.count > 0) notes.push_back(tight);
     }
-    if (length > 0) notes.push_back({"", "bead below the least width", length, "mm", 1, -1, where.x, where.y});
+    if (length > 0) notes.push_back({NoteCode::bead_too_thin, length, 1, -1, where.x, where.y});
 }
 
 // The first of several ways to fill the region, from the best to the safest, that gives one curve which does not cross

@@ -19,7 +19,7 @@ struct Spiral {
     std::vector<toolpath::Curve> curves; // closed; one, unless rings could not be joined (then a note says so)
     double unplaced = 0;                 // mm2 that no bead reaches: corners and tips
     std::size_t crossings = 0;           // pairs of segments that cross all the same (a note says so)
-    Note open{"", "left open for the least radius", 0, "mm2", 0}; // of it
+    Note open{NoteCode::area_left_for_radius, 0, 0}; // of it
 };
 
 // Fills one connected region (outer loop first, then holes).  Rings along the lanes of the region (rings/lanes.hpp),

@@ -51,7 +51,7 @@ void add_point(Sources& out, const Surface& s, std::string_view word, std::strin
     out.segments.push_back(surface::nearest(s, p));
     const double off = distance(p, out.segments.back().a);
     if (off > surface::mean_edge(s)) {
-        Note n{.stage = "", .what = "source point moved to the surface", .amount = off, .unit = "mm"};
+        Note n{.code = NoteCode::source_point_moved, .amount = off};
         n.x = p.x;
         n.y = p.y;
         notes.push_back(std::move(n));

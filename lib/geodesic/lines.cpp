@@ -55,8 +55,7 @@ void add_lines(Sources& sources, const Surface& s, const std::vector<std::vector
         const surface::Trace trace = surface::trace(s, line);
         sources.segments.insert(sources.segments.end(), trace.segments.begin(), trace.segments.end());
         if (trace.off > surface::mean_edge(s))
-            notes.push_back(
-                {.stage = "", .what = "source line moved to the surface", .amount = trace.off, .unit = "mm"});
+            notes.push_back({.code = NoteCode::source_line_moved, .amount = trace.off});
     }
 }
 

@@ -78,8 +78,7 @@ void compare(std::span<const double> truth, std::span<const double> distance, Fa
     facts.push_back({"", "heat-error-p99", 100 * e.p99, "%"});
     facts.push_back({"", "heat-error-max", 100 * e.largest, "%"});
     if (e.p99 > kOff || e.largest > kFarOff)
-        notes.push_back(
-            {.stage = "", .what = "distance by heat is off by up to", .amount = 100 * e.largest, .unit = "%"});
+        notes.push_back({.code = NoteCode::heat_inexact, .amount = 100 * e.largest});
 }
 
 bool wants_lines(const Options& o) { return !o.levels.empty() || o.spacing > 0; }

@@ -57,8 +57,7 @@ std::string of_project(std::string_view bytes, const std::string& name, std::uin
                                      " to " + std::to_string(plates.rbegin()->first));
     if (plate == 0 && plates.size() > 1) {
         const auto others = plates.size() - 1;
-        notes.push_back(
-            {"", "programs of other plates, left out; see --plate", static_cast<double>(others), "plates", others});
+        notes.push_back({NoteCode::plate_program_ignored, static_cast<double>(others), others});
     }
     return zip.read(chosen->second);
 }

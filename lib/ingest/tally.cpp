@@ -4,20 +4,18 @@ namespace filum::ingest {
 
 Notes notes_of(const Tally& tally, const Counts& counts) {
     Notes out;
-    const auto note = [&](const char* what, double amount, const char* unit, std::uint64_t count) {
-        if (count > 0) out.push_back({"", what, amount, unit, count});
+    const auto note = [&](NoteCode code, double amount, std::uint64_t count) {
+        if (count > 0) out.push_back({code, amount, count});
     };
-    const auto lines = [&](const char* what, std::uint64_t count) {
-        note(what, static_cast<double>(count), "lines", count);
-    };
+    const auto lines = [&](NoteCode code, std::uint64_t count) { note(code, static_cast<double>(count), count); };
     constexpr double kLeast = 0.5; // mm3: less is rounding, and what is given on top after each travel
-    const auto volume = [&](const char* what, double amount) { note(what, amount, "mm3", amount > kLeast ? 1 : 0); };
-    note("laid before the first layer, left out; see --start-code", tally.purged, "mm", tally.purged_moves);
-    volume("pushed out while the tool stands, in no bead", counts.still);
-    volume("flow changed by M221, not counted in the beads", tally.flow_off);
-    lines("probing moves, taken as ending where they would at the latest", tally.probes);
-    lines("origins moved by G10, taken as 0 before", tally.origins);
-    lines("lines that are no commands, passed over", tally.no_code);
+    const auto volume = [&](NoteCode code, double amount) { note(code, amount, amount > kLeast ? 1 : 0); };
+    note(NoteCode::purge_dropped, tally.purged, tally.purged_moves);
+    volume(NoteCode::extruded_standing, counts.still);
+    volume(NoteCode::flow_ignored, tally.flow_off);
+    lines(NoteCode::probe_assumed, tally.probes);
+    lines(NoteCode::origin_assumed, tally.origins);
+    lines(NoteCode::line_no_command, tally.no_code);
     return out;
 }
 

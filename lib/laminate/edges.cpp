@@ -99,7 +99,7 @@ Edge edge_of_curves(const Surface& s, const Within& within, double near, Notes& 
         curve.push_back(curve.front());
         const surface::Trace on = surface::trace(s, curve);
         lines.segments.insert(lines.segments.end(), on.segments.begin(), on.segments.end());
-        if (on.off > near) notes.push_back({"", "boundary moved to the surface", on.off, "mm"});
+        if (on.off > near) notes.push_back({NoteCode::boundary_moved, on.off});
     }
     add_twins(s, lines);
     const auto side = sides_of(s, lines);
@@ -156,7 +156,7 @@ void tell_crossing(const Surface& s, const Edge& a, const Edge& b, std::size_t p
         at = &s.vertices[v];
     }
     if (at == nullptr) return;
-    Note n{"", "edge of a ply crosses that of another: steeper than the ramp", least, "mm"};
+    Note n{NoteCode::edges_cross, least};
     n.layer = static_cast<std::int64_t>(ply);
     n.x = at->x;
     n.y = at->y;
@@ -217,7 +217,7 @@ void make_ramps(const Surface& s, std::span<const Ply> plies, double ratio, std:
             throw Error(Exit::failure, ply_name(k) + ": nothing of it is left within the ramp of those that end around "
                                                      "it; ask for a steeper --ramp, or smaller boundaries");
         if (!(moved > kAsNear * ratio * plies[k].height)) continue;
-        Note n{"", "edge of a ply moved within, for the ramp", moved, "mm"};
+        Note n{NoteCode::edge_moved, moved};
         n.layer = static_cast<std::int64_t>(k);
         notes.push_back(n);
     }

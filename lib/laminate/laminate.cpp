@@ -52,8 +52,8 @@ double shift(std::span<const Ply> plies, std::size_t k) {
     return static_cast<double>(before(plies, k)) / static_cast<double>(running_like(plies, plies[k]));
 }
 
-void note(Notes& notes, const std::string& what, double amount, const char* unit, const Vec3& at) {
-    notes.push_back({"", what, amount, unit, 1, -1, at.x, at.y, at.z});
+void note(Notes& notes, NoteCode code, double amount, const Vec3& at) {
+    notes.push_back({code, amount, 1, -1, at.x, at.y, at.z});
 }
 
 struct Made {
@@ -172,8 +172,7 @@ void lay(const surfpath::Options& how, Made& out) {
         surfpath::tell_trims(*outside, how.turn_outside, to.plan);
     }
     to.sheet = std::move(sheet.surface);
-    if (how.turn_outside > 0 && !to.edge.empty())
-        out.notes.push_back({"", "ply ends within the part, and turns on it there", 1, "plies"});
+    if (how.turn_outside > 0 && !to.edge.empty()) out.notes.push_back({NoteCode::ply_turns_inside, 1});
 }
 
 // `born`: where lines of plies below that run alike are born.
@@ -189,9 +188,8 @@ Made make(const Job& job, std::size_t k, std::vector<Vec3> born) {
     auto& told = out.laid.plan.notes;
     out.notes.insert(out.notes.end(), told.begin(), told.end());
     told.clear();
-    if (up.folded > 0)
-        note(out.notes, "ground folds: a groove is narrower than the plies", up.folded, "mm2", up.folded_at);
-    if (up.blocked > 0) note(out.notes, "no room for the ply", up.blocked, "mm2", up.blocked_at);
+    if (up.folded > 0) note(out.notes, NoteCode::ground_folds, up.folded, up.folded_at);
+    if (up.blocked > 0) note(out.notes, NoteCode::ply_no_room, up.blocked, up.blocked_at);
     for (Note& n : out.notes) n.layer = static_cast<std::int64_t>(k);
     return out;
 }
@@ -293,13 +291,13 @@ void tell_symmetry(std::span<const Ply> plies, Laminate& l) {
     const Symmetry found = symmetry(plies);
     l.facts.push_back({"", "unsymmetric", static_cast<double>(found.unlike), ""});
     l.facts.push_back({"", "unbalanced", static_cast<double>(found.unequal), ""});
-    const auto tell = [&](const char* what, std::size_t amount, std::int64_t ply) {
-        Note n{"", what, static_cast<double>(amount), "plies"};
+    const auto tell = [&](NoteCode code, std::size_t amount, std::int64_t ply) {
+        Note n{code, static_cast<double>(amount)};
         n.layer = ply;
         if (amount > 0) l.notes.push_back(n);
     };
-    tell("stack is not symmetric: it will warp", found.unlike, static_cast<std::int64_t>(found.first));
-    tell("stack is not balanced: more plies one way than the other", found.unequal, -1);
+    tell(NoteCode::stack_unsymmetric, found.unlike, static_cast<std::int64_t>(found.first));
+    tell(NoteCode::stack_unbalanced, found.unequal, -1);
 }
 
 } // namespace

@@ -45,10 +45,7 @@ Entry hop(State& state, std::span<const char> done) {
         jog(state, entry);
     } else {
         ++state.counts.parted;
-        state.notes.push_back({"",
-                               near ? "stop within a region, a bead lies between its curves"
-                                    : "stop within a region, its curves are out of reach of each other",
-                               0, "", 1, r.paths.layer, from.x, from.y});
+        state.notes.push_back({near ? NoteCode::break_near : NoteCode::break_far, 0, 1, r.paths.layer, from.x, from.y});
         stop_and_travel(state, to);
     }
     return entry;

@@ -163,7 +163,7 @@ std::optional<Entry> go_around(State& state) {
     double volume = 0;
     for (std::size_t i = 0; i + 1 < out.points.size(); ++i) volume += toolpath::volume(out, i);
     state.counts.connector_volume += volume;
-    state.notes.push_back({"", "connector to be trimmed", volume, "mm3", 1, r.paths.layer, middle.x, middle.y});
+    state.notes.push_back({NoteCode::connector_to_trim, volume, 1, r.paths.layer, middle.x, middle.y});
     put(state, std::move(out));
     return entry;
 }

@@ -43,7 +43,7 @@ std::optional<std::vector<Vec2>> lane_to_start(State& state, std::uint32_t c, co
     } else {
         ++state.counts.kept;
         const Vec2 at = state.front.start;
-        state.notes.push_back({"", "start of the next layer not moved", 0, "", 1, r.layer, at.x, at.y});
+        state.notes.push_back({NoteCode::interlace_impossible, 0, 1, r.layer, at.x, at.y});
     }
     return way;
 }

@@ -34,10 +34,10 @@ std::optional<std::uint32_t> main_curve(const State& state) {
 }
 
 // Why the front region, which is to be reached from the one below, was not.
-const char* no_climb(const State& state) {
-    if (!state.before.printed) return "join broken, the region below has no bead";
-    if (state.region().paths.join == Join::beside) return "join broken, the brim is out of reach";
-    return rises(state) ? "join broken, its ends are out of reach" : "join broken, it does not lie on the layer below";
+NoteCode no_climb(const State& state) {
+    if (!state.before.printed) return NoteCode::join_no_bead;
+    if (state.region().paths.join == Join::beside) return NoteCode::join_brim;
+    return rises(state) ? NoteCode::join_out_of_reach : NoteCode::join_unsupported;
 }
 
 // Gets the nozzle to the front region's first curve.
@@ -60,7 +60,7 @@ Entry enter(State& state) {
         ++state.counts.broken;
         const Vec3 at = *state.at;
         state.notes.push_back(
-            {"", above ? no_climb(state) : "connector impossible, broken", 0, "", 1, r.paths.layer, at.x, at.y});
+            {above ? no_climb(state) : NoteCode::connector_impossible, 0, 1, r.paths.layer, at.x, at.y});
     }
     Entry entry = start_entry(state);
     if (const auto other = other_end(state, entry)) entry = *other;
@@ -120,7 +120,7 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
         state_.before.printed = true;
         state_.before.width = r.width;
     } else if (r.paths.area > 0) {
-        state_.notes.push_back({"", "region without a bead", r.paths.area, "mm2", 1, r.paths.layer});
+        state_.notes.push_back({NoteCode::region_without_bead, r.paths.area, 1, r.paths.layer});
     }
     notes.insert(notes.end(), state_.notes.begin(), state_.notes.end());
     state_.notes.clear();
@@ -130,8 +130,7 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
 void Linker::finish(const Emit& emit, Notes& notes) {
     while (!state_.window.empty()) print_front(emit, notes);
     const Counts& c = state_.counts;
-    if (c.strokes > c.planned)
-        notes.push_back({"", "more strokes than planned", static_cast<double>(c.strokes - c.planned), "strokes", 1});
+    if (c.strokes > c.planned) notes.push_back({NoteCode::strokes_more, static_cast<double>(c.strokes - c.planned), 1});
 }
 
 } // namespace filum::link3d

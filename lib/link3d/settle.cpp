@@ -77,7 +77,7 @@ void settle(State& state) {
         std::count_if(left.begin(), left.end(), [&](auto p) { return lines.join[p.first] || lines.join[p.second]; });
     if (crossed == 0) return;
     const Vec2 at = spans.front().points.back().xy();
-    state.notes.push_back({"", "jog across a bead", static_cast<double>(crossed), "places",
+    state.notes.push_back({NoteCode::jog_crosses_bead, static_cast<double>(crossed),
                            static_cast<std::uint64_t>(crossed), r.paths.layer, at.x, at.y});
 }
 

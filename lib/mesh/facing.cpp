@@ -99,7 +99,7 @@ void face_one_way(Mesh& mesh, bool torn, Notes& notes) {
     if (torn) Rims(mesh, meets).join(meets);
     std::vector<char> seen(mesh.triangles.size(), 0), turn(mesh.triangles.size(), 0);
     std::vector<std::uint32_t> patch;
-    Note n = note("triangle turned round to face as its neighbours do", 0, "mm2");
+    Note n = note(NoteCode::triangle_turned);
     n.count = 0;
     for (std::uint32_t first = 0; first < mesh.triangles.size(); ++first) {
         if (seen[first] != 0) continue;

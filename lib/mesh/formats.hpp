@@ -28,8 +28,8 @@ bool is_mesh_name(std::string_view name);
 std::string_view off_keyword(std::string_view text);
 
 // A note of this library; the stage's name is set by the command.
-inline Note note(std::string what, double amount, std::string unit) {
-    return {.stage = "", .what = std::move(what), .amount = amount, .unit = std::move(unit)};
+inline Note note(NoteCode code, double amount = 0, std::string detail = {}) {
+    return {.code = code, .amount = amount, .detail = std::move(detail)};
 }
 
 } // namespace filum::mesh

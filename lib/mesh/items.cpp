@@ -65,13 +65,11 @@ void Plates::tell(Notes& notes) const {
         if (i == plate_ || items_[i] == 0) continue;
         const std::string name = i < plates_.size() && !plates_[i].name.empty() ? " '" + plates_[i].name + "'" : "";
         const std::string number = std::to_string(i + 1);
-        std::string what = "objects of plate ";
-        what.append(number).append(name).append(" left out; print them by --plate ").append(number);
-        notes.push_back(note(what, 0, ""));
+        notes.push_back(note(NoteCode::plate_ignored, 0, number + name));
         notes.back().count = items_[i];
     }
     if (nowhere_ == 0) return;
-    notes.push_back(note("object of the project that is on no plate left out", 0, ""));
+    notes.push_back(note(NoteCode::object_off_plate));
     notes.back().count = nowhere_;
 }
 
@@ -101,7 +99,7 @@ std::vector<double> heights_to_lose(std::span<const geom::Box3> boxes, Notes& no
         if (std::abs(out[i]) > kLevel) ++moved;
         farthest = std::max(farthest, std::abs(out[i]));
     }
-    notes.push_back(note("build item that is not on the bed set down on it, moved by up to", farthest, "mm"));
+    notes.push_back(note(NoteCode::item_set_down, farthest));
     notes.back().count = moved;
     return out;
 }
@@ -115,7 +113,7 @@ void cut_below_bed(const geom::Box3& box, std::uint32_t item, File& to) {
     body.what = Body::What::negative;
     body.mesh = box_mesh(box.lo - beyond, top);
     body.item = item;
-    to.notes.push_back(note("part of the project below the bed left out, as its slicer does, deep", -box.lo.z, "mm"));
+    to.notes.push_back(note(NoteCode::part_below_bed, -box.lo.z));
 }
 
 Mesh part_of(const Mesh& mesh, std::span<const Triangle> triangles) {

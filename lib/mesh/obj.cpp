@@ -49,7 +49,7 @@ void note_unused(const Mesh& mesh, std::size_t from, Notes& notes) {
         for (const std::uint32_t v : t) used[v] = 1;
     const auto unused = std::count(used.begin() + static_cast<std::ptrdiff_t>(from), used.end(), 0);
     if (unused == 0) return;
-    Note n = note("vertex behind the first faces that no face has: several files in one?", 0, "");
+    Note n = note(NoteCode::obj_vertex_unused);
     n.count = static_cast<std::size_t>(unused);
     notes.push_back(std::move(n));
 }

@@ -81,8 +81,7 @@ Mesh read_off(std::string_view bytes, const std::string& name, Notes& notes) {
     Faces read = faces(text, name, f, out.vertices.size());
     read.cut(out.vertices, notes);
     out.triangles = std::move(read.triangles);
-    if (text.more())
-        notes.push_back(note("bytes after the last face not read", static_cast<double>(text.end - text.at), "bytes"));
+    if (text.more()) notes.push_back(note(NoteCode::trailing_bytes, static_cast<double>(text.end - text.at)));
     return out;
 }
 

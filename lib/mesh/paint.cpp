@@ -102,7 +102,7 @@ void add_painted(const std::vector<PaintedTriangle>& painted, File& to) {
     add_faces(Body::What::painted, wanted, to);
     add_faces(Body::What::painted_blocker, unwanted, to);
     if (unread == 0) return;
-    to.notes.push_back(note("painted triangle of a slicer's project that cannot be read left out", 0, ""));
+    to.notes.push_back(note(NoteCode::paint_unreadable));
     to.notes.back().count = unread;
 }
 

@@ -49,7 +49,10 @@ double unit_mm(const std::string& unit, double longest, bool in_mm, Notes& notes
         return 1;
     }
     const std::string name = unit == "auto" ? guess(longest) : unit;
-    if (unit == "auto" && name != "mm") notes.push_back(note("unit of the file taken to be " + name, longest, name));
+    if (unit == "auto" && name != "mm") {
+        notes.push_back(note(NoteCode::unit_guessed, longest));
+        notes.back().detail = name;
+    }
     for (const auto& [text, mm] : kUnits)
         if (name == text) return mm;
     throw Error(Exit::usage, "cannot use '" + unit + "' for --unit: it must be one of auto, um, mm, cm, m, in");

@@ -262,7 +262,7 @@ Mesh read_ply(std::string_view bytes, const std::string& name, Notes& notes) {
                 for (const Property& p : e.properties) skip(values, p);
     }
     if (const std::uint64_t behind = values.bytes_behind(); behind > 0)
-        notes.push_back(note("bytes after the last face not read", static_cast<double>(behind), "bytes"));
+        notes.push_back(note(NoteCode::trailing_bytes, static_cast<double>(behind)));
     if (strips && faces.triangles.empty()) malformed(name, "it holds triangle strips; export it with faces");
     for (const Triangle& t : faces.triangles)
         for (const std::uint32_t v : t)

@@ -66,7 +66,7 @@ void Faces::add(std::span<const std::uint32_t> corners) {
 }
 
 void Faces::cut(const std::vector<Vec3>& vertices, Notes& notes) {
-    Note crossed = note("face that crosses itself cut into triangles as far as possible", 0, "mm2");
+    Note crossed = note(NoteCode::face_crosses_itself);
     crossed.count = 0;
     for (const Polygon& p : polygons_) {
         const std::span corners(corners_.data() + p.first, p.corners);

@@ -97,7 +97,7 @@ void leave_out_unusable(Mesh& mesh, std::vector<std::uint32_t>& items, Notes& no
     mesh.triangles.resize(kept);
     if (!items.empty()) items.resize(kept);
     if (lost > 0) {
-        Note n = note("triangle with a corner that is no finite number left out", 0, "");
+        Note n = note(NoteCode::triangle_not_finite);
         n.count = lost;
         notes.push_back(std::move(n));
     }
@@ -154,7 +154,7 @@ Kind recognise(std::string_view bytes) {
 void tell_uncut(const File& file, Notes& notes) {
     const auto count = std::ranges::count(file.bodies, Body::What::negative, &Body::what);
     if (count == 0) return;
-    notes.push_back(note("negative body of a slicer's project not cut away; only slice does that", 0, ""));
+    notes.push_back(note(NoteCode::project_negative));
     notes.back().count = static_cast<std::uint64_t>(count);
 }
 

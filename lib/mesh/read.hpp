@@ -38,9 +38,6 @@ struct Body {
         0; // the item of the build that the body belongs to; a negative body is cut away from it.  See File::items
 };
 
-// How notes begin of bodies that a project has and that are left out of its mesh.
-inline constexpr std::string_view kOfProject = "body of a slicer's project";
-
 struct File {
     Mesh mesh;
     Kind kind = Kind::unknown;

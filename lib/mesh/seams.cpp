@@ -105,8 +105,8 @@ class SeamRims {
 
 Vec3 between(const Vec3& a, const Vec3& b, double part) { return a + part * (b - a); }
 
-Note empty_note(const char* what) {
-    Note n = note(what, 0, "mm");
+Note empty_note(NoteCode code) {
+    Note n = note(code);
     n.count = 0;
     return n;
 }
@@ -136,7 +136,7 @@ void weld_rims(Mesh& mesh, double most, Notes& notes) {
                 sets.unite(k, j);
         });
     if (sets.sets() == vertices.size()) return;
-    Note n = empty_note("vertex of a rim joined to the one beside it");
+    Note n = empty_note(NoteCode::rim_joined);
     std::vector<std::uint32_t> to(mesh.vertices.size());
     for (std::uint32_t v = 0; v < to.size(); ++v) to[v] = v;
     for (std::uint32_t k = 0; k < vertices.size(); ++k) {
@@ -234,7 +234,7 @@ void tell_open(const Mesh& mesh, double most, Notes& notes) {
     for (std::uint32_t i = 0; i < rims.size(); ++i)
         boxes.push_back(geom::box_of(std::array{rims.at(rims.tail(i)), rims.at(rims.head(i))}));
     const geom::Bvh tree(boxes);
-    Note n = empty_note("rim within a bead of another one, and too far from it to be joined");
+    Note n = empty_note(NoteCode::rim_near);
     for (std::uint32_t i = 0; i < rims.size(); ++i)
         if (const double length = open_beside(rims, tree, i); length > 0) add_case(n, rims.at(rims.tail(i)), length);
     if (n.count > 0) notes.push_back(std::move(n));
@@ -247,7 +247,7 @@ void join_seams(Mesh& mesh, Notes& notes) {
     const geom::Box3 box = bounds(mesh);
     const double most = kSeamOfBox * distance(box.lo, box.hi);
     weld_rims(mesh, most, notes);
-    Note n = empty_note("side of a rim split at a vertex that lies on it");
+    Note n = empty_note(NoteCode::rim_side_split);
     for (int round = 0; round < kSplittingRounds && split_sides(mesh, most, n); ++round) {
     }
     if (n.count > 0) notes.push_back(std::move(n));

@@ -110,8 +110,8 @@ void keep_triangles(Mesh& mesh, const std::vector<char>& keep) {
     if (!mesh.faces.empty()) mesh.faces.resize(count);
 }
 
-Note none_yet(const char* what) {
-    Note n = note(what, 0, "mm2");
+Note none_yet(NoteCode code) {
+    Note n = note(code);
     n.count = 0;
     return n;
 }
@@ -134,7 +134,7 @@ bool leave_one_side(Mesh& mesh, const std::vector<Face>& faces, Notes& notes) {
         all = all && 2 * static_cast<std::size_t>(turned) == copies.size();
     });
     if (!all) return false;
-    Note n = none_yet("triangle that is there both ways round taken once");
+    Note n = none_yet(NoteCode::triangle_two_sided);
     std::vector<char> keep(mesh.triangles.size(), 0);
     each_face(faces, [&](std::span<const Face> copies) { keep[copies[0].triangle] = 1; });
     for (std::uint32_t t = 0; t < keep.size(); ++t)
@@ -377,7 +377,7 @@ bool part_sheets(Mesh& mesh, Notes& notes) {
     const Sheets sheets = sheets_of(mate);
     const std::vector<char> repeat = repeated(sheets, faces);
     if (std::find(repeat.begin(), repeat.end(), 1) != repeat.end()) {
-        Note n = none_yet("triangle that is there more than once taken once");
+        Note n = none_yet(NoteCode::triangle_repeated);
         std::vector<char> keep(mesh.triangles.size(), 1);
         for (std::uint32_t t = 0; t < keep.size(); ++t) {
             if (repeat[sheets.of[t]] == 0) continue;

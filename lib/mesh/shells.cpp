@@ -61,7 +61,7 @@ std::vector<Shell> measure(const Mesh& mesh, const std::vector<std::uint32_t>& s
 }
 
 Note turned_note(std::size_t count, double volume6) {
-    Note n = note("shell that was inside out turned round", std::abs(volume6) / 6, "mm3");
+    Note n = note(NoteCode::shell_turned, std::abs(volume6) / 6);
     n.count = count;
     return n;
 }

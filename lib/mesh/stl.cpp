@@ -78,7 +78,7 @@ Mesh read_stl_binary(std::string_view bytes, const std::string& name, Notes& not
                                          "; copy or export it again");
     Mesh out;
     Weld<std::uint32_t> weld(announced / 2 + 16);
-    Note more = note("STL behind the end of another read as well", 0, "triangles");
+    Note more = note(NoteCode::stl_appended);
     more.count = 0;
     for (bool first = true; first || holds_stl(bytes); first = false) {
         const std::size_t count = announced_by(bytes);
@@ -92,8 +92,7 @@ Mesh read_stl_binary(std::string_view bytes, const std::string& name, Notes& not
     if (recognise(bytes) != Kind::unknown)
         throw Error(Exit::bad_input, "cannot read " + name + ": behind its " + std::to_string(out.triangles.size()) +
                                          " triangles another file begins; give the files one by one");
-    if (!bytes.empty())
-        notes.push_back(note("bytes after the last triangle not read", static_cast<double>(bytes.size()), "bytes"));
+    if (!bytes.empty()) notes.push_back(note(NoteCode::trailing_bytes, static_cast<double>(bytes.size())));
     out.vertices = std::move(weld.vertices);
     return out;
 }
@@ -105,7 +104,7 @@ Mesh read_stl_ascii(std::string_view bytes, const std::string& name, Notes& note
     Faces faces;
     std::vector<std::uint32_t> corners;
     bool in_facet = false, in_solid = false;
-    Note passed = note("word behind the end of an STL's line passed over", 0, "");
+    Note passed = note(NoteCode::stl_word_ignored);
     passed.count = 0;
     while (text.more()) {
         const bool begins_line = text.begins_line();
@@ -136,7 +135,7 @@ Mesh read_stl_ascii(std::string_view bytes, const std::string& name, Notes& note
             bad_line(text, name, "'" + std::string(word.substr(0, 20)) + "' is no word of an STL file");
     }
     if (in_facet) throw Error(Exit::truncated, "cannot read " + name + ": it ends inside a facet");
-    if (in_solid) notes.push_back(note("'endsolid' missing: the file may be cut short", 0, ""));
+    if (in_solid) notes.push_back(note(NoteCode::stl_unended));
     if (passed.count > 0) notes.push_back(std::move(passed));
     faces.cut(weld.vertices, notes);
     out.triangles = std::move(faces.triangles);

@@ -68,7 +68,7 @@ class Archive {
         tell_left_out();
         reserve();
         for (const Placed& p : placed_) add_mesh(p);
-        tell("unknown element among the triangles left out", unknown_);
+        tell(NoteCode::triangle_element_unknown, unknown_);
         set_down();
         take_bodies();
     }
@@ -137,7 +137,7 @@ class Archive {
         for (const auto& item : build.children()) {
             if (!is(item, "item") || !plates.wanted(item.attribute("objectid").value())) continue;
             if (std::strcmp(item.attribute("printable").value(), "0") == 0)
-                to_.notes.push_back(note("build item marked as not printable left out", 0, ""));
+                to_.notes.push_back(note(NoteCode::item_not_printable));
             else
                 out.push_back(item);
         }
@@ -229,13 +229,13 @@ class Archive {
             bad("object '" + id + "' is a '" + foreign +
                 "' of a 3MF extension that Filum does not support; export the "
                 "part as a mesh of triangles");
-        to_.notes.push_back(note("'" + foreign + "' of a 3MF extension left out: it is no mesh of triangles", 0, ""));
+        to_.notes.push_back(note(NoteCode::extension_ignored, 0, foreign));
         return out;
     }
 
     void tell_left_out() {
-        tell("support object of the file left out; add --support", supports_);
-        tell("surface object of the file left out: it bounds no volume", surfaces_);
+        tell(NoteCode::support_object_ignored, supports_);
+        tell(NoteCode::surface_object_ignored, surfaces_);
         if (placed_.empty() && supports_ + surfaces_ > 0)
             bad("nothing in its build is a part, only supports or surfaces");
     }
@@ -348,15 +348,13 @@ class Archive {
         const auto count = [&](What what) {
             return static_cast<std::size_t>(std::ranges::count(to_.bodies, what, &Body::what));
         };
-        const std::string body(kOfProject);
-        tell(body + " that changes settings left out; see --modifier", count(What::modifier));
-        tell(body + " for supports left out; see --support-in and --no-support-in",
-             count(What::enforcer) + count(What::blocker));
+        tell(NoteCode::project_modifier, count(What::modifier));
+        tell(NoteCode::project_support_body, count(What::enforcer) + count(What::blocker));
     }
 
-    void tell(const std::string& what, std::size_t count) {
+    void tell(NoteCode code, std::size_t count) {
         if (count == 0) return;
-        to_.notes.push_back(note(what, 0, ""));
+        to_.notes.push_back(note(code));
         to_.notes.back().count = count;
     }
 
@@ -385,7 +383,7 @@ class Archive {
     std::uint32_t items_ = 0; // of the build, so far
     std::vector<std::uint32_t> item_of_vertex_, item_of_;
     std::size_t supports_ = 0, surfaces_ = 0, unknown_ = 0;
-    Note same_{.stage = "", .what = "copy of a body in the same place left out", .unit = "", .count = 0};
+    Note same_{.code = NoteCode::body_repeated, .count = 0};
     Project project_;
     std::vector<std::map<std::uint32_t, std::vector<Triangle>>> triangles_; // of each body of a project, by item
     std::vector<PaintedTriangle> paint_;

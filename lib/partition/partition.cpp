@@ -111,7 +111,7 @@ class Pieces {
 
 // Sums what is left out for one reason.
 struct Left {
-    std::string what;
+    NoteCode code;
     double area = 0;
     std::size_t count = 0;
     Vec3 at{};
@@ -126,9 +126,7 @@ struct Left {
         at = 1.0 / 3 * (s.vertices[c[0]] + s.vertices[c[1]] + s.vertices[c[2]]);
     }
     void note(Notes& notes) const {
-        if (count > 0)
-            notes.push_back(
-                {.stage = "", .what = what, .amount = area, .unit = "mm2", .count = count, .x = at.x, .y = at.y});
+        if (count > 0) notes.push_back({.code = code, .amount = area, .count = count, .x = at.x, .y = at.y});
     }
 };
 
@@ -143,7 +141,7 @@ void leave_unloaded(Sheet& sheet, const Options& o, double detail, double least_
     const Parts parts = split(sheet, c, above(p.load, level, c, detail));
     Pieces pieces(parts);
     pieces.join_small(least_area);
-    Left left{"surface without load left out"};
+    Left left{NoteCode::unloaded_dropped};
     std::vector<std::uint32_t> kept;
     for (const auto& piece : pieces.take()) {
         if (piece.patch == 0)
@@ -161,7 +159,7 @@ void leave_unloaded(Sheet& sheet, const Options& o, double detail, double least_
 std::vector<Sheet> gathered(const Parts& parts, double least_area, Notes& notes) {
     Pieces pieces(parts);
     pieces.join_small(least_area);
-    Left left{"face too small for a patch left out"};
+    Left left{NoteCode::face_too_small};
     auto all = pieces.take();
     std::erase_if(all, [&](const Pieces::Piece& p) {
         if (p.area < least_area) left.add(parts.sheet.surface, p);
@@ -178,11 +176,11 @@ std::vector<Sheet> gathered(const Parts& parts, double least_area, Notes& notes)
 }
 
 void note_lost(const Sheet& sheet, Notes& notes) {
-    const auto gone = [&](const char* what, std::size_t count) {
-        if (count > 0) notes.push_back({.stage = "", .what = what, .amount = 0, .unit = "", .count = count});
+    const auto gone = [&](NoteCode code, std::size_t count) {
+        if (count > 0) notes.push_back({.code = code, .count = count});
     };
-    gone("isoline of the surface before dropped", sheet.isolines.size());
-    gone("source of the surface before dropped", sheet.sources.vertices.size() + sheet.sources.segments.size());
+    gone(NoteCode::isoline_dropped, sheet.isolines.size());
+    gone(NoteCode::source_dropped, sheet.sources.vertices.size() + sheet.sources.segments.size());
 }
 
 // The sheet without joints at seams.
@@ -193,7 +191,7 @@ Sheet opened(const Sheet& sheet, const std::vector<std::vector<Vec3>>& lines, co
     const double near = surface::mean_edge(sheet.surface);
     for (const auto& line : lines)
         if (const double off = draw(out, drawn, line); off > near)
-            notes.push_back({.stage = "", .what = "seam moved to the surface", .amount = off, .unit = "mm"});
+            notes.push_back({.code = NoteCode::seam_moved, .amount = off});
     const auto others = seams(out, options);
     std::transform(drawn.begin(), drawn.end(), others.begin(), drawn.begin(), [](char a, char b) { return a | b; });
     return take(out, all_triangles(out), drawn);
@@ -217,10 +215,8 @@ std::vector<Sheet> divide(Sheet sheet, const Options& o, int threads, Notes& not
     const Borders borders = relax(merge(c, p, limits), c, p, detail, threads);
     auto out = gathered(split(open, c, borders), limits.least_area, notes);
     if (const auto n = static_cast<std::int64_t>(out.size()), asked = limits.patches; asked > 0 && n != asked)
-        notes.push_back({.stage = "",
-                         .what = n > asked ? "patch more than asked for" : "patch less than asked for",
+        notes.push_back({.code = n > asked ? NoteCode::patches_more : NoteCode::patches_fewer,
                          .amount = 0,
-                         .unit = "",
                          .count = static_cast<std::uint64_t>(std::abs(n - asked))});
     if (out.size() == 1 && o.lines.empty() && out[0].surface.triangles.size() == sheet.surface.triangles.size()) {
         out[0] = std::move(sheet);

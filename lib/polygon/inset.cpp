@@ -11,7 +11,7 @@ Loops inset(const Loops& area, double by) {
 
 double note_unplaced(const Loops& region, const Loops& reached, double bead_width, Notes& notes) {
     const auto rest = subtract(region, reached);
-    Note note{"", "not reached by a bead", 0, "mm2", 0};
+    Note note{NoteCode::area_unreached, 0, 0};
     double largest = bead_width * bead_width;
     for (const auto& part : split(rest).part) {
         const double area = signed_area(part);

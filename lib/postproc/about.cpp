@@ -185,49 +185,23 @@ std::string size(const machine::Profile& profile, const FirstPass& s, Vec2 shift
     return out;
 }
 
-Notes summed(const Notes& notes) {
-    Notes sums;
-    for (const Note& n : notes) {
-        auto it = sums.begin();
-        while (it != sums.end() && (it->stage != n.stage || it->what != n.what || it->unit != n.unit)) ++it;
-        if (it == sums.end())
-            sums.push_back(n);
-        else {
-            it->amount += n.amount;
-            it->count += n.count;
-        }
-    }
-    return sums;
-}
-
-std::string noted(const Notes& notes) {
-    std::string out;
+// A line per kind of note from that grade on, wrapped.
+void remarks(const Notes& notes, Grade least, std::vector<std::string>& lines) {
     for (const Note& n : summed(notes)) {
-        out += (out.empty() ? "" : "; ") + n.what + " (" + std::to_string(n.count) + " x";
-        if (!n.unit.empty() && std::isfinite(n.amount)) out += ", " + fixed_text(n.amount, 2) + " " + n.unit;
-        out += ")";
-    }
-    return out.empty() ? "nothing hangs, nothing was left out" : "noted: " + out;
-}
-
-void remarks(const Notes& notes, std::vector<std::string>& lines) {
-    for (const Note& n : summed(notes)) {
-        std::string text = " note: " + n.stage + ": " + n.what + ", " + std::to_string(n.count) + " x";
-        if (!n.unit.empty() && std::isfinite(n.amount)) text += ", " + fixed_text(n.amount, 4) + " " + n.unit;
-        for (auto& line : wrapped(text, kWidth, "     ")) lines.push_back(std::move(line));
+        if (grade(n) < least) continue;
+        const std::string text = " note: " + std::string(name(grade(n))) + ": " + n.stage + ": " + line(n);
+        for (auto& part : wrapped(text, kWidth, "     ")) lines.push_back(std::move(part));
     }
 }
 
 } // namespace
 
-void add_waits(const FirstPass& first_pass, const std::string& stage, Notes& notes) {
+void add_waits(const FirstPass& first_pass, Notes& notes) {
     const Waits& w = first_pass.waits;
-    if (w.within > 0)
-        notes.push_back({stage, "pause within a stroke; give sequence the same --pause-at",
-                         static_cast<double>(w.within), "pauses", w.within});
+    if (w.within > 0) notes.push_back({NoteCode::pause_in_stroke, static_cast<double>(w.within), w.within});
     if (w.late > 0)
-        notes.push_back({stage, "layer that belongs before a pause comes after it; give sequence the same --pause-at",
-                         static_cast<double>(w.late), "times", w.late, static_cast<std::int64_t>(w.late_layer)});
+        notes.push_back({NoteCode::layer_after_pause, static_cast<double>(w.late), w.late,
+                         static_cast<std::int64_t>(w.late_layer)});
 }
 
 void add_efforts(const machine::Profile& profile, const FirstPass& first_pass, const std::string& stage, Notes& notes,
@@ -241,38 +215,40 @@ void add_efforts(const machine::Profile& profile, const FirstPass& first_pass, c
     facts.push_back({stage, "moves-slowed", static_cast<double>(e.slowed), ""});
     constexpr double told = 0.01; // degrees
     if (!a.active() && geom::degrees(e.lean) > told)
-        notes.push_back({stage, "nozzle upright where the toolpath leans it", geom::degrees(e.lean), "deg", 1, -1,
-                         e.lean_at.x, e.lean_at.y});
+        notes.push_back({NoteCode::nozzle_upright, geom::degrees(e.lean), 1, -1, e.lean_at.x, e.lean_at.y});
     if (a.chain.carrier == kinematics::Carrier::frame) return add_arm_efforts(profile, e.arm, stage, notes, facts);
     if (!a.active()) return;
     const auto degrees = [](double rad) { return geom::degrees(rad); };
     facts.push_back({stage, "unwinds", static_cast<double>(e.unwinds), ""});
     facts.push_back({stage, "largest-lean", degrees(e.lean), "deg"});
     if (e.unwinds > 0)
-        notes.push_back({stage, "stroke broken to unwind the axes", static_cast<double>(e.unwinds), "breaks", e.unwinds,
+        notes.push_back({NoteCode::stroke_unwound, static_cast<double>(e.unwinds), e.unwinds,
                          static_cast<std::int64_t>(e.unwind_layer), e.unwind.x, e.unwind.y});
     if (e.unwinds_in_turns > 0)
         notes.push_back(
-            {stage, "of these in a tight turn", static_cast<double>(e.unwinds_in_turns), "breaks", e.unwinds_in_turns});
+            {NoteCode::stroke_unwound_in_turn, static_cast<double>(e.unwinds_in_turns), e.unwinds_in_turns});
     if (degrees(e.clipped) > told)
-        notes.push_back({stage, "tool leans to keep the limits of the tilt axis", degrees(e.clipped), "deg", 1, -1,
-                         e.clipped_at.x, e.clipped_at.y});
+        notes.push_back({NoteCode::tool_leans_for_limits, degrees(e.clipped), 1, -1, e.clipped_at.x, e.clipped_at.y});
     if (a.chain.carrier == kinematics::Carrier::polar && degrees(e.lean) > told)
-        notes.push_back({stage, "tool leans sideways, which this machine cannot follow", degrees(e.lean), "deg", 1, -1,
-                         e.lean_at.x, e.lean_at.y});
+        notes.push_back({NoteCode::tool_leans_sideways, degrees(e.lean), 1, -1, e.lean_at.x, e.lean_at.y});
 }
 
 std::vector<std::string> summary(const machine::Profile& profile, const FirstPass& first_pass, Vec2 shift,
                                  const Notes& notes, const Facts& facts) {
-    return {strokes(first_pass, facts), material(profile, first_pass), size(profile, first_pass, shift), noted(notes)};
+    std::vector<std::string> out{strokes(first_pass, facts), material(profile, first_pass),
+                                 size(profile, first_pass, shift)};
+    if (std::ranges::all_of(notes, [](const Note& n) { return grade(n) == Grade::harmless; }))
+        out.emplace_back("nothing hangs, nothing was left out");
+    return out;
 }
 
 std::vector<std::string> about(const machine::Profile& profile, const FirstPass& first_pass,
-                               const std::vector<std::string>& summary) {
+                               const std::vector<std::string>& summary, const Notes& notes) {
     std::vector<std::string> lines;
     lines.push_back(" filum program for '" + profile.name + "', whole only if its last line says \"end of program\"");
     for (const auto& line : summary)
         for (auto& part : wrapped(" " + line, kWidth, "     ")) lines.push_back(std::move(part));
+    remarks(notes, Grade::look, lines);
     for (auto& line : axes(profile)) lines.push_back(std::move(line));
     lines.push_back(merged(profile));
     if (!first_pass.placed.empty()) lines.push_back(" " + first_pass.placed);
@@ -283,7 +259,7 @@ std::vector<std::string> about(const machine::Profile& profile, const FirstPass&
 std::vector<std::string> history(const std::vector<Stage>& stages, const Notes& notes, const Facts& facts) {
     std::vector<std::string> lines;
     pipeline(stages, lines);
-    remarks(notes, lines);
+    remarks(notes, Grade::harmless, lines);
     for (const Fact& f : facts) {
         const std::string value = fixed_text(f.value, 4) + (f.unit.empty() ? "" : " " + f.unit);
         for (auto& line : wrapped(" " + f.stage + ": " + f.name + " = " + value, kWidth, "     "))

@@ -17,22 +17,23 @@ struct Stage {
     std::vector<std::pair<std::string, std::string>> settings;
 };
 
-// What the pauses of a program cost it, as notes of `stage`.
-void add_waits(const FirstPass& first_pass, const std::string& stage, Notes& notes);
+// What the pauses of a program cost it.
+void add_waits(const FirstPass& first_pass, Notes& notes);
 
-// What the axes cost the path, as notes and facts of `stage`: added where there is any.
+// What the axes cost the path, as notes, and facts of `stage`: added where there is any.
 void add_efforts(const machine::Profile& profile, const FirstPass& first_pass, const std::string& stage, Notes& notes,
                  Facts& facts);
 
-// What the program makes, in four lines: its strokes, the fewest that it needs and its stops; time and material;
-// size and place on the bed, which is the first pass's moved by `shift`; what hangs or was left out.  One number for
-// strokes: those of the finished program.  `notes` (of all stages) are summed by stage and phrase, as they came.
+// What the program makes: its strokes, the fewest that there can be and its stops; time and material; size and place on
+// the bed, which is the first pass's moved by `shift`; a line that says so where all notes are harmless.  The number of
+// strokes is that of the finished program.
 std::vector<std::string> summary(const machine::Profile& profile, const FirstPass& first_pass, Vec2 shift,
                                  const Notes& notes, const Facts& facts);
 
-// The lines at the head of the program, without comment marks: what it is for, the summary, what its numbers mean.
+// The lines at the head of the program, without comment marks: what it is for, the summary, notes that are not harmless
+// (of all stages), what its numbers mean.
 std::vector<std::string> about(const machine::Profile& profile, const FirstPass& first_pass,
-                               const std::vector<std::string>& summary);
+                               const std::vector<std::string>& summary, const Notes& notes);
 
 // Those at its end: how it was made.  `facts` stand as they are.
 std::vector<std::string> history(const std::vector<Stage>& stages, const Notes& notes, const Facts& facts);

@@ -164,7 +164,7 @@ void Carrier::refuse(const Hindrance& h, const Motion& stroke) const {
 void add_arm_efforts(const machine::Profile& profile, const ArmEfforts& e, const std::string& stage, Notes& notes,
                      Facts& facts) {
     if (!e.known) {
-        notes.push_back({stage, "reach, limits and speeds of the robot not checked: robot.model names none", 1, "", 1});
+        notes.push_back({NoteCode::robot_unchecked, 1, 1});
         return;
     }
     if (std::isfinite(e.room)) { // else no axis has limits
@@ -176,16 +176,13 @@ void add_arm_efforts(const machine::Profile& profile, const ArmEfforts& e, const
     if (e.slow_moves > 0) facts.push_back({stage, "axis-of-slowest", static_cast<double>(e.slow_axis + 1), ""});
     facts.push_back({stage, "largest-spin", e.spin / kDegree, "deg"});
     if (e.nearest.angle < profile.robot.singular)
-        notes.push_back({stage,
-                         std::string("robot near a singularity of its ") +
-                             kinematics::kSingularNames[static_cast<std::size_t>(e.nearest.which)],
-                         e.nearest.angle / kDegree, "deg", e.uneasy, static_cast<std::int64_t>(e.nearest_layer),
-                         e.nearest_at.x, e.nearest_at.y});
+        notes.push_back({NoteCode::robot_near_singularity, e.nearest.angle / kDegree, e.uneasy,
+                         static_cast<std::int64_t>(e.nearest_layer), e.nearest_at.x, e.nearest_at.y, std::nan(""),
+                         kinematics::kSingularNames[static_cast<std::size_t>(e.nearest.which)]});
     if (e.slow_moves > 0)
-        notes.push_back({stage, "beads laid slower than their feed, so that an axis keeps its speed", e.slowed, "mm",
-                         e.slow_moves, static_cast<std::int64_t>(e.slowest_layer), e.slowest_at.x, e.slowest_at.y});
-    if (e.other_way)
-        notes.push_back({stage, "robot stands in another way than robot.start from the first stroke on", 1, "", 1});
+        notes.push_back({NoteCode::beads_slowed, e.slowed, e.slow_moves, static_cast<std::int64_t>(e.slowest_layer),
+                         e.slowest_at.x, e.slowest_at.y});
+    if (e.other_way) notes.push_back({NoteCode::robot_other_posture, 1, 1});
 }
 
 } // namespace filum::postproc

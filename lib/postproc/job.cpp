@@ -96,11 +96,10 @@ std::vector<std::string> job_lines(const machine::Profile& profile, const FirstP
     return out;
 }
 
-Notes omissions(const FirstPass& first_pass, const std::string& stage) {
+Notes omissions(const FirstPass& first_pass) {
     const Omitted& o = first_pass.omitted;
     if (o.count == 0) return {};
-    return {{stage, "fibre stroke too short to be laid, left out", o.length, "mm", o.count,
-             static_cast<std::int64_t>(o.layer), o.at.x, o.at.y}};
+    return {{NoteCode::fibre_too_short, o.length, o.count, static_cast<std::int64_t>(o.layer), o.at.x, o.at.y}};
 }
 
 } // namespace filum::postproc

@@ -19,6 +19,6 @@ metrics::figures::Figures job(const machine::Profile& profile, const FirstPass& 
 std::vector<std::string> job_lines(const machine::Profile& profile, const FirstPass& first_pass);
 
 // A note of `stage` on fibre strokes that are left out, if any are.
-Notes omissions(const FirstPass& first_pass, const std::string& stage);
+Notes omissions(const FirstPass& first_pass);
 
 } // namespace filum::postproc

@@ -126,16 +126,22 @@ void add(Air& all, const Air& further) {
     all.layers = layers;
 }
 
+bool of_air(NoteCode code) {
+    return code == NoteCode::overhang || code == NoteCode::overhang_bridge || code == NoteCode::overhang_floating;
+}
+
 std::optional<Note> note(const Air& air) {
     if (air.layers == 0) return std::nullopt;
-    std::string what = kMidAir;
-    if (!std::isfinite(air.reach))
-        what += ", some with no layer below it";
-    else if (air.bridge > 0)
-        what += ", longest bridge " + fixed_text(air.bridge, 1) + " mm";
-    else
-        what += ", up to " + fixed_text(air.reach, 1) + " mm from the layer below";
-    return Note{"", what, air.area, "mm2", air.layers, air.layer, air.at.x, air.at.y};
+    Note out{NoteCode::overhang, air.area, air.layers, air.layer, air.at.x, air.at.y};
+    out.detail = fixed_text(air.reach, 1) + " mm";
+    if (!std::isfinite(air.reach)) {
+        out.code = NoteCode::overhang_floating;
+        out.detail.clear();
+    } else if (air.bridge > 0) {
+        out.code = NoteCode::overhang_bridge;
+        out.detail = fixed_text(air.bridge, 1) + " mm";
+    }
+    return out;
 }
 
 } // namespace filum::regions

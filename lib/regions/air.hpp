@@ -9,9 +9,6 @@
 
 namespace filum::regions {
 
-// How the note of what hangs begins.
-inline constexpr const char* kMidAir = "material in mid-air";
-
 // How beads are carried: one lies on the layer below if half of its width does.
 struct Carried {
     double bead_width = 0; // mm
@@ -39,5 +36,7 @@ void add(Air& all, const Air& further);
 
 // What to say of it in one line; nothing if nothing hangs.
 std::optional<Note> note(const Air& air);
+// Whether a note of that code is about what hangs.
+bool of_air(NoteCode code);
 
 } // namespace filum::regions

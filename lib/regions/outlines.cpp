@@ -117,7 +117,7 @@ Parts mended(const Loops& loops, Notes& notes) {
         const double lost = polygon::signed_area(found.part[i]) - (part.empty() ? 0 : polygon::signed_area(part));
         if (part.empty() || crosses_itself(part)) {
             const Vec2 at = found.part[i].points.front();
-            notes.push_back({"", "outline that crosses itself left out", lost, "mm2", 1, -1, at.x, at.y});
+            notes.push_back({NoteCode::outline_crosses_itself, lost, 1, -1, at.x, at.y});
             continue;
         }
         place[i] = static_cast<int>(out.part.size());
@@ -160,7 +160,7 @@ void close_gaps(Loops& loops, double tolerance, double hairline, Notes& notes) {
     const Vec2 at = geom::lerp(patches[0][0], patches[0][patches[0].size() / 2], 0.5);
     loops = on_grid(polygon::simplify(closed, tolerance));
     notes.push_back(
-        {"", "hairline gap closed", std::max(0.0, polygon::signed_area(loops) - before), "mm2", 1, -1, at.x, at.y});
+        {NoteCode::hairline_gap_closed, std::max(0.0, polygon::signed_area(loops) - before), 1, -1, at.x, at.y});
 }
 
 } // namespace

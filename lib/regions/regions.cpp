@@ -22,7 +22,7 @@ std::vector<polygon::Region> regions(const polygon::Layer& layer, const Options&
         r.inradius = inradius_bound(r.loops, options.bead_width / 2, thin / 2);
         if (r.inradius <= 0) {
             const auto at = r.loops.points.front();
-            notes.push_back({"", "sliver left out", r.area, "mm2", 1, -1, at.x, at.y});
+            notes.push_back({NoteCode::sliver_dropped, r.area, 1, -1, at.x, at.y});
             continue;
         }
         r.id = static_cast<std::uint32_t>(out.size());

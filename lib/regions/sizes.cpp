@@ -40,7 +40,7 @@ void check_part(const geom::Box2& box, double bead_width, Notes& notes) {
                                      fixed_text(w, 2) + " x " + fixed_text(d, 2) +
                                      " mm: they are wider than all of it; give a smaller --bead-width");
     if (std::min(w, d) * kSame < bead_width)
-        notes.push_back({.stage = "", .what = "part narrower than a bead", .amount = std::min(w, d), .unit = "mm"});
+        notes.push_back({.code = NoteCode::part_below_bead, .amount = std::min(w, d)});
 }
 
 } // namespace filum::regions

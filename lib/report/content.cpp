@@ -140,7 +140,7 @@ void add(Content& to, const Notes& notes) {
         if (!std::isfinite(n.x) || !std::isfinite(n.y)) continue;
         const auto found = heights.find(n.layer);
         const double z = std::isfinite(n.z) ? n.z : found != heights.end() ? found->second : 0;
-        to.spots.push_back({"note", n.stage + ": " + n.what, n.x, n.y, z, n.layer});
+        to.spots.push_back({std::string(name(grade(n))), n.stage + ": " + sentence(n), n.x, n.y, z, n.layer});
     }
 }
 

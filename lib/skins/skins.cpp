@@ -127,14 +127,14 @@ Loops seen(const Loops& outline, const Loops& other, const Options& o) {
 // What modifiers ask for that a region does not get, each once.
 Notes ignored(const Region& r, const Cut& cut, double width, bool any_sparse) {
     Notes out;
-    const auto put = [&](const Loops& where, const char* what) {
-        out.push_back({"", what, 1, "regions", 1, r.layer, where.points[0].x, where.points[0].y});
+    const auto put = [&](const Loops& where, NoteCode code) {
+        out.push_back({code, 1, 1, r.layer, where.points[0].x, where.points[0].y});
     };
     const auto other = std::ranges::find_if(cut.zones, [&](const auto& zone) { return zone.width != width; });
     if (other != cut.zones.end())
-        put(other->loops, "outer wall as wide as the part's beads within a modifier");
+        put(other->loops, NoteCode::modifier_wall_width);
     else if (!cut.zones.empty() && !any_sparse)
-        put(cut.zones[0].loops, "other number of walls without effect, all of the region is solid");
+        put(cut.zones[0].loops, NoteCode::modifier_walls_idle);
     return out;
 }
 

@@ -109,14 +109,9 @@ bool near(const Edge& e, const Edge& f, double margin) {
 // Loops that are narrower than `hairline` all along go: what union leaves where faces nearly coincide.
 Loops without_slivers(const Loops& loops, double hairline, std::int64_t layer, Notes& notes) {
     Loops out;
-    Note filled{.stage = "",
-                .what = "hairline hole between bodies filled",
-                .amount = 0,
-                .unit = "mm2",
-                .count = 0,
-                .layer = layer};
+    Note filled{.code = NoteCode::hairline_hole_filled, .amount = 0, .count = 0, .layer = layer};
     Note dropped = filled;
-    dropped.what = "hairline sliver of a body dropped";
+    dropped.code = NoteCode::hairline_sliver_dropped;
     for (std::size_t i = 0; i < loops.size(); ++i) {
         const double area = polygon::signed_area(loops[i]);
         if (2 * std::abs(area) > hairline * polygon::perimeter(loops[i])) { // area over half the length: its mean width
@@ -180,12 +175,7 @@ Loops heal_hairlines(Loops loops, bool united, double hairline, std::int64_t lay
     std::size_t gaps = 0;
     const Loops between = bridges(loops, hairline, area, gaps);
     if (gaps > 0)
-        notes.push_back({.stage = "",
-                         .what = "hairline gap between bodies closed",
-                         .amount = area,
-                         .unit = "mm2",
-                         .count = gaps,
-                         .layer = layer});
+        notes.push_back({.code = NoteCode::hairline_gap_between_bodies, .amount = area, .count = gaps, .layer = layer});
     if (between.empty()) return loops;
     for (std::size_t l = 0; l < between.size(); ++l) loops.add(between[l]);
     return without_slivers(polygon::unite_exactly(loops), hairline, layer, notes);

@@ -118,14 +118,8 @@ class Walk {
             return;
         }
         const geom::Vec2 at = polygon::centroid(bore.outline);
-        notes_->push_back({.stage = "",
-                           .what = "wall of a bore not compensated where the bore opens",
-                           .amount = common_wall(contours, bore.outline),
-                           .unit = "mm",
-                           .count = 1,
-                           .layer = static_cast<std::int64_t>(layer),
-                           .x = at.x,
-                           .y = at.y});
+        notes_->push_back({NoteCode::bore_not_compensated, common_wall(contours, bore.outline), 1,
+                           static_cast<std::int64_t>(layer), at.x, at.y});
     }
 
     std::vector<Loops>* open_; // per layer

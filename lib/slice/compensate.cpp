@@ -31,13 +31,12 @@ Loops with_wider_holes_in_all(const Loops& area, double by) {
     return polygon::unite(all);
 }
 
-void tell(const char* what, const Loops& area, std::uint32_t layer, Notes& notes) {
+void tell(NoteCode code, const Loops& area, std::uint32_t layer, Notes& notes) {
     constexpr double told = 1e-4; // mm2: what rounding leaves at corners
     const double mm2 = polygon::signed_area(area);
     if (!(mm2 > told)) return;
     const geom::Vec2 at = polygon::centroid(area);
-    notes.push_back(
-        {.stage = "", .what = what, .amount = mm2, .unit = "mm2", .count = 1, .layer = layer, .x = at.x, .y = at.y});
+    notes.push_back({.code = code, .amount = mm2, .count = 1, .layer = layer, .x = at.x, .y = at.y});
 }
 
 // What `width` mm of an area, everywhere taken off its outline, leaves nothing of: none of it comes back.
@@ -50,7 +49,7 @@ Loops less_foot(const Loops& area, double foot, std::uint32_t layer, Notes& note
     const Loops wide = polygon::offset(polygon::offset(area, -2 * foot), 2 * foot);
     const Loops thin = polygon::subtract(area, polygon::offset(wide, 2 * foot));
     if (thin.empty()) return polygon::offset(area, -foot);
-    tell("too thin to give way to the elephant's foot", thin, layer, notes);
+    tell(NoteCode::foot_kept, thin, layer, notes);
     const Loops kept = polygon::intersect(area, polygon::offset(thin, 3 * foot)); // into what does give way
     return polygon::unite(polygon::offset(area, -foot), kept);
 }
@@ -62,7 +61,7 @@ Loops compensated(const Loops& contours, const Loops& bores, const Compensation&
     Loops out = contours;
     if (by.holes != 0) out = with_wider_holes_in_all(out, by.holes);
     if (by.holes != 0) out = with_wider_bores(out, bores, by.holes);
-    if (by.xy < 0) tell("too thin for the compensation in x and y", lost(out, -by.xy), layer, notes);
+    if (by.xy < 0) tell(NoteCode::compensation_erases, lost(out, -by.xy), layer, notes);
     if (by.xy != 0) out = polygon::offset(out, by.xy);
     if (by.elephant_foot > 0 && layer == 0) out = less_foot(out, by.elephant_foot, layer, notes);
     return out;

@@ -40,11 +40,7 @@ Loops open_solid(const Sweep& sweep, std::size_t layer, Loops loops, std::vector
         for (std::size_t l = 0; l < more->size(); ++l) loops.add((*more)[l]);
     const double all = perimeter(loops);
     if (closed.turned > kTurnedShare * all) {
-        notes.push_back({.stage = "",
-                         .what = "layer with triangles facing every way: inside told by parity",
-                         .amount = all,
-                         .unit = "mm",
-                         .layer = number});
+        notes.push_back({.code = NoteCode::inside_by_parity, .amount = all, .layer = number});
         return polygon::unite_exactly(loops, polygon::Fill::even_odd);
     }
     if (closed.guessed.empty()) return polygon::unite_exactly(loops);

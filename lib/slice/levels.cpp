@@ -112,7 +112,7 @@ std::vector<Level> levels(const mesh::Mesh& mesh, const Options& o, Notes& notes
                                          " mm high: it is lower than half a layer of " + fixed_text(first, 6) +
                                          " mm; check --unit, or give a smaller --layer-height");
     if (height < first * (1 - 1e-6)) {
-        notes.push_back({.stage = "", .what = "part lower than its one layer", .amount = height, .unit = "mm"});
+        notes.push_back({.code = NoteCode::part_below_first_layer, .amount = height});
         return {{r.bottom + first, first, r.bottom + height / 2}};
     }
     return o.adaptive ? adaptive(mesh, r, first, o) : uniform(r.bottom, height, first, o.layer_height);

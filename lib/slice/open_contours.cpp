@@ -226,9 +226,9 @@ std::vector<OpenContour> join(const std::vector<OpenContour>& contours, const Ma
 }
 
 // One note for all joints of `mates` that are wider than rounding.
-void note_joints(const std::vector<OpenContour>& contours, const Mates& mates, const char* what, std::int64_t layer,
+void note_joints(const std::vector<OpenContour>& contours, const Mates& mates, NoteCode code, std::int64_t layer,
                  Notes& notes) {
-    Note n{.stage = "", .what = what, .amount = 0, .unit = "mm", .count = 0, .layer = layer};
+    Note n{.code = code, .amount = 0, .count = 0, .layer = layer};
     double worst = 0;
     for (std::uint32_t e = 0; e < mates.size(); ++e) {
         if (mates[e] == kFree || mates[e] < e) continue;
@@ -254,9 +254,8 @@ Closed close_contours(std::vector<OpenContour> contours, const std::function<std
                       const Options& o, std::int64_t layer, Notes& notes) {
     Closed out;
     double lid = 0;
-    const auto tell = [&](const char* what, double amount, Vec2 at) {
-        notes.push_back(
-            {.stage = "", .what = what, .amount = amount, .unit = "mm", .layer = layer, .x = at.x, .y = at.y});
+    const auto tell = [&](NoteCode code, double amount, Vec2 at) {
+        notes.push_back({.code = code, .amount = amount, .layer = layer, .x = at.x, .y = at.y});
     };
     contours = join(contours, mates_on_edges(contours), out, lid);
 
@@ -268,7 +267,7 @@ Closed close_contours(std::vector<OpenContour> contours, const std::function<std
             marry_near(contours, std::min(radius, widest), directed, mates);
             if (radius >= widest) break;
         }
-    note_joints(contours, mates, "gap in a contour closed", layer, notes);
+    note_joints(contours, mates, NoteCode::contour_gap_closed, layer, notes);
     contours = join(contours, mates, out, lid);
 
     if (!contours.empty() && o.close_openings > 0) {
@@ -276,21 +275,19 @@ Closed close_contours(std::vector<OpenContour> contours, const std::function<std
         for (OpenContour& c : lids()) contours.push_back(std::move(c));
         contours = join(contours, mates_on_edges(contours), out, lid);
         std::erase_if(contours, [](const OpenContour& c) { return c.lid >= length(c); }); // no contour came to these
-        if (lid > 0) tell("contour led across a hole in the surface", lid, at);
+        if (lid > 0) tell(NoteCode::contour_over_hole, lid, at);
     }
     for (std::size_t before = 0; before != contours.size();) { // what is joined is longer, and may bear wider openings
         before = contours.size();
         mates.assign(2 * contours.size(), kFree);
         marry_far(contours, o.close_openings, mates);
-        note_joints(contours, mates, "wide opening in a contour closed straight", layer, notes);
+        note_joints(contours, mates, NoteCode::contour_opening_closed, layer, notes);
         contours = join(contours, mates, out, lid);
     }
 
     for (const OpenContour& c : contours)
-        if (length(c) > kSeam) tell("open contour left out", length(c), c.points[c.points.size() / 2]);
-    if (out.turned > 0)
-        tell("piece of contour turned round: its triangles face the wrong way", out.turned,
-             {std::nan(""), std::nan("")});
+        if (length(c) > kSeam) tell(NoteCode::contour_open, length(c), c.points[c.points.size() / 2]);
+    if (out.turned > 0) tell(NoteCode::contour_turned, out.turned, {std::nan(""), std::nan("")});
     return out;
 }
 

@@ -130,13 +130,12 @@ void note_undecided(const Measured& m, Notes& notes) {
     if (!(undecided > kTold * solid)) return;
     const auto worst =
         static_cast<std::size_t>(std::max_element(m.undecided.begin(), m.undecided.end()) - m.undecided.begin());
-    notes.push_back({.stage = "",
-                     .what = "open surface leaves " + percent(undecided / solid) + " of the volume undecided",
+    notes.push_back({.code = NoteCode::volume_undecided,
                      .amount = undecided,
-                     .unit = "mm3",
                      .layer = static_cast<std::int64_t>(m.layers[worst]),
                      .x = m.where[worst].x,
-                     .y = m.where[worst].y});
+                     .y = m.where[worst].y,
+                     .detail = percent(undecided / solid)});
 }
 
 // An edge of a hole hides a bulge: as good a guess as any is a half sphere on a disc of the lid's area.
@@ -152,14 +151,12 @@ void note_holes(const Part& part, double solid, Notes& notes) {
         }
     }
     if (!(hidden > kTold * solid)) return;
-    notes.push_back({.stage = "",
-                     .what = "hole closed flat: what bulged out of it is not known, as half a sphere " +
-                             percent(hidden / solid) + " of the volume",
+    notes.push_back({.code = NoteCode::hole_closed_flat,
                      .amount = hidden,
-                     .unit = "mm3",
                      .count = part.holes.size(),
                      .x = at.x,
-                     .y = at.y});
+                     .y = at.y,
+                     .detail = percent(hidden / solid)});
 }
 
 void note_empty(const Sweep& sweep, std::span<const double> area, Notes& notes) {
@@ -169,11 +166,8 @@ void note_empty(const Sweep& sweep, std::span<const double> area, Notes& notes) 
     for (auto it = first; it < last; ++it) {
         if (*it > 0) continue;
         const auto i = static_cast<std::size_t>(it - area.begin());
-        notes.push_back({.stage = "",
-                         .what = "empty layer between others",
-                         .amount = sweep.levels[i].height,
-                         .unit = "mm",
-                         .layer = static_cast<std::int64_t>(i)});
+        notes.push_back(
+            {.code = NoteCode::layer_empty, .amount = sweep.levels[i].height, .layer = static_cast<std::int64_t>(i)});
     }
 }
 
@@ -266,12 +260,10 @@ void compare(const Sweep& sweep, const std::optional<Measured>& measured, std::s
     if (!(std::abs(printed - solid) > kTold * solid)) return;
     const double share = solid > 0 ? printed / solid - 1 : 1;
     const double all_layers = static_cast<double>(area.size()) / static_cast<double>(m.layers.size());
-    notes.push_back(
-        {.stage = "",
-         .what = "printed volume " + percent(std::abs(share)) + (share > 0 ? " above" : " below") + " the mesh's",
-         .amount = all_layers * std::abs(printed - solid),
-         .unit = "mm3",
-         .layer = static_cast<std::int64_t>(worst)});
+    notes.push_back({.code = NoteCode::volume_off,
+                     .amount = all_layers * std::abs(printed - solid),
+                     .layer = static_cast<std::int64_t>(worst),
+                     .detail = percent(std::abs(share)) + (share > 0 ? " above" : " below")});
 }
 
 } // namespace filum::slice

@@ -45,16 +45,21 @@ Tag tag_of(Payload p) {
 }
 
 std::string serialise(const Note& n) {
+    const bool foreign = n.code == NoteCode::foreign;
     proto::Note m;
     m.set_stage(n.stage);
-    m.set_what(n.what);
+    m.set_what(foreign ? n.foreign.text : sentence(n));
     m.set_amount(n.amount);
-    m.set_unit(n.unit);
+    m.set_unit(unit(n));
     m.set_count(n.count);
     m.set_layer(n.layer);
     m.set_x(n.x);
     m.set_y(n.y);
     if (std::isfinite(n.z)) m.set_z(n.z);
+    m.set_code(foreign ? n.foreign.code : code_name(n));
+    m.set_grade(static_cast<proto::Grade>(static_cast<int>(grade(n)) + 1));
+    m.set_detail(n.detail);
+    m.set_patch(n.patch);
     return m.SerializeAsString();
 }
 
@@ -62,9 +67,13 @@ Note parse_note(std::string_view body) {
     proto::Note m;
     if (!m.ParseFromArray(body.data(), static_cast<int>(body.size())))
         throw Error(Exit::bad_input, "cannot read a note frame: malformed");
-    return {m.stage(), m.what(),  m.amount(),
-            m.unit(),  m.count(), m.layer(),
-            m.x(),     m.y(),     m.has_z() ? m.z() : std::nan("")};
+    Note out{note_code(m.code()), m.amount(), m.count(), m.layer(), m.x(), m.y(), m.has_z() ? m.z() : std::nan(""),
+             m.detail(),          m.patch(),  m.stage()};
+    if (out.code != NoteCode::foreign) return out;
+    out.foreign = {m.code(), m.what(), m.unit()};
+    if (m.grade() >= proto::HARMLESS && m.grade() <= proto::WILL_FAIL)
+        out.foreign.grade = static_cast<Grade>(m.grade() - 1);
+    return out;
 }
 
 std::string serialise(const Fact& f) {

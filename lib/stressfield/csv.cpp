@@ -30,7 +30,7 @@ class Table {
         out_.cases.push_back({"1", {}, {}, {}, origin()});
         std::size_t not_finite = 0;
         for_rows([&] { not_finite += add() ? 0 : 1; });
-        if (not_finite > 0) notes_.push_back(note("sample that is not finite left out", not_finite));
+        if (not_finite > 0) notes_.push_back(note(NoteCode::sample_not_finite, not_finite));
         if (out_.points.empty()) bad(name_, "it holds no sample");
         finish();
         return std::move(out_);
@@ -237,8 +237,7 @@ class Table {
             if (common.empty()) common = own;
             if (*factor != factor_of(dimension, common)) mixed_ = true;
         }
-        if (!unused.empty())
-            notes_.push_back(note("unit '" + unused + "' of the header not used: " + flag + " is given", 1));
+        if (!unused.empty()) notes_.push_back(note(NoteCode::header_unit_ignored, 1, unused));
         if (without > 0 && without < used && option == "auto") {
             if (mixed_) bad(name_, "its columns have several units, and some have none; give " + flag);
             for (std::size_t r = 0; r < kRoles; ++r)
@@ -323,7 +322,7 @@ class Table {
             add_mean(std::span(order).subspan(i, j - i), out_.cases[0], merged.cases[0]);
         }
         if (const std::size_t less = out_.points.size() - merged.points.size(); less > 0)
-            notes_.push_back(note("sample averaged with another at its place", less));
+            notes_.push_back(note(NoteCode::sample_averaged, less));
         out_ = std::move(merged);
     }
 

@@ -19,8 +19,8 @@ Samples read_vtu(std::string_view bytes, const std::string& name, const ReadOpti
 }
 
 // A note of this library; the stage's name is set by the command.
-inline Note note(std::string what, std::uint64_t count) {
-    return {.stage = "", .what = std::move(what), .amount = 0, .unit = "", .count = count};
+inline Note note(NoteCode code, std::uint64_t count, std::string detail = {}) {
+    return {.code = code, .count = count, .detail = std::move(detail)};
 }
 
 } // namespace filum::stressfield

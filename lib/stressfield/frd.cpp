@@ -131,9 +131,9 @@ class Frd {
                 fail("it is no record of an FRD file; are its columns moved?");
         }
         if (out_.points.empty()) bad(name_, "it has no nodes");
-        if (!ended) notes_.push_back(note("end mark missing: the file may be cut short", 1));
+        if (!ended) notes_.push_back(note(NoteCode::frd_unended, 1));
         take_wanted();
-        if (lost_ > 0) notes_.push_back(note("stress that is not finite taken as unknown", lost_));
+        if (lost_ > 0) notes_.push_back(note(NoteCode::stress_not_finite, lost_));
         return std::move(out_);
     }
 
@@ -291,9 +291,7 @@ class Frd {
         }
         if (out_.cases.empty() || (modes.size() > 1 && step_ != "all"))
             throw Error(Exit::usage, "cannot use '" + step_ + "' for --step: " + name_ + " has the steps " + list());
-        if (!unused.empty())
-            notes_.push_back(
-                note("earlier result of a step not used: " + joined(unused) + " (--step takes one)", unused.size()));
+        if (!unused.empty()) notes_.push_back(note(NoteCode::frd_result_superseded, unused.size(), joined(unused)));
     }
 
     static std::string joined(const std::vector<std::string>& names) {

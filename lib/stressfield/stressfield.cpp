@@ -94,8 +94,8 @@ struct Tally {
             at = p;
         }
     }
-    void note(Notes& notes, std::string what, double amount, std::string unit) const {
-        if (count > 0) notes.push_back({"", std::move(what), amount, std::move(unit), count, -1, at.x, at.y, at.z});
+    void note(Notes& notes, NoteCode code, double amount, const std::string& load_case) const {
+        if (count > 0) notes.push_back({code, amount, count, -1, at.x, at.y, at.z, load_case});
     }
 };
 
@@ -133,11 +133,9 @@ void add_case(surface::Sheet& sheet, const Case& c, const Stencils& stencils, co
                                          "': they give none to any vertex of the surface; check --unit and --reach");
     Fields fields = fields_of(c.name, places, options.mask * greatest, options.tangent);
     const Tally out = leaning(s, area, places, fields.d, normal);
-    unknown.note(notes, "vertex without stress of case " + c.name, unknown.area, "mm2");
+    unknown.note(notes, NoteCode::stress_unknown, unknown.area, c.name);
     const double share = out.area / all.area;
-    if (!options.tangent)
-        out.note(notes, "greatest stress of case " + c.name + " points out of the surface", 100 * share,
-                 "% of its area");
+    if (!options.tangent) out.note(notes, NoteCode::stress_across, 100 * share, c.name);
     facts.push_back({"", "stress." + c.name + ".greatest", greatest, "MPa"});
     facts.push_back({"", "stress." + c.name + ".out-of-surface", share, ""});
     facts.push_back({"", "stress." + c.name + ".unknown", static_cast<double>(unknown.count), "vertices"});
@@ -188,7 +186,7 @@ void add(std::span<surface::Sheet> sheets, const Samples& samples, const Options
             throw Error(e.exit(), "patch '" + name + "': " + e.what());
         }
         for (Note& note : own) {
-            note.what += " on patch " + name;
+            note.patch = name;
             notes.push_back(std::move(note));
         }
         for (Fact& fact : found) {

@@ -59,7 +59,7 @@ class Vtu {
         for (const auto& piece : grid.children("Piece")) read_piece(piece);
         if (out_.points.empty()) bad(name_, "it has no points");
         scale_points();
-        if (skipped_ > 0) notes_.push_back(note("cell of a type that is not read", skipped_));
+        if (skipped_ > 0) notes_.push_back(note(NoteCode::vtu_cell_unknown, skipped_));
         return std::move(out_);
     }
 

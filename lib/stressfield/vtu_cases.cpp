@@ -58,9 +58,8 @@ class Chooser {
         if (out_.empty() && !others.empty())
             bad(file_, "no name says which of its arrays holds stresses: " + quoted(others) +
                            "; name those that do by --columns");
-        if (!strains.empty()) left_out("array of strains left out: " + quoted(strains), strains.size());
-        if (!others.empty())
-            left_out("array whose name does not say stress left out: " + quoted(others), others.size());
+        if (!strains.empty()) left_out(NoteCode::strains_ignored, quoted(strains), strains.size());
+        if (!others.empty()) left_out(NoteCode::array_ignored, quoted(others), others.size());
         note_assumed();
         return std::move(out_);
     }
@@ -182,13 +181,12 @@ class Chooser {
         std::vector<std::string> names;
         for (const auto& c : out_)
             if (c.assumed) names.push_back(c.arrays.front());
-        if (!names.empty())
-            left_out("components without names of array " + quoted(names) +
-                         " taken as xx yy zz xy yz xz, VTK's order (another one: --order)",
-                     names.size());
+        if (!names.empty()) left_out(NoteCode::order_assumed, quoted(names), names.size());
     }
 
-    void left_out(const std::string& what, std::size_t count) { notes_.push_back(note(what, count)); }
+    void left_out(NoteCode code, const std::string& names, std::size_t count) {
+        notes_.push_back(note(code, count, names));
+    }
 
     const ReadOptions& options_;
     const std::string& writer_;

@@ -114,7 +114,7 @@ void remove_copies(mesh::Mesh& mesh, Notes& notes) {
         }
     if (copies == 0) return;
     erase_degenerate(mesh);
-    notes.push_back(note("triangle that stood twice left out", copies));
+    notes.push_back(note(NoteCode::triangle_copied, copies));
 }
 
 void remove_flat(mesh::Mesh& mesh, Notes& notes) {
@@ -130,7 +130,7 @@ void remove_flat(mesh::Mesh& mesh, Notes& notes) {
             ++out;
         }
     erase_degenerate(mesh);
-    if (out > 0) notes.push_back(note("triangle without area taken out", out));
+    if (out > 0) notes.push_back(note(NoteCode::triangle_flat, out));
 }
 
 std::vector<std::uint32_t> join_sides(const mesh::Mesh& mesh, Notes& notes) {
@@ -160,9 +160,8 @@ std::vector<std::uint32_t> join_sides(const mesh::Mesh& mesh, Notes& notes) {
         twin[a] = b;
         twin[b] = a;
     });
-    if (crowded > 0)
-        notes.push_back(note("edge of more than two triangles cut, the flattest two left joined", crowded));
-    if (one_sided > 0) notes.push_back(note("edge of a surface with one side only cut", one_sided));
+    if (crowded > 0) notes.push_back(note(NoteCode::edge_crowded, crowded));
+    if (one_sided > 0) notes.push_back(note(NoteCode::edge_one_sided, one_sided));
     return twin;
 }
 
@@ -194,7 +193,7 @@ void split_fans(mesh::Mesh& mesh, const std::vector<std::uint32_t>& twin, Notes&
     for (std::uint32_t h = 0; h < twin.size(); ++h) mesh.triangles[h / 3][h % 3] = to[fan[h]];
     to.resize(before); // of the file
     if (split > 0 || std::find(to.begin(), to.end(), kNone) != to.end()) mesh.renumber(to);
-    if (split > 0) notes.push_back(note("vertex where parts of the surface touch in a point split", split));
+    if (split > 0) notes.push_back(note(NoteCode::vertex_split, split));
 }
 
 } // namespace filum::surface

@@ -5,9 +5,7 @@
 
 namespace filum::surface {
 
-inline Note note(std::string what, std::size_t count, double amount = 0, std::string unit = "") {
-    return {.stage = "", .what = std::move(what), .amount = amount, .unit = std::move(unit), .count = count};
-}
+inline Note note(NoteCode code, std::size_t count) { return {.code = code, .count = count}; }
 
 // Leaves out triangles that have the same three corners as an earlier one.
 void remove_copies(mesh::Mesh& mesh, Notes& notes);

@@ -50,7 +50,7 @@ Plan left_out(const Component& part, const std::string& why) {
     const Surface& s = part.sheet.surface;
     const Vec3& p = s.vertices.front();
     Plan out;
-    out.notes.push_back({"", "component left out: " + why, surface::area(s), "mm2", 1, -1, p.x, p.y, p.z});
+    out.notes.push_back({NoteCode::component_dropped, surface::area(s), 1, -1, p.x, p.y, p.z, why});
     return out;
 }
 
@@ -112,8 +112,7 @@ Plan together(std::vector<Plan> plans) {
     for (Fact& fact : out.facts)
         if (fact.name == "cuts") fact.value = out.strokes.empty() ? 0 : static_cast<double>(out.strokes.size() - 1);
     if (plans.size() > 1)
-        out.notes.push_back(
-            {"", "cut between components", static_cast<double>(plans.size() - 1), "cuts", plans.size() - 1});
+        out.notes.push_back({NoteCode::component_cut, static_cast<double>(plans.size() - 1), plans.size() - 1});
     return out;
 }
 

@@ -11,7 +11,7 @@ using Planner = std::function<Plan(const surface::Sheet&, const Options&)>;
 
 // Every component planned by itself, in parallel, as if there were no other; on triangles of the whole.  From the
 // one with the least vertex (by x, y, z) on, always the one is laid next that begins or ends nearest to where the last
-// one ended, either way round; cuts between them are told in the note "cut between components".  Facts are summed up;
+// one ended, either way round; cuts between them are told in the note NoteCode::component_cut.  Facts are summed up;
 // of those that tell how much at most, the greatest counts.
 // A component without a source, of algorithms that need one, or of which the planner says in an error why it cannot be
 // laid, is left out, with a note that says so, its area and its place.

@@ -162,9 +162,7 @@ Plan fexa(const surface::Sheet& sheet, const Options& o) {
     rows::Rows all = rows::rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
     rows::wind(s, all, o.spacing, true);
     Plan out = rows::boustrophedon(s, all, turns);
-    if (gaps.area > 0)
-        out.notes.push_back({"", "rows more than 1.1 spacings apart: the surface leans towards the plane", gaps.area,
-                             "mm2", 1, -1, gaps.at.x, gaps.at.y, gaps.at.z});
+    if (gaps.area > 0) out.notes.push_back({NoteCode::rows_apart, gaps.area, 1, -1, gaps.at.x, gaps.at.y, gaps.at.z});
     return out;
 }
 

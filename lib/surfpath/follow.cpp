@@ -45,14 +45,12 @@ std::vector<Stroke> apart(std::vector<Line> lines) {
 
 void tell(const Surface& s, const field::Wanted& wanted, const field::Directions& d, Plan& out) {
     out.facts.push_back({"", "tightest-bend", d.tightest, "1/mm"});
-    const auto note = [&](const char* what, double amount, const geom::Vec3& at) {
-        out.notes.push_back({"", what, amount, "mm2", 1, -1, at.x, at.y, at.z});
+    const auto note = [&](NoteCode code, double amount, const geom::Vec3& at) {
+        out.notes.push_back({code, amount, 1, -1, at.x, at.y, at.z});
     };
-    if (d.tight > 0) note("field bends tighter than the least radius", d.tight, d.tight_at);
-    if (d.given_up > 0.01 * surface::area(s))
-        note("field does not follow what is asked, to keep the radius", d.given_up, d.tight_at);
-    if (wanted.unknown > 0)
-        note("direction is no number: continued from what lies about", wanted.unknown, wanted.unknown_at);
+    if (d.tight > 0) note(NoteCode::field_too_tight, d.tight, d.tight_at);
+    if (d.given_up > 0.01 * surface::area(s)) note(NoteCode::field_given_up, d.given_up, d.tight_at);
+    if (wanted.unknown > 0) note(NoteCode::direction_unknown, wanted.unknown, wanted.unknown_at);
 }
 
 // Lines eased to a radius, as far as their corridor allows.

@@ -164,8 +164,7 @@ void add(const Surface& s, const Line& straight, surface::Sources& to, Notes& no
             to.segments.push_back({from.triangle, from.point, line[(i + 1) % n]});
     }
     const Vec3 at = line[n / 2];
-    notes.push_back(
-        {"", "closed surface opened along a seam", surface::curve::length(line), "mm", 1, -1, at.x, at.y, at.z});
+    notes.push_back({NoteCode::surface_opened, surface::curve::length(line), 1, -1, at.x, at.y, at.z});
 }
 
 } // namespace

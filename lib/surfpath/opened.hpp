@@ -11,7 +11,7 @@ namespace filum::surfpath {
 //   farthest, and from that the farthest again;
 // - on one with handles, a loop that does not divide it: of the shortest through each of some points far from each
 //   other the shortest, straightened.
-// Each is told with its length, mm, and the place of its middle: "closed surface opened along a seam".
+// Each is told with its length, mm, and the place of its middle: NoteCode::surface_opened.
 surface::Sources seams(const surface::Sheet& sheet, Notes& notes);
 
 } // namespace filum::surfpath

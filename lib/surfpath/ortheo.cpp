@@ -121,7 +121,7 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
     fact(out, "cuts", out.strokes.empty() ? 0 : out.strokes.size() - 1);
     for (const strands::Strands::Short& left : found.left_out) {
         const Vec3 p = fronts.place(left.level, left.spot).point;
-        Note note{.stage = "", .what = "line left out: too short", .amount = left.length, .unit = "mm"};
+        Note note{.code = NoteCode::line_too_short, .amount = left.length};
         note.x = p.x;
         note.y = p.y;
         note.z = p.z;

@@ -100,13 +100,11 @@ void tell_trims(const Flange& flange, double depth, Plan& plan) {
     plan.facts.push_back({"", "trims", static_cast<double>(found.all.size()), ""});
     plan.facts.push_back({"", "outside", found.outside, "mm"});
     for (const auto& lid : flange.lids)
-        plan.notes.push_back({"",
-                              lid.notch ? "notch laid over, to be cut out: no room in it for turns"
-                                        : "hole laid over, to be cut out: no room in it for turns",
-                              lid.area, "mm2", 1, -1, lid.middle.x, lid.middle.y, lid.middle.z});
+        plan.notes.push_back({lid.notch ? NoteCode::notch_covered : NoteCode::hole_covered, lid.area, 1, -1,
+                              lid.middle.x, lid.middle.y, lid.middle.z});
     if (flange.least < depth)
-        plan.notes.push_back({"", "less room outside for turns: another part of the rim is near", flange.least, "mm", 1,
-                              -1, flange.least_at.x, flange.least_at.y, flange.least_at.z});
+        plan.notes.push_back(
+            {NoteCode::outside_narrow, flange.least, 1, -1, flange.least_at.x, flange.least_at.y, flange.least_at.z});
 }
 
 } // namespace filum::surfpath

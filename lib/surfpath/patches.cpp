@@ -10,7 +10,7 @@ namespace filum::surfpath {
 namespace {
 
 Note unplanned(const surface::Sheet& sheet) {
-    Note out{.stage = "", .what = "patch without a plan", .amount = surface::area(sheet.surface), .unit = "mm2"};
+    Note out{.code = NoteCode::patch_unplanned, .amount = surface::area(sheet.surface)};
     const Vec3& p = sheet.surface.vertices.front();
     out.x = p.x;
     out.y = p.y;
@@ -60,7 +60,7 @@ Patches each_patch(std::span<const surface::Sheet> sheets, const Algorithms& alg
     });
     for (std::size_t k = 0; k < sheets.size(); ++k) {
         for (Note& note : out.plans[k].notes) {
-            if (several) note.what += " on patch " + spoken(sheets, k);
+            if (several) note.patch = spoken(sheets, k);
             out.notes.push_back(std::move(note));
         }
         for (Fact& fact : out.plans[k].facts) {

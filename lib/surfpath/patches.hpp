@@ -28,7 +28,7 @@ struct Patches {
 
 // Every surface planned by `plan(k)`, on `threads` threads.  Of several surfaces, facts are named "patch.PATCH.FACT",
 // notes end with "on patch PATCH", and errors begin with "patch 'PATCH':".  A surface without an algorithm has an empty
-// plan and a note, "patch without a plan", with its area and place.  The first error, by patches, is thrown.
+// plan and a note, NoteCode::patch_unplanned, with its area and place.  The first error, by patches, is thrown.
 Patches each_patch(std::span<const surface::Sheet> sheets, const Algorithms& algorithms, int threads,
                    const std::function<plan::Plan(std::size_t)>& plan);
 

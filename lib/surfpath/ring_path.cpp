@@ -56,7 +56,7 @@ void tell_apart(const Surface& s, const rings::Rings& made, Plan& plan) {
     const auto shortest = std::min_element(plan.strokes.begin(), plan.strokes.end(),
                                            [&](const auto& a, const auto& b) { return length(a) < length(b); });
     const Vec3 at = shortest->pieces[0].line[0];
-    plan.notes.push_back({"", "ring not joined", static_cast<double>(apart), "rings", apart, -1, at.x, at.y, at.z});
+    plan.notes.push_back({NoteCode::ring_unjoined, static_cast<double>(apart), apart, -1, at.x, at.y, at.z});
 }
 
 } // namespace

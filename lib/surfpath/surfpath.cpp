@@ -110,8 +110,8 @@ void finish(const Surface& surface, Plan& plan, const Options& o) {
     plan.facts.push_back({"", "hairpin-length", tight.declared, "mm"});
     if (std::isfinite(tight.least)) plan.facts.push_back({"", "least-radius", tight.least, "mm"});
     if (tight.count > 0)
-        plan.notes.push_back({"", "turn tighter than the least radius", tight.length, "mm", tight.count, -1, tight.at.x,
-                              tight.at.y, tight.at.z});
+        plan.notes.push_back(
+            {NoteCode::bend_too_tight, tight.length, tight.count, -1, tight.at.x, tight.at.y, tight.at.z});
     plan::tell_cover(surface, plan, o.spacing, o.part);
 }
 

@@ -11,7 +11,7 @@ Lengths are mm, angles rad, times s, stresses MPa; options in degrees are named 
 with its own message: UsageError, InputError, Truncated, FileError, WorkError, all of them filum.Error.
 """
 from . import errors, plot, programs
-from .data import (Area, AreaKind, Curve, Fact, Feature, Field, Isolines, Join, Layer, Line, Loops, Note, Overlap, Paths,
+from .data import (Area, AreaKind, Curve, Fact, Feature, Field, Grade, Isolines, Join, Layer, Line, Loops, Note, Overlap, Paths,
                    Pattern, Payload, Region, RegionClass, Retraction, Role, Run, Setting, Sources, Span, Surface)
 from .errors import Error, FileError, InputError, Truncated, UsageError, WorkError
 from .pipeline import Pipeline, begin

@@ -15,14 +15,18 @@ from .surface import Field, Isolines, Sources, Surface
 
 Payload = enum.IntEnum("Payload", stream_pb2.Payload.items())
 Payload.__doc__ = "What a stream carries: LAYERS, REGIONS, PATHS, TOOLPATH or SURFACE."
-_ENUMS = {e.__name__: e for e in (AreaKind, Feature, Join, Pattern, Payload, RegionClass, Retraction, Role)}
+Grade = enum.IntEnum("Grade", stream_pb2.Grade.items())
+Grade.__doc__ = "How much a note matters: HARMLESS, LOOK, WILL_FAIL; GRADE_UNKNOWN counts as LOOK."
+_ENUMS = {e.__name__: e for e in (AreaKind, Feature, Grade, Join, Pattern, Payload, RegionClass, Retraction, Role)}
 
 
 @dataclasses.dataclass(eq=False)
 class Note:
     """Something a stage dropped, repaired, merged or could not place.
 
-    stage, what: who says it, and a short fixed phrase
+    stage, what: who says it, and its sentence; of a note of your own a short fixed phrase
+    code, grade: what it is about, as docs/notes.md has it ("" for a note of your own, or a code of your own); a Grade
+    detail, patch: what the sentence names, and the patch that it is about
     amount, unit, count: how much in all, over how many cases
     layer: -1 if it is no layer's
     x, y, z: mm, the worst case; nan if nowhere, z None if the layer says how high
@@ -38,6 +42,10 @@ class Note:
     x: float = math.nan
     y: float = math.nan
     z: float = None
+    code: str = ""
+    grade: Grade = Grade.GRADE_UNKNOWN
+    detail: str = ""
+    patch: str = ""
 
 
 @dataclasses.dataclass(eq=False)

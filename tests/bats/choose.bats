@@ -68,9 +68,9 @@ facts() { peek "$1" | sed -n "s/^fact *$2: //p"; }
     expect 1 choose --spacing 2 --min-radius 1 --finals 1 mixed --output chosen
     [[ $err == *"'small'"* && $err != *"'left'"* ]]
     peek --check chosen
-    peek chosen | grep -q 'note .*no path found on patch small'
+    peek chosen | grep -q 'note .*no algorithm found a path for .*on patch small'
     expect 0 surfpath --spacing 2 --min-radius 1 chosen --output path
-    [[ $err == *'patch without a plan on patch small'* ]]
+    [[ $err == *'patch without an algorithm and stay empty, on patch small'* ]]
 }
 
 @test "what works on one surface refuses several" {

@@ -51,8 +51,8 @@ said() { peek "$1" | sed -n "s/^fact  *collide: $2 \([^ ]*\).*/\1/p"; }
     [[ $err == *' nozzle meets the beads '* ]]
     collide towers.toolpath --cone-height 30 --cone-angle 20 --carriage 5,5 > /dev/null
     expect 0 collide towers.toolpath --cone-height 3 --strict=false --places places.tsv --output fat.toolpath
-    [[ $err == 'collide: head meets the beads: '* ]]
-    peek fat.toolpath | grep -q 'note.*head meets the beads'
+    [[ $err == 'collide: will fail: the head meets beads '* ]]
+    peek fat.toolpath | grep -q 'note.*head-meets-beads'
     [[ $(said fat.toolpath colliding-moves) == "$(tail -n +2 places.tsv | cut -f 1 | sort -un | wc -l)" ]]
     head -n 1 places.tsv | grep -qx "point	layer	stroke	move	meets	with	clearance	x	y	z	i	j	k"
     awk -F '\t' 'NR > 1 && !($5 == "beads" && $6 == "carriage" && $7 < -0.05) { exit 1 }' places.tsv

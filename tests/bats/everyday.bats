@@ -147,7 +147,7 @@ strokes_of() { metrics --format tsv "$1" | awk '$1 == "strokes" || $2 == "stroke
     slice project.3mf 2> said | regions --quiet -o p.regions
     [[ $(< said) == *'that changes settings left out'* ]]
     skins --walls 3 --modifier project.3mf p.regions -o p.skins 2> said
-    [[ $(< said) == *"setting 'fuzzy_skin=all' of a project's modifier left out"* && $(< said) != *extrusion_width* ]]
+    [[ $(< said) == *"setting 'fuzzy_skin=all' of a project's modifier was ignored"* && $(< said) != *extrusion_width* ]]
     [[ -n $(peek p.skins | value modifier-1-infill-spacing) ]]
     peek --text p.skins | grep -q 'area kind zone'
     # paint, in two of twelve triangles, looks down over 35 x 24 mm of air
@@ -221,9 +221,9 @@ strokes_of() { metrics --format tsv "$1" | awk '$1 == "strokes" || $2 == "stroke
     filum print table.stl --infill 20% --support --quiet --machine marlin -o table.gcode
     [ -s table.gcode ]
     slice table.stl | regions -o hanging.regions
-    peek --text hanging.regions | grep -q "^note stage regions what 'material in mid-air"
+    peek --text hanging.regions | grep -q '^note stage regions .* code '*overhang'
     skins hanging.regions | supports --support --beside 0.4 | peek --text > whole.text
-    [[ $(grep -c 'mid-air' whole.text) == 0 ]] # it hangs no more
+    [[ $(grep -c "code '*overhang" whole.text) == 0 ]] # it hangs no more
     skins hanging.regions | supports --support -o table.regions
     peek --text table.regions | grep 'mid-air' > beside
     grep -q '^note stage supports .*longest bridge 1[. ]' beside # from the legs to the columns
@@ -252,7 +252,7 @@ strokes_of() { metrics --format tsv "$1" | awk '$1 == "strokes" || $2 == "stroke
 }
 
 # hanging: mm2 that hang in the air, as the stream on standard input tells it.
-hanging() { peek --text | sed -n "s/^note .*'material in mid-air[^']*' amount \([0-9.]*\).*/\1/p"; }
+hanging() { peek --text | sed -n "/ code '*overhang/s/^note .* amount \([0-9.]*\).*/\1/p"; }
 
 @test "what supports leave in the air is told" {
     # on the bed only: over a block none stand

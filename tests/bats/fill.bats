@@ -32,8 +32,8 @@ setup() {
 @test "a least radius is kept or its exceptions are reported, and none changes nothing" {
     run --separate-stderr fill --min-radius 0.5 part.regions -o round.paths
     [ "$status" -eq 0 ]
-    [[ "$stderr" == *"left open for the least radius"* ]]
-    [[ "$stderr" == *"turn tighter than the least radius"* ]]
+    [[ "$stderr" == *area-left-for-radius* ]]
+    [[ "$stderr" == *turn-too-tight* ]]
     fill part.regions -o usual.paths
     fill --min-radius 0 part.regions -o none.paths
     cmp usual.paths none.paths

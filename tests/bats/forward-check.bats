@@ -14,7 +14,7 @@ check() { "$BATS_TEST_DIRNAME/../../scripts/forward-check" --out "$BATS_TEST_TMP
     echo "$output"
     [ "$status" -eq 0 ]
     [ "$(grep -c ' ok$' <<< "$output")" -eq 4 ]
-    grep -q "stroke broken to unwind the axes" "$BATS_TEST_TMPDIR/out/linuxcnc-head-head-joints-cone.txt"
+    grep -q stroke-unwound "$BATS_TEST_TMPDIR/out/linuxcnc-head-head-joints-cone.txt"
 }
 
 @test "tool frames of robots" {

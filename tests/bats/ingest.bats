@@ -93,7 +93,7 @@ END
     same flags.gcode
     printf "${begin}G10 L2 P1 X100\nG54\n${bead}" > origin.gcode
     ingest origin.gcode -o origin.toolpath 2> said
-    grep -q 'origins moved by G10' said
+    grep -q 'origin moved by G10' said
     peek --json origin.toolpath | grep -q '"name":"retractions"[^}]*"value":0\b'
     local line
     for line in 'G43.4 H1' M128 'G68 R30' 'G51 X2' 'G1 X40 U10 E1' 'G1 X40 A10 E1'; do
@@ -125,7 +125,7 @@ END
     ingest one.gcode -o one.toolpath
     ingest two.gcode -o two.toolpath
     ingest both.gcode.3mf -o read.toolpath 2> said
-    grep -q 'other plates' said
+    grep -q 'plate-program-ignored' said
     metrics --format tsv read.toolpath | grep -v '^said\|^noted' > read.tsv
     metrics --format tsv one.toolpath | grep -v '^said\|^noted' | diff - read.tsv
     ingest -q --plate 12 both.gcode.3mf -o read.toolpath

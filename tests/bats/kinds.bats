@@ -75,8 +75,8 @@ sampled() {
     for plan in hybrid "field --angle 30"; do
         # shellcheck disable=SC2086
         surfpath $plan --spacing 90 face.surface -o face.toolpath 2> said
-        grep -q "surface without a row: narrower than the spacing" said
-        grep -q "not covered" said
+        grep -q surface-too-narrow said
+        grep -q area-bare said
     done
 }
 

@@ -81,7 +81,7 @@ figure() { awk -F '\t' -v key="$1" '$1 == key { print $2 }' dome.tsv; }
     printf '3 3 0\n13 3 0\n13 13 0\n3 13 0\n' > square.txt
     printf 'angle height within\n0 0.2 all\n0 0.2 square.txt\n90 0.2 square.txt\n90 0.2 all\n' > plies.txt
     laminate --table plies.txt --spacing 1 --min-radius 0.5 --ramp 1:10 --map dome.map dome.surface -o dome.toolpath 2> said
-    grep -q 'edge of a ply moved within, for the ramp' said
+    grep -q 'edge-moved' said
     metrics --surface dome.map --map again.map --format tsv dome.toolpath > dome.tsv
     [ "$(figure plies)" = 4 ]
     awk -v a="$(figure said.laminate.ply.2.area)" -v b="$(figure said.laminate.ply.3.area)" \

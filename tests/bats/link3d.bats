@@ -79,7 +79,7 @@ stops() {
     slice part.stl | regions | sequence | fill --pattern contour > part.paths
     run --separate-stderr link3d --reach 0 part.paths -o part.toolpath
     [ "$status" -eq 0 ]
-    [[ "$stderr" == *"join broken"* ]]
+    [[ "$stderr" == *"[join-"* ]]
     program part.toolpath
     [ "$(stops)" -gt 1 ]
 }
@@ -152,7 +152,7 @@ figure() { metrics "$1" | sed -n "s/^  $2  *\([0-9.]*\).*/\1/p" | head -1; }
     paths --order layers
     run --separate-stderr link3d --connect outside part.paths -o outside.toolpath
     [ "$status" -eq 0 ]
-    [[ "$stderr" == *"connector to be trimmed: 5 cases"* ]]
+    [[ "$stderr" == *"5 connectors are to be trimmed off"* ]]
     program outside.toolpath
     [ "$(stops)" -eq 0 ]
     [ "$(figure outside.toolpath 'joins by connector')" -eq 5 ]

@@ -29,7 +29,7 @@ value() { peek "$2" | awk -v n="$1" '$1 == "fact" && $2 == "partition:" && $3 ==
 
 @test "a box falls into its faces, and what is too small is said" {
     expect 0 partition part.surface --min-area 20 --output box.patches
-    [[ $err == "partition: face too small for a patch left out: 4 cases, 36 mm2 at "* ]]
+    [[ $err == "partition: look: 36 mm2 of faces too small for a patch of their own were dropped (4 faces); worst at "* ]]
     [ "$(value patches box.patches)" = 2 ]
     [ "$(value patch.A.area box.patches)" = 81 ]
     expect 0 partition part.surface --min-area 5 --output box.patches
@@ -114,7 +114,7 @@ value() { peek "$2" | awk -v n="$1" '$1 == "fact" && $2 == "partition:" && $3 ==
 @test "lines of a file are borders" {
     printf '4 -1 0\n6 11 0\n' > seam.txt
     expect 0 partition plate.surface --by shape --seam seam.txt --output seam.patches
-    [[ $err == "partition: seam moved to the surface: 1 case, 1 mm" ]]
+    [[ $err == "partition: look: 1 seam was moved to the surface, by up to 1 mm;"* ]]
     [ "$(value patches seam.patches)" = 2 ]
     awk -v a="$(value patch.B.area seam.patches)" 'BEGIN { exit !(a > 49 && a < 51) }'
     expect 5 partition plate.surface --seam no-such-file

@@ -112,7 +112,7 @@ END
     complaint route
     [[ $err == *' meets the part'*'(layer '* && ! -e result ]]
     expect 0 route towers.toolpath "${head[@]}" --part above.stl --strict=false --places places.tsv --output result
-    [[ $err == 'route: head meets the part: '* ]]
+    [[ $err == 'route: will fail: the head meets the part '* ]]
     [[ $(said result route colliding-moves) == "$(tail -n +2 places.tsv | cut -f 1 | sort -un | wc -l)" ]]
     cmp <(beads towers.toolpath) <(beads result)
 }

@@ -27,7 +27,7 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     expect 0 peek --check walls.paths
     expect 0 peek walls.paths
     [[ $out =~ payload\ +Paths && $out =~ run\ 3\ +walls\ 1\ after\ 2 ]]
-    [[ $out =~ curve\ +5 && $out == *'walls: inside left empty: 5 cases'* ]]
+    [[ $out =~ curve\ +5 && $out == *'walls: look: inside left empty: 5 cases'* ]]
 }
 
 @test "the chain prints with it" {

@@ -30,9 +30,9 @@ PY
 
 @test "a negative volume is cut away, and what is left has its own height" {
     project part.3mf '<config><object id="1"><volume firstid="12" lastid="23"><metadata key="volume_type" value="NegativeVolume"/></volume></object></config>'
-    run slice part.3mf -o part.layers
+    run slice --notes all part.3mf -o part.layers
     [ "$status" -eq 0 ]
-    [[ "$output" == *"negative body of a slicer's project cut away: 1 case"* ]]
+    [[ "$output" == *"1 negative body of the slicer's project was cut away"* ]]
     [ "$(peek --text part.layers | grep -c '^layer')" -eq 75 ]
     peek --text part.layers | grep '^layer' | tail -1 | grep -q 'z 15 '
 }

@@ -1,7 +1,7 @@
 """What commands say about their options, by --print-contract, and values to try them with."""
 import subprocess
 
-COMMON = {"output", "threads", "quiet", "help", "version"}
+COMMON = {"output", "threads", "quiet", "notes", "help", "version"}
 
 
 class Option:

@@ -229,7 +229,7 @@ void measure_doubles(const std::vector<Chain>& chains, const Pieces& path, const
 
 bool told(const Notes& notes, const std::string& word) {
     return std::any_of(notes.begin(), notes.end(),
-                       [&](const Note& n) { return n.what.find(word) != std::string::npos; });
+                       [&](const Note& n) { return code_name(n).find(word) != std::string::npos; });
 }
 
 } // namespace
@@ -269,19 +269,19 @@ std::vector<std::string> faults(const Surface& s, const std::vector<Span>& spans
             if (!std::isfinite(norm(p))) return {"a point is no number"};
     for (const Note& n : notes)
         if (!std::isfinite(n.amount) || n.amount < 0 || n.amount > 1e9 || n.count > 1'000'000)
-            out.push_back("note '" + n.what + "' says " + number(n.amount) + ", " + std::to_string(n.count) + " cases");
+            out.push_back("note '" + code_name(n) + "' says " + number(n.amount) + ", " + std::to_string(n.count) +
+                          " cases");
     if (j.jump > 1e-6) out.push_back("a span begins " + number(j.jump) + " mm from where one ended");
     if (asked.on_surface && j.off > 0.02)
         out.push_back("off the surface by " + number(j.off) + " mm at " + place(j.off_at));
-    if (j.overlap > 0.055 && !told(notes, "laid twice")) out.push_back("overlap " + number(j.overlap) + " is not told");
-    if (j.bare > 0.015 && !told(notes, "no line within a spacing"))
-        out.push_back("bare " + number(j.bare) + " is not told");
-    if (j.covered < 0.945 && !told(notes, "not covered"))
-        out.push_back("covered " + number(j.covered) + " is not told");
+    if (j.overlap > 0.055 && !told(notes, "area-doubled"))
+        out.push_back("overlap " + number(j.overlap) + " is not told");
+    if (j.bare > 0.015 && !told(notes, "no-line-near")) out.push_back("bare " + number(j.bare) + " is not told");
+    if (j.covered < 0.945 && !told(notes, "area-bare")) out.push_back("covered " + number(j.covered) + " is not told");
     if (j.undeclared > 0)
         out.push_back("tight for " + number(j.undeclared) + " mm undeclared, first at " + place(j.undeclared_at) +
                       ", least radius " + number(j.least_radius));
-    if (j.tight > 0.5 && !told(notes, "tighter")) out.push_back("tight for " + number(j.tight) + " mm, no note");
+    if (j.tight > 0.5 && !told(notes, "too-tight")) out.push_back("tight for " + number(j.tight) + " mm, no note");
     if (asked.rings && j.doubled > 0.02 * j.length + 2 * asked.spacing)
         out.push_back("rings lie on each other for " + number(j.doubled) + " of " + number(j.length) +
                       " mm, first at " + place(j.doubled_at));

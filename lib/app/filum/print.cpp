@@ -63,6 +63,38 @@ void keep_wished(const std::vector<std::string>& words, Request& request, std::v
     }
 }
 
+// The options that a first print needs; their defaults are the stages'.
+struct FirstOption {
+    const char *name, *unit, *help;
+};
+constexpr FirstOption kFirstOptions[] = {
+    {"machine", "NAME", "the machine: see filum machines"},
+    {"layer-height", "MM", "height of a layer"},
+    {"bead-width", "MM", "width of a bead: usually that of the nozzle"},
+    {"infill", "PERCENT", "how much of the inside is filled; 100%: one unbroken curve without skins"},
+    {"walls", "N", "walls about sparse infill"},
+    {"top", "N", "solid layers under a top surface; --bottom above a lower one"},
+    {"support", "", "supports under overhangs"},
+    {"brim", "MM", "width of a brim about the first layer"},
+    {"copies", "N", "how many of each part to pack on the bed"},
+    {"scale", "FACTOR", "size: 1.5 or 150%; --rotate 45 turns"},
+};
+
+std::string first_options(const std::vector<Stage>& stages) {
+    constexpr std::size_t column = 24;
+    std::string out = "options that a first print needs:\n";
+    for (const FirstOption& first : kFirstOptions) {
+        std::string line = std::string("  --") + first.name + " " + first.unit;
+        line.resize(std::max(line.size() + 2, column), ' ');
+        std::string value;
+        for (const Stage& s : stages)
+            for (const StageOption& o : s.options)
+                if (o.name == first.name && value.empty()) value = o.value;
+        out += line + first.help + (value.empty() ? "" : " [" + value + "]") + "\n";
+    }
+    return out + "\n";
+}
+
 std::string print_help(const std::vector<Stage>& stages) {
     std::string out = "usage: filum print [OPTIONS] [MESH...]\n\n"
                       "Runs the planar chain, all stages at once, and writes machine code:\n\n   ";
@@ -71,16 +103,17 @@ std::string print_help(const std::vector<Stage>& stages) {
         out += by_wish(s) ? "[" + s.name + "]" : s.name;
     }
     out +=
-        "\n\nA stage in brackets takes part where an option is given that it alone has.\nAn option goes to every stage "
+        "\n\n" + first_options(stages) +
+        "A stage in brackets runs only if you use one of its own options.\nAn option goes to every stage "
         "that has it; --STAGE.OPTION goes to that stage alone and wins there.\n"
         "--machine also tells the stages before whose head to keep clear of, unless --head says another.\n"
         "Several parts, or --copies, are packed on one bed; see filum help slice.\n"
-        "On a terminal it shows the slowest stage, and at the end in five lines what was made; the same lines stand\n"
+        "On a terminal it shows the slowest stage, and at the end in a few lines what was made; the same lines stand\n"
         "first in the program.\n"
         "If a stage fails, the exit code is its own, and no file appears.\n\n"
         "  -o, --output FILE   where to write\n"
         "  --load FILE         settings of PrusaSlicer, OrcaSlicer or Bambu Studio (.ini, .json, or a project, .3mf):\n"
-        "                      what of them has a meaning here; the rest is told.\n"
+        "                      Filum applies the settings it knows and lists those it ignores.\n"
         "                      Options win over it. Options by slicers' names are taken, too: --fill-density 15%,\n"
         "                      --temperature 210, --rotate 45, --scale 150%\n"
         "  --keep FOLDER       keep the stream of every stage there: 1-slice.layers, 2-regions.regions, ...\n"
@@ -88,12 +121,13 @@ std::string print_help(const std::vector<Stage>& stages) {
         "  --stage NAME=FILE   your own program in place of a stage, as fill=./mine; several times for several\n"
         "  --picture FILE      a picture of the toolpath, too: FILE as render's --output\n"
         "  -q, --quiet         no warnings\n"
+        "      --notes WHICH   which notes to say: all, also harmless ones; look; will-fail [look]\n"
         "  --dry-run           print the pipeline instead of running it\n\noptions of the stages:\n";
     for (const auto& s : stages) {
         out += "  " + s.name + ":";
         for (const auto& o : s.options)
-            if (o.name != "output" && o.name != "threads" && o.name != "quiet" && o.name != "help" &&
-                o.name != "version")
+            if (o.name != "output" && o.name != "threads" && o.name != "quiet" && o.name != "notes" &&
+                o.name != "help" && o.name != "version")
                 out += " --" + o.name;
         out += "\n";
     }
@@ -184,6 +218,12 @@ std::vector<std::string> names_of(const std::vector<Stage>& stages) {
     return out;
 }
 
+// Nobody pipes a part to it: it is a terminal, /dev/null, or closed.
+bool stdin_is_empty() {
+    struct stat about {};
+    return ::fstat(STDIN_FILENO, &about) != 0 || S_ISCHR(about.st_mode);
+}
+
 // Puts the programs that --stage names in place of the stages.
 void swap(const std::vector<std::string>& words, std::vector<Stage>& stages) {
     const std::string option = "--stage";
@@ -236,6 +276,9 @@ int print_part(const std::vector<std::string>& typed) {
     std::vector<Stage> stages;
     for (const char* name : kPlanar) stages.push_back(ask(name));
     if (!typed.empty() && (typed[0] == "--help" || typed[0] == "-h")) return tell(print_help(stages));
+    if (typed.empty() && stdin_is_empty())
+        throw Error(Exit::usage, "cannot print without a part; as in 'filum print part.stl -o part.gcode'; see 'filum "
+                                 "print --help'");
     const Translated ours = translated(typed, stages);
     const auto& words = ours.words;
     swap(words, stages);
@@ -257,10 +300,13 @@ int print_part(const std::vector<std::string>& typed) {
     const bool talks = ::isatty(STDERR_FILENO) != 0 && !request.quiet;
     Kept kept(request, stages);
     if (talks) commands.back().push_back("--summary=" + kept.summary());
+    // A program of the user's own at the end knows nothing of the notes of the stages before.
+    const Speakers speakers =
+        stages.back().program == stage_program(stages.back().name) ? Speakers::last : Speakers::each;
     const ino_t before = number_of(request.output);
     try {
-        const auto ended =
-            talks ? run_watched(commands, kept.files(), names_of(stages)) : run_piped(commands, kept.files());
+        const auto ended = talks ? run_watched(commands, kept.files(), names_of(stages), speakers)
+                                 : run_piped(commands, kept.files(), {}, speakers);
         if (const int code = judge(ended, stages); code != 0) return code;
         finish(request, kept);
     } catch (const Error&) {

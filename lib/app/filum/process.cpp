@@ -46,23 +46,30 @@ void close_if_open(int& fd) {
     fd = -1;
 }
 
+// Where in a chain a child stands.
+struct Place {
+    bool chained = false;        // it reads from a stage whose own failure is reported
+    const char* notes = nullptr; // FILUM_NOTES: "later" if the last stage says its notes, "all" if it says those of all
+};
+
 // The child's side of a fork: only what is allowed between fork and exec.
-[[noreturn]] void start(char** argv, pid_t parent, int in, int out, bool chained) {
+[[noreturn]] void start(char** argv, pid_t parent, int in, int out, const Place& place) {
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (::getppid() != parent) ::_exit(1); // it died before we asked
     if (in >= 0) ::dup2(in, STDIN_FILENO);
     if (out >= 0) ::dup2(out, STDOUT_FILENO);
-    if (chained) ::setenv("FILUM_CHAIN", "1", 1);
+    if (place.chained) ::setenv("FILUM_CHAIN", "1", 1);
+    if (place.notes != nullptr) ::setenv("FILUM_NOTES", place.notes, 1);
     ::execvp(argv[0], argv);
     ::_exit(127);
 }
 
-pid_t spawn(const Command& command, int in, int out, bool chained) {
+pid_t spawn(const Command& command, int in, int out, const Place& place) {
     auto argv = arguments(command);
     const pid_t parent = ::getpid();
     const pid_t pid = ::fork();
     if (pid < 0) fail("start '" + command[0] + "'");
-    if (pid == 0) start(argv.data(), parent, in, out, chained);
+    if (pid == 0) start(argv.data(), parent, in, out, place);
     return pid;
 }
 
@@ -91,7 +98,7 @@ std::string output_of(const Command& command, bool silently) {
     int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC); // who does not know the question may wait for input
     const pid_t pid =
         spawn(silently ? Command{"/bin/sh", "-c", "exec \"$0\" \"$@\" 2>/dev/null", command[0], command[1]} : command,
-              nothing, pipe.write, false);
+              nothing, pipe.write, {});
     close_if_open(nothing);
     close_if_open(pipe.write);
     std::string out;
@@ -120,26 +127,27 @@ struct Children {
     std::vector<bool> copies;
 };
 
-Children start_all(const std::vector<Command>& commands, const std::vector<std::string>& copies) {
+Children start_all(const std::vector<Command>& commands, const std::vector<std::string>& copies, Speakers speakers) {
     Children out;
     int in = -1;
-    const auto add = [&](const Command& command, bool last, bool chained, bool copy) {
+    const auto add = [&](const Command& command, bool last, const Place& place, bool copy) {
         int to = -1, next = -1;
         if (!last) {
             const Pipe pipe;
             to = pipe.write;
             next = pipe.read;
         }
-        out.pids.push_back(spawn(command, in, to, chained));
+        out.pids.push_back(spawn(command, in, to, place));
         out.copies.push_back(copy);
         close_if_open(in);
         close_if_open(to);
         in = next;
     };
     for (std::size_t i = 0; i < commands.size(); ++i) {
-        add(commands[i], i + 1 == commands.size(), i > 0, false);
+        const bool last = i + 1 == commands.size();
+        add(commands[i], last, {i > 0, speakers == Speakers::each ? nullptr : last ? "all" : "later"}, false);
         if (i + 1 < commands.size() && i < copies.size() && !copies[i].empty())
-            add({kTee, copies[i]}, false, true, true);
+            add({kTee, copies[i]}, false, {true}, true);
     }
     return out;
 }
@@ -147,8 +155,8 @@ Children start_all(const std::vector<Command>& commands, const std::vector<std::
 } // namespace
 
 std::vector<Ended> run_piped(const std::vector<Command>& commands, const std::vector<std::string>& copies,
-                             const Look& look) {
-    const Children children = start_all(commands, copies);
+                             const Look& look, Speakers speakers) {
+    const Children children = start_all(commands, copies, speakers);
     std::vector<std::optional<Ended>> ended(children.pids.size());
     const auto all = [&] {
         return std::all_of(ended.begin(), ended.end(), [](const auto& e) { return e.has_value(); });

@@ -80,9 +80,10 @@ class Watch {
 } // namespace
 
 std::vector<Ended> run_watched(const std::vector<Command>& commands, const std::vector<std::string>& copies,
-                               const std::vector<std::string>& names) {
+                               const std::vector<std::string>& names, Speakers speakers) {
     Watch watch(names);
-    return run_piped(commands, copies, [&](const std::vector<bool>& ended) { watch.look(ended); });
+    return run_piped(
+        commands, copies, [&](const std::vector<bool>& ended) { watch.look(ended); }, speakers);
 }
 
 } // namespace filum::app::filum

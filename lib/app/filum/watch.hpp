@@ -12,6 +12,6 @@ namespace filum::app::filum {
 // is, and since when the chain runs.  Stages are told by the environment variable FILUM_PROGRESS where to write lines
 // "NAME DONE EXPECTED" (cli::Progress does).
 std::vector<Ended> run_watched(const std::vector<Command>& commands, const std::vector<std::string>& copies,
-                               const std::vector<std::string>& names);
+                               const std::vector<std::string>& names, Speakers speakers);
 
 } // namespace filum::app::filum

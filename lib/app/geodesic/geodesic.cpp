@@ -14,9 +14,8 @@ namespace {
 void tell_inward(const surface::Surface& s, Notes& notes) {
     const surface::Inward in = surface::inward(s);
     if (in.components > 0)
-        notes.push_back({"",
-                         "surface faces inwards or down, so it would be printed from there; turn it round with --flip",
-                         in.area, "mm2", in.components, -1, in.place.x, in.place.y, in.place.z});
+        notes.push_back(
+            {NoteCode::surface_faces_inwards, in.area, in.components, -1, in.place.x, in.place.y, in.place.z});
 }
 
 filum::geodesic::Sources sources(const Options& o, const Model& model, cli::Io& self, Notes& notes, Facts& facts) {

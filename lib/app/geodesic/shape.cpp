@@ -26,19 +26,13 @@ surface::Surface remeshed(const surface::Surface& s, const Shaping& how, Notes& 
         const double edge = side(how.remesh);
         const std::size_t thin = surface::stretched(s, edge);
         if (thin == 0) return surface::remesh(s, edge, notes);
-        notes.push_back(
-            {.stage = "",
-             .what = "long thin triangle: the surface is first cut as --remesh auto does it, within 0.02 mm",
-             .amount = 0,
-             .unit = "",
-             .count = thin});
+        notes.push_back({NoteCode::triangle_stretched, how.tolerance, thin});
         return surface::remesh(surface::fit::evened(s, {edge, how.tolerance}), edge, notes);
     }
     auto out = surface::fit::fitted(s, {how.longest, how.tolerance});
     facts.push_back({"", "remesh-off", out.off, "mm"});
     if (out.off > how.tolerance)
-        notes.push_back({"", "remeshed surface off by more than the tolerance", out.off, "mm", 1, -1, out.off_at.x,
-                         out.off_at.y, out.off_at.z});
+        notes.push_back({NoteCode::remesh_off, out.off, 1, -1, out.off_at.x, out.off_at.y, out.off_at.z});
     return std::move(out.surface);
 }
 
@@ -81,11 +75,11 @@ Facts shape(Model& model, const Shaping& how, const mesh::Placement& place, cli:
     if (!how.cut.empty() || !how.cut_mesh.empty() || remesh) model.of_file.clear(); // other vertices
     sheet.fields = surface::curve::transferred(sheet.surface, sheet.fields, now);
     sheet.faces = surface::curve::transferred_faces(sheet.surface, sheet.faces, now);
-    const auto gone = [&](const char* what, std::size_t count) {
-        if (count > 0) model.notes.push_back({.stage = "", .what = what, .amount = 0, .unit = "", .count = count});
+    const auto gone = [&](NoteCode code, std::size_t count) {
+        if (count > 0) model.notes.push_back({.code = code, .count = count});
     };
-    gone("isoline of the surface before dropped", sheet.isolines.size());
-    gone("source of the surface before dropped", sheet.sources.vertices.size() + sheet.sources.segments.size());
+    gone(NoteCode::isoline_dropped, sheet.isolines.size());
+    gone(NoteCode::source_dropped, sheet.sources.vertices.size() + sheet.sources.segments.size());
     sheet = {.surface = std::move(now),
              .fields = std::move(sheet.fields),
              .isolines = {},

@@ -62,7 +62,7 @@ void add_trims(const Laminate& made, std::size_t stroke, std::string& to) {
 // Of several surfaces each tells its own name.
 void gather(Laminate& made, const std::string& patch, cli::Whole& all) {
     for (Note& n : made.notes) {
-        n.what += patch.empty() ? "" : " on patch " + patch;
+        n.patch = patch;
         all.notes.push_back(std::move(n));
     }
     for (Fact& f : made.facts) {

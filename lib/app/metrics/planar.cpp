@@ -53,7 +53,7 @@ filum::metrics::figures::Figures planar(const filum::metrics::planar::Options& g
     }
     input.seconds = pace.seconds();
     if (!pace.why().empty())
-        input.notes.push_back({io.program, "print time not known: " + pace.why(), 0, "", 1, -1, NAN, NAN});
+        input.notes.push_back({.code = NoteCode::time_unknown, .detail = pace.why(), .stage = io.program});
     input.tools = pace.tools();
     const auto layers = filum::metrics::planar::measure_layers(beads, regions, options.pixel, io.threads);
     if (level) input.air = filum::metrics::planar::measure_air(beads, options.pixel, io.threads);

@@ -17,6 +17,12 @@ namespace filum::app::modifier {
 
 namespace {
 
+// Whether a note tells of a body of a slicer's project that reading its mesh leaves out.
+bool of_project(NoteCode code) {
+    return code == NoteCode::project_modifier || code == NoteCode::project_support_body ||
+           code == NoteCode::project_negative;
+}
+
 using filum::slice::Level;
 
 constexpr const char* kPlacement = "placement_map";
@@ -84,7 +90,7 @@ Placed load(const std::string& path, const stream::Header& header, Notes& notes)
         out.map = geom::then(to_unit, *map);
     }
     for (const Note& n : out.file.notes)
-        if (!n.what.starts_with(mesh::kOfProject)) notes.push_back(n); // what is left out is what is wanted here
+        if (!of_project(n.code)) notes.push_back(n); // the bodies that reading leaves out are wanted here
     return out;
 }
 
@@ -111,8 +117,7 @@ void tell_if_apart(const std::vector<polygon::Loops>& outlines, const std::vecto
         const polygon::Loops& here = outlines[r.layer];
         return !here.empty() && !polygon::intersect(here, r.loops).empty();
     });
-    if (!meets && !regions.empty())
-        notes.push_back({.stage = "", .what = "body meets nothing of the part", .unit = ""});
+    if (!meets && !regions.empty()) notes.push_back({.code = NoteCode::body_apart});
 }
 
 } // namespace

@@ -99,9 +99,11 @@ std::string json(const Summary& s) {
     const auto notes = array(s.notes, [](const Note& n) {
         std::string one = "{";
         member(one, "stage", json_text(n.stage));
-        member(one, "what", json_text(n.what));
+        member(one, "code", json_text(code_name(n)));
+        member(one, "grade", json_text(name(grade(n))));
+        member(one, "what", json_text(sentence(n)));
         member(one, "amount", number(n.amount));
-        member(one, "unit", json_text(n.unit));
+        member(one, "unit", json_text(unit(n)));
         member(one, "count", std::to_string(n.count));
         return one + "}";
     });

@@ -45,13 +45,11 @@ void add_record(Summary& s, const Record& record) {
 }
 
 void add_note(Summary& s, const Note& note) {
-    for (Note& sum : s.notes) {
-        if (sum.stage != note.stage || sum.what != note.what || sum.unit != note.unit) continue;
-        sum.amount += note.amount;
-        sum.count += note.count;
-        return;
-    }
-    s.notes.push_back(note);
+    const auto same = [&](const Note& sum) { return same_kind(sum, note); };
+    if (const auto sum = std::find_if(s.notes.begin(), s.notes.end(), same); sum != s.notes.end())
+        filum::add(*sum, note);
+    else
+        s.notes.push_back(note);
 }
 
 } // namespace

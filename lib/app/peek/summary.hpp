@@ -31,7 +31,7 @@ struct Summary {
     std::uint64_t points = 0;
     std::int64_t layers = 0, strokes = 0; // one more than the greatest index
     Facts facts;                          // as they come
-    Notes notes;                          // summed by stage, phrase and unit; in the order of their first case
+    Notes notes;                          // summed by stage and kind, in the order of their first case
 };
 
 // Adds a frame, of which `record` is the content.

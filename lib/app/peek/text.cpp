@@ -102,9 +102,7 @@ std::string text(const Summary& s) {
         out +=
             line("fact", f.stage + ": " + f.name + " " + fixed_text(f.value, 4) + (f.unit.empty() ? "" : " " + f.unit));
     for (const Note& n : s.notes)
-        out += line("note", n.stage + ": " + n.what + ": " + std::to_string(n.count) +
-                                (n.count == 1 ? " case" : " cases") +
-                                (n.unit.empty() ? "" : ", " + fixed_text(n.amount, 4) + " " + n.unit));
+        out += line("note", n.stage + ": " + std::string(name(grade(n))) + ": " + filum::line(n));
     return out;
 }
 

@@ -77,6 +77,12 @@ void check_outside(const stream::Header& header, const machine::Profile& profile
                                        "a path by " + run.program + " --turn-outside");
 }
 
+void say(const Notes& notes, const cli::Io& io) {
+    cli::Report report(io);
+    for (const Note& n : notes) report.add(n);
+    report.say();
+}
+
 void tell_idle(const filum::postproc::FirstPass& found, const cli::Io& io) {
     if (found.waits.count < found.pauses.count())
         io.idle("pause-at", std::to_string(found.pauses.count() - found.waits.count) +
@@ -119,13 +125,18 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     Facts facts;
     filum::postproc::Measure measure(profile, o.place, filum::postproc::parse_orient(o.orient), o.flatten,
                                      machine::parse_pauses(o.pause_at));
-    while (auto frame = reader.next()) {
-        if (frame->tag == stream::Tag::note) notes.push_back(stream::parse_note(frame->body));
-        if (frame->tag == stream::Tag::fact) facts.push_back(stream::parse_fact(frame->body));
-        if (frame->tag != stream::Tag::span) continue;
-        measure.add(wire::span(*frame));
-        spool.add(std::move(*frame));
-        progress.step();
+    try {
+        while (auto frame = reader.next()) {
+            if (frame->tag == stream::Tag::note) notes.push_back(stream::parse_note(frame->body));
+            if (frame->tag == stream::Tag::fact) facts.push_back(stream::parse_fact(frame->body));
+            if (frame->tag != stream::Tag::span) continue;
+            measure.add(wire::span(*frame));
+            spool.add(std::move(*frame));
+            progress.step();
+        }
+    } catch (const Error&) { // notes of the stages before may tell why one of them fails
+        say(notes, io);
+        throw;
     }
     Ahead ahead(profile, *measure.joins(), io.threads);
     for (; measure.again(); spool.rewind())
@@ -134,12 +145,14 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     first_pass.by_layer = filum::postproc::parse_by_layer(o.by_layer, profile);
     if (!profile.axes.active()) first_pass.parts = parts_on_bed(reader.header());
     tell_idle(first_pass, io);
-    cli::Report said(io);
-    for (const Note& n : filum::postproc::omissions(first_pass, io.program)) notes.push_back(n);
-    filum::postproc::add_waits(first_pass, io.program, notes);
-    filum::postproc::add_efforts(profile, first_pass, io.program, notes, facts);
-    for (const Note& n : notes) said.add(n);
-    said.say();
+    Notes own = filum::postproc::omissions(first_pass);
+    filum::postproc::add_waits(first_pass, own);
+    filum::postproc::add_efforts(profile, first_pass, io.program, own, facts);
+    for (Note& n : own) {
+        n.stage = io.program;
+        notes.push_back(std::move(n));
+    }
+    say(notes, io);
     if (!o.job.empty())
         cli::write_text(o.job, filum::metrics::figures::text(filum::postproc::job(profile, first_pass),
                                                              filum::metrics::figures::Format::tsv, "job"));
@@ -147,7 +160,7 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     const auto program = filum::postproc::writer(
         profile, first_pass, measure.program_shift(), [&](auto text) { file.write(text); }, modules.file());
     const auto told = filum::postproc::summary(profile, first_pass, measure.program_shift(), notes, facts);
-    auto about = filum::postproc::about(profile, first_pass, told);
+    auto about = filum::postproc::about(profile, first_pass, told, notes);
     if (!sizes.empty()) {
         add_pictures(sizes, thumbnails(spool, sizes, io.threads), file, about);
         spool.rewind();

@@ -104,11 +104,8 @@ Content content(const std::string& file, const machine::Profile& profile) {
             add_frame(out, *f, profile);
     }
     add(out, notes);
-    for (const Note& n : notes)
-        out.figures.push_back({n.stage + " notes", n.what,
-                               std::to_string(n.count) + " x" +
-                                   (std::isfinite(n.amount) && !n.unit.empty() ? ", " + fixed_text(n.amount, 3) : ""),
-                               n.unit});
+    for (const Note& n : summed(notes))
+        out.figures.push_back({"notes: " + std::string(name(grade(n))), n.stage, line(n), ""});
     add_history(out, reader.header());
     add_machine(out, profile);
     return out;

@@ -96,9 +96,7 @@ std::optional<std::string> in_our_words(std::string key, const std::string& valu
 }
 
 void tell_left_out(const std::string& key, const std::string& value, Notes& notes) {
-    std::string what = "setting '";
-    what.append(key).append("=").append(value).append("' of a project's modifier left out");
-    notes.push_back({.stage = "", .what = std::move(what), .unit = ""});
+    notes.push_back({.code = NoteCode::modifier_setting, .detail = key + "=" + value});
 }
 
 // All of them; notes tell those that are left out, but for widths that are 0, which slicers choose themselves.

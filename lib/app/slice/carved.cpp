@@ -120,7 +120,7 @@ Carved carve(const mesh::File& file, double hairline, double step, int threads, 
     };
     add(std::move(rest), {});
     for (auto& [item, meshes] : cut) add(std::move(meshes.first), std::move(meshes.second));
-    notes.push_back({.stage = "", .what = "negative body of a slicer's project cut away", .unit = "", .count = bodies});
+    notes.push_back({.code = NoteCode::project_negative_cut, .count = bodies});
     out.box = box_left(out, mesh::bounds(file.mesh), step, threads);
     return out;
 }

@@ -134,20 +134,13 @@ plate::Packed packed(const std::vector<plate::Thing>& things, const std::vector<
 void tell_spacing(const plate::Spacing& taken, const std::vector<plate::Spacing>& tries, Notes& notes) {
     if (taken.clear) return;
     const double wanted = std::max(tries.front().x, tries.front().y), got = std::max(taken.x, taken.y);
-    notes.push_back({.stage = "",
-                     .what = "parts stand nearer than the head is wide, so they grow together; they are apart by",
-                     .amount = std::min(wanted, got),
-                     .unit = "mm"});
+    notes.push_back({.code = NoteCode::parts_too_near, .amount = std::min(wanted, got)});
 }
 
 void tell_turned(const plate::Packed& packed, Notes& notes) {
     double turned = 0;
     for (const plate::Place& p : packed.place) turned += p.quarters == 0 ? 0 : 1;
-    if (turned > 0)
-        notes.push_back({.stage = "",
-                         .what = "parts turned by quarter turns, or not all would fit",
-                         .amount = turned,
-                         .unit = "parts"});
+    if (turned > 0) notes.push_back({.code = NoteCode::parts_turned, .amount = turned});
 }
 
 } // namespace

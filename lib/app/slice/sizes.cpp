@@ -18,9 +18,7 @@ constexpr double kHuge = 1000;         // mm: beyond what common machines reach
 constexpr double kTold = 0.02;         // of the volume
 constexpr double kRounding = 1e-6;     // mm
 
-Note unlikely(std::string what, double longest) {
-    return {.stage = "", .what = std::move(what), .amount = longest, .unit = "mm"};
-}
+Note unlikely(NoteCode code, double longest) { return {.code = code, .amount = longest}; }
 
 std::string spoken(const geom::Vec3& size) {
     return fixed_text(size.x, 2) + " x " + fixed_text(size.y, 2) + " x " + fixed_text(size.z, 2) + " mm";
@@ -41,10 +39,8 @@ bool fits(double x, double y, double z, const geom::Vec3& room) {
 void check_size(const mesh::Box3& box, bool unit_known, Notes& notes) {
     const geom::Vec3 size = box.hi - box.lo;
     const double longest = std::max({size.x, size.y, size.z});
-    if (longest < (unit_known ? kTiny : kInch))
-        notes.push_back(unlikely("part is very small; is its file in inches or metres? See --unit", longest));
-    if (longest > kHuge)
-        notes.push_back(unlikely("part is larger than most machines; is its unit right? See --unit", longest));
+    if (longest < (unit_known ? kTiny : kInch)) notes.push_back(unlikely(NoteCode::part_tiny, longest));
+    if (longest > kHuge) notes.push_back(unlikely(NoteCode::part_huge, longest));
 }
 
 void check_precision(const mesh::Mesh& mesh, Notes& notes) {
@@ -59,12 +55,7 @@ void check_precision(const mesh::Mesh& mesh, Notes& notes) {
     for (const auto& t : mesh.triangles) area += mesh::area(mesh, t);
     const double moved = area * step / 2, volume = std::abs(mesh::volume(mesh)); // half a step, all outwards
     if (!(moved > kTold * volume)) return;
-    notes.push_back({.stage = "",
-                     .what = "coordinates so far from the origin are rounded to " + shortest_text(step) +
-                             " units of the file; export the part near the origin, or volume may be wrong",
-                     .amount = moved,
-                     .unit = "mm3",
-                     .count = 1});
+    notes.push_back({.code = NoteCode::coordinates_rounded, .amount = moved, .detail = shortest_text(step)});
 }
 
 void check_bed(const mesh::Box3& box, const std::string& machine) {

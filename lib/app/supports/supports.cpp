@@ -79,8 +79,7 @@ void run(const Options& o, const cli::Io& io) {
     polygon::restore_layers(found, numbers);
     notes.insert(notes.end(), found.begin(), found.end());
     // what hung without supports; this stage tells what still does
-    if (options.carries())
-        std::erase_if(whole.notes, [](const Note& n) { return n.what.starts_with(regions::kMidAir); });
+    if (options.carries()) std::erase_if(whole.notes, [](const Note& n) { return regions::of_air(n.code); });
     whole.header.expected = all.size();
     cli::Output output(io, cli::header(self, stream::Payload::regions, {&whole.header}));
     output.pass_on(whole);

@@ -29,16 +29,8 @@ double length(std::span<const Vec3> points, bool closed) {
     return closed && points.size() > 1 ? open + distance(points.back(), points.front()) : open;
 }
 
-Note lines_note(const char* what, double mm, const Vec3& at) {
-    return {.stage = "",
-            .what = what,
-            .amount = mm,
-            .unit = "mm",
-            .count = 1,
-            .layer = -1,
-            .x = at.x,
-            .y = at.y,
-            .z = at.z};
+Note lines_note(NoteCode code, double mm, const Vec3& at) {
+    return {.code = code, .amount = mm, .count = 1, .layer = -1, .x = at.x, .y = at.y, .z = at.z};
 }
 
 std::vector<std::vector<Contour>> contours(const Surface& s, std::span<const double> values, double step, double least,
@@ -61,7 +53,7 @@ std::vector<std::vector<Contour>> contours(const Surface& s, std::span<const dou
         if (l >= least && piece.points.size() >= (piece.closed ? 3U : 2U))
             out[i - 1].push_back(std::move(piece));
         else if (l > kSame)
-            notes.push_back(lines_note("isocontour shorter than a step of the path left out", l, line.points[0]));
+            notes.push_back(lines_note(NoteCode::isocontour_short, l, line.points[0]));
     }
     while (!out.empty() && out.back().empty()) out.pop_back();
     return out;
@@ -88,14 +80,8 @@ void note_unreached(const Surface& s, std::span<const double> values, Notes& not
     }
     if (worst == surface::kNone) return;
     const Vec3& at = s.vertices[worst];
-    notes.push_back({.stage = "",
-                     .what = "component that no distance reaches left empty",
-                     .amount = area,
-                     .unit = "mm2",
-                     .count = count,
-                     .layer = -1,
-                     .x = at.x,
-                     .y = at.y});
+    notes.push_back(
+        {.code = NoteCode::component_unreached, .amount = area, .count = count, .layer = -1, .x = at.x, .y = at.y});
 }
 
 } // namespace filum::baselines::kipping2022

@@ -41,6 +41,6 @@ const std::vector<double>& distances(const surface::Sheet& sheet, const char* ne
 void note_unreached(const Surface& s, std::span<const double> values, Notes& notes);
 
 // A note of `mm` of lines around `at`.
-Note lines_note(const char* what, double mm, const Vec3& at);
+Note lines_note(NoteCode code, double mm, const Vec3& at);
 
 } // namespace filum::baselines::kipping2022

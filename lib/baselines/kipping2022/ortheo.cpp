@@ -52,7 +52,7 @@ class Level {
         const auto far = [&](const Vec3& p) { return lines.nearest(p, reach).index == surface::kNone; };
         const auto n = std::count_if(cloud_.points().begin(), cloud_.points().end(), far);
         if (n == 0) return {};
-        return lines_note("isocontours farther than the spacing from every line", static_cast<double>(n) * step_,
+        return lines_note(NoteCode::isocontours_far, static_cast<double>(n) * step_,
                           *std::find_if(cloud_.points().begin(), cloud_.points().end(), far));
     }
 

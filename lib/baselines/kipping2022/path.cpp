@@ -61,8 +61,7 @@ Points smoothed(std::span<const Vec3> points, std::size_t window, std::size_t de
 void Strokes::lay(std::span<const Vec3> points, surfpath::plan::Plan& to) const {
     const double l = length(points, false);
     if (points.size() < 2 || l < o_.resample) {
-        if (!points.empty())
-            to.notes.push_back(lines_note("line shorter than a step of the path left out", l, points[0]));
+        if (!points.empty()) to.notes.push_back(lines_note(NoteCode::line_too_short, l, points[0]));
         return;
     }
     const Points even = resampled(points, false, o_.resample);

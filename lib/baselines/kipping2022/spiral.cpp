@@ -92,8 +92,7 @@ Plan geo_spiral(const surface::Sheet& sheet, const Options& o) {
     while (laid < levels.size() && levels[laid].size() == 1) spiral.add(levels[laid++][0]);
     for (std::size_t i = laid; i < levels.size(); ++i)
         for (const Contour& c : levels[i])
-            plan.notes.push_back(lines_note("isocontour beyond the first level of several pieces left out",
-                                            length(c.points, c.closed), c.points[0]));
+            plan.notes.push_back(lines_note(NoteCode::isocontour_beyond, length(c.points, c.closed), c.points[0]));
     Strokes(sheet.surface, o).lay(spiral.path, plan);
     plan.facts = {{"", "levels", static_cast<double>(levels.size()), ""},
                   {"", "levels-laid", static_cast<double>(laid), ""},

@@ -135,8 +135,7 @@ Tree tree(const surface::Sheet& sheet, const std::vector<double>& phi, const Opt
     for (auto& level : contours(s, phi, o.spacing, o.resample, notes))
         for (Contour& c : level) {
             if (!c.closed) {
-                notes.push_back(
-                    lines_note("isocontour that ends at a rim left out", length(c.points, false), c.points[0]));
+                notes.push_back(lines_note(NoteCode::isocontour_at_rim, length(c.points, false), c.points[0]));
                 continue;
             }
             geom::PointTree cloud(resampled(c.points, true, o.resample));

@@ -70,7 +70,7 @@ void note_crossings(const std::vector<toolpath::Curve>& curves, double cell, Not
     const OnCurve first = place_of(curves, pairs[0].first);
     const geom::Vec2 at = curves[first.curve].points[first.segment];
     const auto n = static_cast<double>(pairs.size());
-    notes.push_back({"", "curve crosses itself", n, "places", pairs.size(), -1, at.x, at.y});
+    notes.push_back({NoteCode::curve_crosses_itself, n, pairs.size(), -1, at.x, at.y});
 }
 
 std::size_t uncross(std::vector<toolpath::Curve>& curves, double cell, Notes& notes) {

@@ -11,7 +11,7 @@ namespace filum::fill::join {
 
 using toolpath::crossing_pairs;
 
-// The note "curve crosses itself" with their number and the place of the first, if there are any.
+// The note NoteCode::curve_crosses_itself with their number and the place of the first, if there are any.
 void note_crossings(const std::vector<toolpath::Curve>& curves, double cell, Notes& notes);
 
 // Where a closed curve crosses itself, what lies between is run the other way round, so that the curve comes to the

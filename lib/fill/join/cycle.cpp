@@ -254,7 +254,7 @@ void note_unjoined(const std::vector<toolpath::Curve>& curves, Notes& notes) {
     if (curves.size() < 2) return;
     const auto more = curves.size() - 1;
     const Vec2 p = curves.back().points.front();
-    notes.push_back({"", "ring not joined", static_cast<double>(more), "curves", more, -1, p.x, p.y});
+    notes.push_back({NoteCode::ring_unjoined, static_cast<double>(more), more, -1, p.x, p.y});
 }
 
 } // namespace filum::fill::join

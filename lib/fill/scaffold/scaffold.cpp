@@ -101,7 +101,7 @@ std::vector<toolpath::Curve> with_rings(std::vector<toolpath::Curve> curves, con
             ring = out.erase(ring);
             continue;
         }
-        notes.push_back({"", "ring not joined", 1, "curves", 1, -1, ring->points[0].x, ring->points[0].y});
+        notes.push_back({NoteCode::ring_unjoined, 1, 1, -1, ring->points[0].x, ring->points[0].y});
         ++ring;
     }
     return out;
@@ -134,7 +134,7 @@ std::vector<toolpath::Curve> scaffold(const Loops& region, const Loops& frame, c
     if (o.rings > 0) out = with_rings(std::move(out), region, o, notes);
     if (again > 0) {
         const Vec2 p = out.front().points.front();
-        notes.push_back({"", "boundary passed again", again, "mm", 1, -1, p.x, p.y});
+        notes.push_back({NoteCode::path_runs_twice, again, 1, -1, p.x, p.y});
     }
     polygon::note_unplaced(region, polygon::inset(first, -w / 2), w, notes);
     return out;

@@ -31,14 +31,14 @@ struct ScaffoldOptions {
 //
 // Where holes or notches interrupt strands, the curve walks along the boundary to those that are left
 // (strand_walk.hpp). A stretch of boundary that is passed k times is laid in k beads of a k-th of the width, one on the
-// other, so that the material stays right; the note "boundary passed again" tells the length.  With `from` the curve
+// other, so that the material stays right; the note NoteCode::path_runs_twice tells the length.  With `from` the curve
 // begins at the place of the boundary next to it, so that the layers of a column are joined by plain lifts; else at an
 // outermost strand.
 //
 // One curve; more where a region thinner than a bead (and its rings) falls apart, or strands on the edge of a hole are
 // cut off: each further one is a stop.  Rings are joined to the curve as rings to each other (join_rings), or it
 // leads on from its end round one; a ring that finds no place is a closed curve by itself, with a note.  Parts too thin
-// for a bead are noted as "not reached by a bead". Tie: as strand_walk.hpp.  Cost: near-linear in the points and
+// for a bead are noted as NoteCode::area_unreached. Tie: as strand_walk.hpp.  Cost: near-linear in the points and
 // strands.
 std::vector<toolpath::Curve> scaffold(const Loops& region, const Loops& frame, const ScaffoldOptions& options,
                                       Notes& notes);

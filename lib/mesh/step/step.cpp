@@ -114,9 +114,7 @@ mesh::Mesh unpacked(const Answer& head, std::string_view body) {
     return out;
 }
 
-Note left_out(const char* what, std::uint64_t count) {
-    return {.stage = "", .what = what, .amount = 0, .unit = "", .count = count};
-}
+Note left_out(NoteCode code, std::uint64_t count) { return {.code = code, .amount = 0, .count = count}; }
 
 } // namespace
 
@@ -146,10 +144,9 @@ mesh::File read(std::string_view bytes, const std::string& name, const Tessellat
     const std::string_view body = std::string_view(answer).substr(sizeof head);
     if (head.failed != 0) throw Error(Exit::bad_input, "cannot read " + name + ": " + std::string(body));
     mesh::File file{.mesh = unpacked(head, body), .kind = mesh::Kind::step, .notes = {}};
-    if (head.unread > 0)
-        file.notes.push_back(left_out("CAD face that OpenCASCADE could not read left out", head.unread));
+    if (head.unread > 0) file.notes.push_back(left_out(NoteCode::cad_face_unread, head.unread));
     if (head.unmeshed > 0) {
-        file.notes.push_back(left_out("CAD face that OpenCASCADE could not mesh left out", head.unmeshed));
+        file.notes.push_back(left_out(NoteCode::cad_face_unmeshed, head.unmeshed));
         file.notes.back().x = head.x;
         file.notes.back().y = head.y;
     }

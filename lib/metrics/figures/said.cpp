@@ -3,7 +3,6 @@
 #include "base/number.hpp"
 #include "metrics/figures/meanings.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace filum::metrics::figures {
@@ -25,25 +24,14 @@ void said_before(const Notes& notes, const Facts& facts, Figures& out) {
         said.key = "said." + key_text(f.stage) + "." + key_text(f.name);
         out.push_back(std::move(said));
     }
-    Notes sums;
-    for (const Note& n : notes) {
-        const auto it = std::find_if(sums.begin(), sums.end(), [&](const Note& s) {
-            return s.stage == n.stage && s.what == n.what && s.unit == n.unit;
-        });
-        if (it == sums.end())
-            sums.push_back(n);
-        else {
-            it->amount += n.amount;
-            it->count += n.count;
-        }
-    }
-    for (const Note& n : sums) {
-        const std::string key = "noted." + key_text(n.stage) + "." + key_text(n.what) + ".",
-                          name = n.stage + ": " + n.what;
-        out.push_back({"said by the stages before", name, n.count, 0, n.count == 1 ? "case" : "cases", key + "cases"});
-        if (n.unit.empty() || !std::isfinite(n.amount)) continue;
-        out.push_back({"said by the stages before", name + ", in all", n.amount, decimals(n.amount), n.unit,
-                       key + key_text(n.unit)});
+    for (const Note& n : summed(notes)) {
+        const std::string key = "noted." + key_text(n.stage) + "." + key_text(code_name(n)) + ".",
+                          name = n.stage + ": " + code_name(n), group = "notes of the stages";
+        out.push_back(
+            {group, n.stage + ": " + sentence(n), std::string(::filum::name(grade(n))), 0, "", key + "grade"});
+        out.push_back({group, name, n.count, 0, n.count == 1 ? "case" : "cases", key + "cases"});
+        if (unit(n).empty() || !std::isfinite(n.amount)) continue;
+        out.push_back({group, name, n.amount, decimals(n.amount), unit(n), key + key_text(unit(n))});
     }
 }
 

@@ -43,8 +43,7 @@ Filum.places = p => {
     const c = p.c, at = i => [c.x[i] / 1000, c.y[i] / 1000, c.z[i] / 1000], out = [];
     const spots = kind => p.spots.filter(s => s[0] === kind).map(s => [s[1] + (s[5] >= 0 ? ', layer ' + s[5] : ''), s[2], s[3], s[4], s[5], -1]);
     out.push(['collisions', spots('collision')]);
-    const air = s => /mid-air|unsupported/.test(s[0]), notes = spots('note');
-    out.push(['unsupported', notes.filter(air)], ['notes', notes.filter(s => !air(s))]);
+    for (const grade of ['will fail', 'look', 'harmless']) out.push([grade, spots(grade)]);
     const travels = [];
     for (let s = 0; s < c.start.length; s++) {
         if (c.role[s] !== Filum.TRAVEL) continue;

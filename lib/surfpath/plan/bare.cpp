@@ -89,7 +89,7 @@ double laid_on(const Plan& plan, std::uint32_t part) {
     return out;
 }
 
-Note noted(const char* what, double area, const Vec3& at) { return {"", what, area, "mm2", 1, -1, at.x, at.y, at.z}; }
+Note noted(NoteCode code, double area, const Vec3& at) { return {code, area, 1, -1, at.x, at.y, at.z}; }
 
 } // namespace
 
@@ -125,9 +125,9 @@ void tell_cover(const Surface& s, Plan& plan, double width, std::uint32_t part) 
     plan.facts.push_back({"", "bare", c.missing, "mm2"});
     plan.facts.push_back({"", "uncovered", c.bare(), "mm2"});
     plan.facts.push_back({"", "laid-twice", c.overlap(), "mm2"});
-    if (c.missing > kMissing * c.surface) plan.notes.push_back(noted("no line within a spacing", c.missing, c.widest));
-    if (c.bare() > kTold * c.surface) plan.notes.push_back(noted("not covered", c.bare(), c.widest));
-    if (c.overlap() > kTold * c.surface) plan.notes.push_back(noted("laid twice", c.overlap(), c.thickest));
+    if (c.missing > kMissing * c.surface) plan.notes.push_back(noted(NoteCode::no_line_near, c.missing, c.widest));
+    if (c.bare() > kTold * c.surface) plan.notes.push_back(noted(NoteCode::area_bare, c.bare(), c.widest));
+    if (c.overlap() > kTold * c.surface) plan.notes.push_back(noted(NoteCode::area_doubled, c.overlap(), c.thickest));
 }
 
 } // namespace filum::surfpath::plan

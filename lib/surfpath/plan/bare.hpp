@@ -23,7 +23,7 @@ struct Cover {
 Cover cover(const Surface& surface, const Plan& plan, double width, std::uint32_t part = surface::kNone);
 
 // Adds that to the plan: facts "bare" (what is missing), "uncovered" and "laid-twice", mm2, and notes with a place of
-// "no line within a spacing" beyond 1 % of the surface, "not covered" and "laid twice" beyond 4 %.
+// NoteCode::no_line_near beyond 1 % of the surface, NoteCode::area_bare and NoteCode::area_doubled beyond 4 %.
 void tell_cover(const Surface& surface, Plan& plan, double width, std::uint32_t part = surface::kNone);
 
 } // namespace filum::surfpath::plan

@@ -86,8 +86,8 @@ std::size_t keep_to_surface(const Surface& s, Plan& plan) {
         for (Stroke& part : parted(s, stroke, breaks)) kept.push_back(std::move(part));
     plan.strokes = std::move(kept);
     if (breaks.count > 0)
-        plan.notes.push_back({"", "no way on along the surface: cut", breaks.longest, "mm", breaks.count, -1,
-                              breaks.at.x, breaks.at.y, breaks.at.z});
+        plan.notes.push_back(
+            {NoteCode::stroke_leaves_surface, breaks.longest, breaks.count, -1, breaks.at.x, breaks.at.y, breaks.at.z});
     return breaks.count;
 }
 

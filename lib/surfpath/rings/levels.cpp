@@ -206,8 +206,8 @@ class Leveller {
         facts.push_back({"", "spacing-change", most, ""});
         if (widest == nullptr) return;
         const geom::Vec3 at = isles_[widest->last].at;
-        notes.push_back({"", "rings do not come up to a maximum", strips, "mm", static_cast<std::uint64_t>(open), -1,
-                         at.x, at.y, at.z});
+        notes.push_back(
+            {NoteCode::rings_below_maximum, strips, static_cast<std::uint64_t>(open), -1, at.x, at.y, at.z});
     }
 
     const Surface& s_;

@@ -253,7 +253,7 @@ Reach reach(const Surface& s, double spacing, double radius) {
 void tell_reach(const Reach& r, plan::Plan& plan) {
     plan.facts.push_back({"", "rings-bound", r.share(), ""});
     if (!(r.surface - r.reached > kToldOut * r.surface)) return;
-    Note out{"", "out of reach of rings of the least radius", r.surface - r.reached, "mm2"};
+    Note out{NoteCode::area_out_of_rings, r.surface - r.reached};
     if (r.dead > 0) { // else it is all out of reach, and no place more than others
         out.count = r.dead;
         out.x = r.at.x;

@@ -26,7 +26,7 @@ struct Reach {
 // largest, of equals the one with the first triangle.
 Reach reach(const Surface& s, double spacing, double radius);
 
-// Adds that to the plan: the fact "rings-bound", a share, and the note "out of reach of rings of the least radius" if
+// Adds that to the plan: the fact "rings-bound", a share, and the note NoteCode::area_out_of_rings if
 // that is more than 1 % of the surface.
 void tell_reach(const Reach& reach, plan::Plan& plan);
 

@@ -57,16 +57,14 @@ class Path {
         out.facts = {{"", "rows", static_cast<double>(rows_.rows.size()), ""},
                      {"", "turns", static_cast<double>(best_->turns), ""},
                      {"", "transits", best_->transited, "mm"}};
-        if (rows_.rows.empty())
-            out.notes.push_back(
-                {"", "surface without a row: narrower than the spacing", surface::area(surface_), "mm2"});
+        if (rows_.rows.empty()) out.notes.push_back({NoteCode::surface_too_narrow, surface::area(surface_)});
         if (rows_.drops > 0)
-            out.notes.push_back({"", "row too short to turn at both ends, left out", rows_.dropped * o_.spacing, "mm2",
-                                 rows_.drops, -1, rows_.dropped_at.x, rows_.dropped_at.y, rows_.dropped_at.z});
+            out.notes.push_back({NoteCode::row_too_short, rows_.dropped * o_.spacing, rows_.drops, -1,
+                                 rows_.dropped_at.x, rows_.dropped_at.y, rows_.dropped_at.z});
         if (!best_->left.empty()) tell_left_out(best_->left, out.notes);
         if (out.strokes.size() > 1)
-            out.notes.push_back({"", "no way on along rims and rows: cut", static_cast<double>(out.strokes.size() - 1),
-                                 "cuts", out.strokes.size() - 1});
+            out.notes.push_back(
+                {NoteCode::rows_cut, static_cast<double>(out.strokes.size() - 1), out.strokes.size() - 1});
         return std::move(out);
     }
 
@@ -93,16 +91,14 @@ class Path {
         const std::size_t count = length.size() - kept.size();
         out.strokes = std::move(kept);
         if (count > 0)
-            out.notes.push_back({"", "stroke shorter than two radii: not worth a cut, left out", scraps * o_.spacing,
-                                 "mm2", count, -1, at.x, at.y, at.z});
+            out.notes.push_back({NoteCode::stroke_not_worth, scraps * o_.spacing, count, -1, at.x, at.y, at.z});
     }
 
     void tell_left_out(const std::vector<Chain>& left, Notes& notes) const {
         double all = 0;
         for (const Chain& c : left) all += length(c);
         const Vec3 at = rows_.rows[left[0][0].row].line[0];
-        notes.push_back({"", "rows shorter than half of the way to them along what is laid, left out", all * o_.spacing,
-                         "mm2", left.size(), -1, at.x, at.y, at.z});
+        notes.push_back({NoteCode::rows_not_worth, all * o_.spacing, left.size(), -1, at.x, at.y, at.z});
     }
 
     // Keeps it if it has fewer strokes than what is kept, or as many and adds less.

@@ -292,9 +292,8 @@ Joined join_strokes(const Surface& s, std::vector<plan::Stroke>& strokes, const 
 
 void tell_crossed(const std::vector<Vec3>& crossed, double spacing, Notes& notes) {
     if (!crossed.empty())
-        notes.push_back({"", "loop joined by shifts that cross",
-                         spacing * spacing * static_cast<double>(crossed.size()), "mm2", crossed.size(), -1,
-                         crossed[0].x, crossed[0].y, crossed[0].z});
+        notes.push_back({NoteCode::loop_by_crossing, spacing * spacing * static_cast<double>(crossed.size()),
+                         crossed.size(), -1, crossed[0].x, crossed[0].y, crossed[0].z});
 }
 
 } // namespace filum::surfpath::rows

@@ -31,7 +31,7 @@ Joined open_loops(const Surface& s, Rows& rows, const Loops& options);
 // loops are.  If all are such the longest stays open.
 Joined join_strokes(const Surface& s, std::vector<plan::Stroke>& strokes, const Loops& options);
 
-// "loop joined by shifts that cross", if there are any.
+// NoteCode::loop_by_crossing, if there are any.
 void tell_crossed(const std::vector<Vec3>& crossed, double spacing, Notes& notes);
 
 } // namespace filum::surfpath::rows

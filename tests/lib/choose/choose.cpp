@@ -231,7 +231,7 @@ TEST(Choose, WhatNothingFillsIsNotedWithItsArea) {
     EXPECT_EQ(c.best, kNothing);
     EXPECT_EQ(s.algorithm, "");
     ASSERT_EQ(notes.size(), 1);
-    EXPECT_EQ(notes[0].what, "no path found");
+    EXPECT_EQ(notes[0].code, NoteCode::no_path_found);
     EXPECT_NEAR(notes[0].amount, 4, 1e-9);
     for (const Trial& t : c.trials) EXPECT_FALSE(t.found);
 }

@@ -38,7 +38,7 @@ std::vector<std::string> frames(const std::string& path) {
     while (const auto f = reader.next()) {
         if (f->tag == Tag::note) {
             const Note n = stream::parse_note(f->body);
-            out.push_back(n.stage + " noted " + n.what);
+            out.push_back(n.stage + " noted " + code_name(n));
         } else if (f->tag == Tag::fact) {
             const Fact x = stream::parse_fact(f->body);
             out.push_back(x.stage + " found " + x.name + " " + x.unit);
@@ -52,23 +52,33 @@ std::vector<std::string> frames(const std::string& path) {
 TEST(Output, KeepsTheOrderAndNamesWhatIsItsOwn) {
     const File file;
     const Io io = stage(file);
-    Whole before{header(io, Payload::layers), {{"other", "dropped", 1, "mm", 1}}, {{"other", "area", 2, "mm2"}}};
+    Whole before{header(io, Payload::layers),
+                 {{.code = NoteCode::sliver_dropped, .amount = 1, .stage = "other"}},
+                 {{"other", "area", 2, "mm2"}}};
     before.facts.push_back({"stage", "area", 3, "mm2"});
     testing::internal::CaptureStderr();
     Output output(io, header(io, Payload::regions, {&before.header}));
     output.pass_on(before, [](const Fact& f) { return f.stage != "stage"; });
-    output.add(Notes{{"", "repaired", 1, "mm", 1}, {"misnamed", "repaired", 2, "mm", 1}});
+    output.add(Notes{{NoteCode::contour_opening_closed, 1},
+                     {.code = NoteCode::contour_opening_closed, .amount = 2, .stage = "misnamed"}});
     output.write({Tag::region, "abc"});
-    output.add(Note{"", "left out", 0, "", 2});
+    output.add(Note{NoteCode::cad_face_unread, 0, 2});
+    output.add(Note{NoteCode::hairline_gap_closed, 0, 2});
     output.add(Facts{{"", "strokes", 4, "strokes"}});
     EXPECT_FALSE(std::filesystem::exists(file.path)); // nothing counts until it is closed
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     testing::internal::CaptureStderr();
     output.close();
-    EXPECT_EQ(testing::internal::GetCapturedStderr(), "stage: repaired: 2 cases, 3 mm\nstage: left out: 2 cases\n");
+    EXPECT_EQ(
+        testing::internal::GetCapturedStderr(),
+        "stage: look: 2 wide openings of contours were closed by a straight line, 3 mm in all; compare the layers "
+        "with the part, or repair the mesh [contour-opening-closed]\n"
+        "stage: look: 2 CAD faces that OpenCASCADE could not read were dropped; export the part again, or as STL "
+        "[cad-face-unread]\n");
     const std::vector<std::string> expected{
-        "other noted dropped", "other found area mm2", "stage noted repaired",       "stage noted repaired",
-        "payload of 3 bytes",  "stage noted left out", "stage found strokes strokes"};
+        "other noted sliver-dropped",         "other found area mm2",       "stage noted contour-opening-closed",
+        "stage noted contour-opening-closed", "payload of 3 bytes",         "stage noted cad-face-unread",
+        "stage noted hairline-gap-closed",    "stage found strokes strokes"};
     EXPECT_EQ(frames(file.path), expected);
     const auto history = stream::Reader(file.path, Payload::regions).header().history;
     ASSERT_EQ(history.size(), 2U);
@@ -79,11 +89,12 @@ TEST(Output, PassesAllOnWhereNothingIsAsked) {
     const File file;
     const Io io = stage(file);
     Output output(io, header(io, Payload::layers));
-    output.pass_on({{}, {{"stage", "dropped", 1, "mm", 1}}, {{"stage", "area", 3, "mm2"}}});
+    output.pass_on(
+        {{}, {{.code = NoteCode::sliver_dropped, .amount = 1, .stage = "stage"}}, {{"stage", "area", 3, "mm2"}}});
     testing::internal::CaptureStderr();
     output.close(); // what was said before is not said again
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-    EXPECT_EQ(frames(file.path), (std::vector<std::string>{"stage noted dropped", "stage found area mm2"}));
+    EXPECT_EQ(frames(file.path), (std::vector<std::string>{"stage noted sliver-dropped", "stage found area mm2"}));
 }
 
 TEST(Output, LeavesNoFileIfItIsNotClosed) {
@@ -102,10 +113,10 @@ TEST(Output, IsQuietIfAsked) {
     io.quiet = true;
     testing::internal::CaptureStderr();
     Output output(io, header(io, Payload::layers));
-    output.add(Note{"", "left out", 0, "", 2});
+    output.add(Note{NoteCode::cad_face_unread, 0, 2});
     output.close();
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-    EXPECT_EQ(frames(file.path), std::vector<std::string>{"stage noted left out"});
+    EXPECT_EQ(frames(file.path), std::vector<std::string>{"stage noted cad-face-unread"});
 }
 
 stream::Header after(const std::string& before, const std::string& own, bool changed = true) {
@@ -124,7 +135,8 @@ TEST(Agree, AStageToldOtherwiseIsNoted) {
     io.same = {{"width", {"regions.width", "sequence.width"}}};
     const Notes notes = disagreements(io, after("0.4", "0.8"));
     ASSERT_EQ(notes.size(), 2U); // sequence has none at all, and here it is given
-    EXPECT_EQ(notes[0].what, "--width is 0.8, but 'regions' had --width 0.4; give both the same");
+    EXPECT_EQ(notes[0].code, NoteCode::setting_differs);
+    EXPECT_EQ(notes[0].detail, "--width is 0.8, but 'regions' had --width 0.4");
     EXPECT_EQ(disagreements(io, after("0.4", "0.8", false)).size(), 1U);
     io.same = {{"width", {"slice.width"}}};
     EXPECT_TRUE(disagreements(io, after("0.4", "0.8")).empty()); // slice did not run
@@ -143,7 +155,7 @@ TEST(Agree, StandsInTheStream) {
     stream::Reader reader(file.path, Payload::layers);
     const auto frame = reader.next();
     ASSERT_TRUE(frame && frame->tag == Tag::note);
-    EXPECT_NE(stream::parse_note(frame->body).what.find("give both the same"), std::string::npos);
+    EXPECT_EQ(stream::parse_note(frame->body).code, NoteCode::setting_differs);
 }
 
 } // namespace

@@ -20,7 +20,7 @@ void expect_filled(const test::Loops& loops) {
     const toolpath::RegionPaths paths = fill(region, options, notes);
     bool reported = false; // that something crosses, or was left out
     for (const Note& n : notes)
-        reported = reported || n.what.starts_with("curve crosses") || n.what.starts_with("ring not");
+        reported = reported || n.code == NoteCode::curve_crosses_itself || n.code == NoteCode::ring_unjoined;
     if (!reported) {
         EXPECT_LE(paths.curves.size(), 1U);
         EXPECT_EQ(test::crossings(paths.curves), 0U);

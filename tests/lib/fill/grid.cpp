@@ -19,7 +19,7 @@ polygon::Region region_of(const Loops& loops) {
 // How many crossings the notes tell of.
 std::size_t told(const Notes& notes) {
     double sum = 0;
-    for (const Note& n : notes) sum += n.what == "curve crosses itself" ? n.amount : 0;
+    for (const Note& n : notes) sum += n.code == NoteCode::curve_crosses_itself ? n.amount : 0;
     return static_cast<std::size_t>(sum);
 }
 

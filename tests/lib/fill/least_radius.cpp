@@ -24,7 +24,7 @@ using toolpath::Curve;
 
 const Note* find(const Notes& notes, const std::string& what) {
     for (const Note& n : notes)
-        if (n.what == what) return &n;
+        if (code_name(n) == what) return &n;
     return nullptr;
 }
 
@@ -79,10 +79,10 @@ TEST_P(RoundRegion, EveryTighterTurnIsCounted) {
             places += since > kWidth ? 1 : 0;
             since = 0;
         }
-        const Note* tight = find(notes, "turn tighter than the least radius");
+        const Note* tight = find(notes, "turn-too-tight");
         EXPECT_EQ(tight == nullptr ? 0 : tight->count, places);
         // what is left open is said: what beads cover and what is open make up the region, roughly
-        const Note* open = find(notes, "left open for the least radius");
+        const Note* open = find(notes, "area-left-for-radius");
         const double area = polygon::signed_area(region), left = open == nullptr ? 0 : open->amount;
         EXPECT_LE(left, s.unplaced);
         EXPECT_GT(test::coverage(region, s.curves) + left / area, 0.9) << radius;
@@ -96,9 +96,9 @@ TEST(LeastRadius, OnlyTurnsOfTheSpiralStayTightInABar) {
     Notes notes, none;
     const Spiral s = spiral(bar, {.bead_width = kWidth, .min_radius = 0.4}, notes);
     const Spiral usual = spiral(bar, {.bead_width = kWidth}, none);
-    EXPECT_LE(find(notes, "turn tighter than the least radius")->count, 25U);
+    EXPECT_LE(find(notes, "turn-too-tight")->count, 25U);
     EXPECT_GT(tight_turns(usual.curves, kWidth / 2, 0.4).count, 80U); // every corner of every ring
-    EXPECT_EQ(find(none, "turn tighter than the least radius"), nullptr);
+    EXPECT_EQ(find(none, "turn-too-tight"), nullptr);
     const auto& c = s.curves[0];
     for (std::size_t i = 0; i < c.points.size(); ++i) { // the corners of the outer rings
         const Vec2 p = c.points[i];

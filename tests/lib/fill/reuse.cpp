@@ -58,7 +58,7 @@ void expect_as(Reuse& reuse, const Reuse::Work& work) {
         expect_same(reuse(r, notes), plain);
         ASSERT_EQ(notes.size(), expected.size());
         for (std::size_t i = 0; i < notes.size(); ++i) {
-            EXPECT_EQ(notes[i].what, expected[i].what);
+            EXPECT_EQ(code_name(notes[i]), code_name(expected[i]));
             EXPECT_EQ(notes[i].layer, expected[i].layer);
             EXPECT_EQ(notes[i].amount, expected[i].amount);
         }
@@ -83,7 +83,7 @@ TEST(Reuse, GivesWhatAnotherWayGives) {
     const auto lay = [&](const polygon::Region& r, Notes& notes) {
         toolpath::Curve curve{true, {}, {0.4}};
         for (const auto p : r.loops[0]) curve.points.push_back({p.x + of_layer(r.layer), p.y});
-        notes.push_back({"", "moved", of_layer(r.layer), "mm", 1});
+        notes.push_back({NoteCode::wall_doubled, of_layer(r.layer)});
         return std::vector{curve};
     };
     const auto work = [&](const polygon::Region& r, Notes& notes) { return fill_by(lay, r, notes); };

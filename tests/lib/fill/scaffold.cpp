@@ -119,7 +119,7 @@ TEST(Scaffold, LaysTheRightAmountWhereItPassesAgain) {
         scaffold::scaffold(yoke(), yoke(), {.angle = std::numbers::pi / 2, .from = Vec2{5.8, 19.5}}, notes);
     ASSERT_EQ(curves.size(), 1U);
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_EQ(notes[0].what, "boundary passed again");
+    EXPECT_EQ(notes[0].code, NoteCode::path_runs_twice);
     double half = 0, all = 0;
     const Curve& c = curves[0];
     for (std::size_t i = 0; i + 1 < c.points.size(); ++i) {
@@ -259,7 +259,7 @@ TEST(Scaffold, WhatIsTooThinIsNoted) {
     const Loops area = regions_of(polygon::unite(rectangle(0, 0, 6, 6), rectangle(6, 3, 12, 3.3))).at(0);
     EXPECT_EQ(scaffold::scaffold(area, area, {}, notes).size(), 1U);
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_EQ(notes[0].what, "not reached by a bead");
+    EXPECT_EQ(notes[0].code, NoteCode::area_unreached);
     EXPECT_NEAR(notes[0].amount, 1.8, 0.1);
 }
 

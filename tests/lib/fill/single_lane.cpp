@@ -33,7 +33,7 @@ Filled filled(const Loops& area, Thin thin) {
 
 // Where a lane begins beside a thin wall its bead is narrow, for 2 mm at most.
 Notes besides_narrow(Notes notes) {
-    std::erase_if(notes, [](const Note& n) { return n.what == "bead below the least width" && n.amount < 2.5; });
+    std::erase_if(notes, [](const Note& n) { return n.code == NoteCode::bead_too_thin && n.amount < 2.5; });
     return notes;
 }
 
@@ -81,7 +81,7 @@ TEST(SingleLane, OnlyTheLongestOfSeveralIsPassedOnce) {
     ASSERT_EQ(single.curves.size(), 1U);
     const Notes notes = besides_narrow(single.notes);
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_EQ(notes[0].what, "wall laid twice");
+    EXPECT_EQ(notes[0].code, NoteCode::wall_doubled);
     EXPECT_NEAR(notes[0].amount, 4, 0.4);
 }
 

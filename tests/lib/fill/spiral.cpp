@@ -150,7 +150,7 @@ TEST(Spiral, ReportsBeadsBelowTheLeastWidth) {
     Notes notes;
     fill::spiral(test::rectangle(0, 0, 10, 0.1), {.bead_width = kWidth, .min_width = 0.1}, notes);
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_EQ(notes[0].what, "bead below the least width");
+    EXPECT_EQ(notes[0].code, NoteCode::bead_too_thin);
     EXPECT_GT(notes[0].amount, 15);
 }
 

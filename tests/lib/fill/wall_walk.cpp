@@ -150,7 +150,7 @@ TEST(WallWalk, FillTakesItWhereAskedTo) {
     o.thin = Thin::single;
     EXPECT_FALSE(fill(r, o, notes).curves.at(0).closed);
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_EQ(notes[0].what, "wall laid twice");
+    EXPECT_EQ(notes[0].code, NoteCode::wall_doubled);
 }
 
 } // namespace

@@ -45,7 +45,7 @@ inline std::size_t sound_curves(const Case& c) {
     EXPECT_FALSE(paths.curves.empty()) << c.seed;
     for (const auto& curve : paths.curves) EXPECT_TRUE(curve.closed);
     EXPECT_EQ(fill::join::crossing_pairs(paths.curves, kBead).size(), 0U) << c.seed;
-    EXPECT_EQ(paths.curves.size() > 1, !notes.empty() && notes.back().what == "ring not joined") << c.seed;
+    EXPECT_EQ(paths.curves.size() > 1, !notes.empty() && notes.back().code == NoteCode::ring_unjoined) << c.seed;
     // acute tips may be moved a little
     EXPECT_LT(test::farthest_outside(c.region.loops, paths.curves), 0.12) << c.seed;
     return paths.curves.size();

@@ -50,7 +50,7 @@ TEST(Hollow, ConcentricLinesAreOneCurveWithWallsAndSkins) {
         Notes notes;
         const auto paths = fill(c.region, {.bead_width = kBead}, notes);
         EXPECT_EQ(fill::join::crossing_pairs(paths.curves, kBead).size(), 0U) << c.seed;
-        EXPECT_EQ(paths.curves.size() > 1, !notes.empty() && notes.back().what == "ring not joined") << c.seed;
+        EXPECT_EQ(paths.curves.size() > 1, !notes.empty() && notes.back().code == NoteCode::ring_unjoined) << c.seed;
         more += paths.curves.size() > 1 ? 1 : 0;
         ++all;
     }

@@ -67,7 +67,7 @@ std::string written(const machine::Profile& p, const std::vector<Span>& spans) {
     const auto first_pass = measure.end();
     std::string out;
     const auto to = postproc::writer(p, first_pass, measure.program_shift(), [&](std::string_view t) { out += t; });
-    to->begin(postproc::about(p, first_pass, {}));
+    to->begin(postproc::about(p, first_pass, {}, {}));
     const auto walk = postproc::walker(
         p, measure.walk_shift(), [&](auto steps) { to->add(steps); }, measure.joins());
     for (const Span& s : spans) walk->add(measure.turned(s));

@@ -117,7 +117,7 @@ TEST(Laminate, PliesThatGoStraightAcrossAHoleAreEvenAboutIt) {
     EXPECT_GT(fact(made, "even-least"), 0.9 * 0.4);
     EXPECT_LT(fact(made, "even-most"), 1.1 * 0.4);
     const auto told = std::count_if(made.notes.begin(), made.notes.end(),
-                                    [](const Note& n) { return n.what.starts_with("hole laid over"); });
+                                    [](const Note& n) { return n.code == NoteCode::hole_covered; });
     EXPECT_EQ(told, 2); // of each ply
 }
 
@@ -213,7 +213,7 @@ TEST(Laminate, IsTheSameForAnyNumberOfThreads) {
 TEST(Laminate, TellsAStackThatWarps) {
     const auto made = laminate(flat(), plies_of("0,45", kWide, false), narrow(), 1);
     std::size_t told = 0;
-    for (const Note& n : made.notes) told += n.what.starts_with("stack is not") ? 1 : 0;
+    for (const Note& n : made.notes) told += code_name(n).starts_with("stack-un") ? 1 : 0;
     EXPECT_EQ(told, 2U);
 }
 

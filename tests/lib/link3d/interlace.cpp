@@ -98,7 +98,7 @@ TEST(Interlacing, SaysWhatIsTooSmall) {
     EXPECT_EQ(r.counts.strokes, 1U);
     EXPECT_EQ(r.counts.kept, 4U);
     ASSERT_EQ(r.notes.size(), 4U);
-    EXPECT_EQ(r.notes[0].what, "start of the next layer not moved");
+    EXPECT_EQ(r.notes[0].code, NoteCode::interlace_impossible);
 }
 
 // Open curves begin at their two ends in turn: nothing is cut, and no lane is needed.

@@ -157,11 +157,11 @@ TEST(Linker, BreaksWhereThereIsNoWay) {
     EXPECT_EQ(r.counts.strokes, 3U);
     EXPECT_EQ(r.counts.broken, 2U);
     std::map<std::string, std::uint64_t> notes;
-    for (const auto& n : r.notes) notes[n.what] += n.count;
-    EXPECT_EQ(notes["join broken, its ends are out of reach"], 1U);
-    EXPECT_EQ(notes["join broken, the region below has no bead"], 1U);
-    EXPECT_EQ(notes["region without a bead"], 1U);
-    EXPECT_EQ(notes["more strokes than planned"], 1U);
+    for (const auto& n : r.notes) notes[code_name(n)] += n.count;
+    EXPECT_EQ(notes["join-out-of-reach"], 1U);
+    EXPECT_EQ(notes["join-no-bead"], 1U);
+    EXPECT_EQ(notes["region-without-bead"], 1U);
+    EXPECT_EQ(notes["strokes-more"], 1U);
     EXPECT_EQ(r.counts.planned, 1U);
 }
 
@@ -235,7 +235,7 @@ TEST(Linker, ClimbsAcrossNoOpenCurve) {
     const Curve behind = square(5.25, 3.5), before = square(1.9, 5.3);
     const auto told = [](const Result& r) {
         return std::count_if(r.notes.begin(), r.notes.end(),
-                             [](const Note& n) { return n.what == "jog across a bead"; });
+                             [](const Note& n) { return n.code == NoteCode::jog_crosses_bead; });
     };
     const Result r = link(column({{below}, {wall, behind, before}}));
     EXPECT_EQ(told(r), 0);
@@ -250,8 +250,8 @@ TEST(Linker, ClimbsAcrossNoBeadNextToItsEnd) {
     const Curve across{false, {{2, 0}, {8, 0}}, {kWidth}}, behind{false, {{5, -0.3}, {5, -3}}, {kWidth}};
     const Result r = link(column({{below}, {across, behind}}));
     EXPECT_EQ(crossings(r.spans), 0U);
-    EXPECT_TRUE(
-        std::none_of(r.notes.begin(), r.notes.end(), [](const Note& n) { return n.what == "jog across a bead"; }));
+    EXPECT_TRUE(std::none_of(r.notes.begin(), r.notes.end(),
+                             [](const Note& n) { return n.code == NoteCode::jog_crosses_bead; }));
     ASSERT_EQ(r.spans[1].role, Role::lift);
     EXPECT_EQ(r.spans[1].points.front(), r.spans[0].points.back());
     EXPECT_EQ(r.spans[1].points.back().xy(), (Vec2{5, -0.3}));
@@ -338,7 +338,7 @@ TEST(Linker, GoesOnFromABrimToItsRegion) {
     EXPECT_EQ(far.counts.brims, 0U);
     EXPECT_EQ(far.counts.strokes, 2U);
     ASSERT_FALSE(far.notes.empty());
-    EXPECT_EQ(far.notes[0].what, "join broken, the brim is out of reach");
+    EXPECT_EQ(far.notes[0].code, NoteCode::join_brim);
 }
 
 } // namespace filum::link3d

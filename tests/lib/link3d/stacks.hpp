@@ -78,7 +78,9 @@ inline std::size_t crossings(const std::vector<Span>& spans) {
 inline void check(const std::vector<RegionPaths>& regions, const Result& r) {
     std::uint64_t reasons = 0; // every stroke more than planned has one that is told
     for (const Note& n : r.notes)
-        if (n.what.find("broken") != std::string::npos || n.what.find("stop within") == 0) reasons += n.count;
+        if (code_name(n).starts_with("join-") || code_name(n).starts_with("break-") ||
+            n.code == NoteCode::connector_impossible)
+            reasons += n.count;
     EXPECT_EQ(reasons, r.counts.broken + r.counts.parted);
     EXPECT_LE(r.counts.strokes, r.counts.planned + reasons);
     std::uint64_t breaks = 0;

@@ -117,7 +117,7 @@ TEST(Projects, PaintedFacesAreBodiesOfTheirOwn) {
         for (const char* damaged : {"x", "1", "44", "3"}) {
             const File f = painted(name, damaged);
             ASSERT_EQ(f.notes.size(), 1U) << damaged;
-            EXPECT_NE(f.notes[0].what.find("cannot be read"), std::string::npos);
+            EXPECT_EQ(f.notes[0].code, NoteCode::paint_unreadable);
         }
     }
     EXPECT_TRUE(painted("slic3rpe:custom_seam", "4").bodies.empty());

@@ -60,9 +60,9 @@ double open(const mesh::Mesh& m) {
     return out;
 }
 
-const Note* find(const Notes& notes, const std::string& begins) {
+const Note* find(const Notes& notes, NoteCode code) {
     for (const Note& n : notes)
-        if (n.what.starts_with(begins)) return &n;
+        if (n.code == code) return &n;
     return nullptr;
 }
 
@@ -77,9 +77,9 @@ TEST(Seams, AreJoinedUpToAThousandthOfTheSize) {
             Notes notes;
             mesh::join_seams(m, notes);
             EXPECT_NEAR(seams::open(m), ends, 0.1) << off << ' ' << left << ' ' << right;
-            EXPECT_NE(seams::find(notes, "vertex of a rim joined"), nullptr);
-            EXPECT_EQ(seams::find(notes, "side of a rim split") != nullptr, left != right);
-            EXPECT_EQ(seams::find(notes, "rim within a bead"), nullptr) << off << ' ' << left << ' ' << right;
+            EXPECT_NE(seams::find(notes, NoteCode::rim_joined), nullptr);
+            EXPECT_EQ(seams::find(notes, NoteCode::rim_side_split) != nullptr, left != right);
+            EXPECT_EQ(seams::find(notes, NoteCode::rim_near), nullptr) << off << ' ' << left << ' ' << right;
         }
 }
 
@@ -89,7 +89,7 @@ TEST(Seams, WhatStaysOpenWithinABeadIsNotedWithItsLength) {
     for (std::size_t v = m.vertices.size() - 9; v < m.vertices.size(); ++v) m.vertices[v].y -= 0.2;
     Notes notes;
     mesh::join_seams(m, notes);
-    const Note* n = seams::find(notes, "rim within a bead");
+    const Note* n = seams::find(notes, NoteCode::rim_near);
     ASSERT_NE(n, nullptr);
     EXPECT_NEAR(n->amount, 2 * seams::kHeight, 1);
     EXPECT_EQ(notes.size(), 1U);

@@ -63,7 +63,7 @@ TEST(ThreeMfRules, ShapesOfExtensionsAreNotedOrRefused) {
     lattice.insert(lattice.find("</mesh>"), "<b:beamlattice/>");
     const File f = read(shapes::archive(model(lattice, item(1))), "it");
     ASSERT_EQ(f.notes.size(), 1U);
-    EXPECT_TRUE(mentions(f.notes[0].what, "beamlattice"));
+    EXPECT_TRUE(mentions(f.notes[0].detail, "beamlattice"));
     EXPECT_TRUE(mentions(refusal(model("<object id=\"1\"><bo:booleanshape/></object>", item(1))), "booleanshape"));
     EXPECT_TRUE(mentions(refusal(model(box_object(1, "s:meshresolution=\"lowres\""), item(1))), "slice"));
 }

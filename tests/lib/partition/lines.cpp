@@ -85,7 +85,7 @@ TEST(Lines, RoundABallAndFarOff) {
     const auto patches = divide(sheet, options, 1, notes);
     ASSERT_EQ(patches.size(), 2U);
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_EQ(notes[0].what, "seam moved to the surface");
+    EXPECT_EQ(notes[0].code, NoteCode::seam_moved);
     EXPECT_NEAR(notes[0].amount, std::hypot(30, 3) - 20, 0.1);
 }
 

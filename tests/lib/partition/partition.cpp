@@ -128,7 +128,7 @@ TEST(Partition, TheMaskLeavesOutWhatBearsLittleAndSaysSo) {
     const auto patches = divide(sheet, options, 1, notes);
     ASSERT_EQ(patches.size(), 1U);
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_EQ(notes[0].what, "surface without load left out");
+    EXPECT_EQ(notes[0].code, NoteCode::unloaded_dropped);
     EXPECT_NEAR(notes[0].amount, 200, 10);
     EXPECT_NEAR(total(patches) + notes[0].amount, 800, 1e-6);
     for (const Vec3& v : patches[0].surface.vertices) EXPECT_LT(v.x, 31);
@@ -173,7 +173,7 @@ TEST(Partition, WhatIsTooSmallIsJoinedOrNoted) {
     const auto patches = divide(sheet, options, 1, notes);
     ASSERT_EQ(patches.size(), 1U);
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_EQ(notes[0].what, "face too small for a patch left out");
+    EXPECT_EQ(notes[0].code, NoteCode::face_too_small);
     EXPECT_NEAR(notes[0].amount, 40, 1e-9);
     EXPECT_NEAR(notes[0].x, 40, 1e-9);
     options.limits.least_area = 900;
@@ -207,7 +207,7 @@ TEST(Partition, ThatThereAreNotAsManyAsAskedForIsSaid) {
     options.limits.patches = 1;
     EXPECT_EQ(divide(sheet, options, 1, notes).size(), 2U);
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_EQ(notes[0].what, "patch more than asked for");
+    EXPECT_EQ(notes[0].code, NoteCode::patches_more);
 }
 
 TEST(Partition, ATubeIsNotClosedOfWhatIsTooSmall) {

@@ -64,7 +64,7 @@ Vec3 place_in(const std::string& message) {
 
 const Note* note_of(const Written& w, const std::string& what) {
     for (const Note& n : w.notes)
-        if (n.what.find(what) != std::string::npos) return &n;
+        if (code_name(n).find(what) != std::string::npos) return &n;
     return nullptr;
 }
 
@@ -110,9 +110,9 @@ TEST(Carry, ASlowAxisMakesBeadsSlowAndThatIsTold) {
     slow.model = model.name();
     const auto path = along_y(-100, 100);
     const auto a = written(fast, path), b = written(slow, path);
-    EXPECT_EQ(note_of(a, "slower"), nullptr);
+    EXPECT_EQ(note_of(a, "beads-slowed"), nullptr);
     EXPECT_EQ(fact_of(a, "slowest-share-of-feed"), 1);
-    const Note* note = note_of(b, "slower than their feed");
+    const Note* note = note_of(b, "beads-slowed");
     ASSERT_NE(note, nullptr);
     EXPECT_NEAR(note->amount, 200, 1e-6);
     EXPECT_EQ(note->count, 100U);
@@ -157,7 +157,7 @@ TEST(Carry, WithoutAModelNothingIsCheckedAndThatIsTold) {
     asked.model = "";
     asked.base = "9000, 0, 500, 0, 0, 0";
     const auto w = written(asked, arc());
-    ASSERT_NE(note_of(w, "not checked: robot.model names none"), nullptr);
+    ASSERT_NE(note_of(w, "robot-unchecked"), nullptr);
     EXPECT_TRUE(std::isnan(fact_of(w, "nearest-singularity")));
     EXPECT_NE(w.text.find("PTP {X "), std::string::npos);
     EXPECT_EQ(w.text.find(",S "), std::string::npos); // nobody knows
@@ -189,7 +189,7 @@ TEST(Carry, StrokesGoOnFromWhereTheLastOneEnded) {
     }
     const auto w = written(asked, spans);
     EXPECT_EQ(w.first_pass.strokes, 12U);
-    EXPECT_EQ(note_of(w, "another way than robot.start"), nullptr);
+    EXPECT_EQ(note_of(w, "robot-other-posture"), nullptr);
     EXPECT_GT(fact_of(w, "least-room-of-an-axis"), 10);
     EXPECT_GT(fact_of(w, "nearest-singularity"), 5);
     EXPECT_EQ(fact_of(w, "largest-spin"), 0);

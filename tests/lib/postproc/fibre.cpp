@@ -88,7 +88,7 @@ TEST(Fibre, StrokesThatAreTooShortAreLeftOutAndTold) {
     auto lenient = p;
     lenient.fibre.omit_short = true;
     const FirstPass first_pass = measured(lenient, spans);
-    const auto notes = omissions(first_pass, "postproc");
+    const auto notes = omissions(first_pass);
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_EQ(notes[0].count, 1U);
     EXPECT_NEAR(notes[0].amount, 44.9, 1e-9);

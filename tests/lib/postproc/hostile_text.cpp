@@ -32,7 +32,8 @@ Texts texts(geom::Vec2 centre, Make&& text) {
     Texts out;
     out.parts = {{text(), square(-4)}, {text(), square(0)}, {text(), square(4)}};
     out.stages = {{text(), {{text(), text()}, {"a", text()}}}, {"postproc", {{"machine", text()}}}};
-    out.notes = {{text(), text(), 3, text(), 1}, {text(), text(), 4, "mm", 2}};
+    out.notes = {{.amount = 3, .stage = text(), .foreign = {text(), text(), text()}},
+                 {.code = NoteCode::component_dropped, .amount = 4, .count = 2, .detail = text(), .patch = text()}};
     out.facts = {{text(), text(), 3, text()}, {"sequence", text(), 4, ""}};
     return out;
 }
@@ -93,7 +94,7 @@ std::string program(const machine::Profile& p, const std::vector<toolpath::Span>
     const geom::Vec2 shift = measure.program_shift();
     std::string out;
     const auto to = postproc::writer(p, first_pass, shift, [&](std::string_view text) { out += text; });
-    to->begin(postproc::about(p, first_pass, postproc::summary(p, first_pass, shift, t.notes, t.facts)));
+    to->begin(postproc::about(p, first_pass, postproc::summary(p, first_pass, shift, t.notes, t.facts), t.notes));
     const auto walk = postproc::walker(
         p, measure.walk_shift(), [&](auto steps) { to->add(steps); }, measure.joins());
     for (const toolpath::Span& s : spans) walk->add(measure.turned(s));

@@ -61,7 +61,7 @@ inline Written written(const Asked& asked, const std::vector<toolpath::Span>& sp
     const auto writer = postproc::writer(
         p, out.first_pass, {}, [&](std::string_view text) { out.text += text; },
         [&](const std::string& name) { return [&to = out.modules[name]](std::string_view text) { to += text; }; });
-    writer->begin(postproc::about(p, out.first_pass, {}));
+    writer->begin(postproc::about(p, out.first_pass, {}, {}));
     const auto walk = postproc::walker(p, {}, [&](auto steps) { writer->add(steps); });
     for (const auto& s : spans) walk->add(s);
     walk->end();

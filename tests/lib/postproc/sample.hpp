@@ -83,7 +83,7 @@ inline Written write(const filum::machine::Profile& p, const std::vector<Span>& 
     out.shift = placement(out.first_pass, p.bed, place);
     check_limits(out.first_pass, p, out.shift);
     Program program(p, out.first_pass, out.shift, [&](std::string_view t) { out.text += t; });
-    program.begin(about(p, out.first_pass, {}));
+    program.begin(about(p, out.first_pass, {}, {}));
     Walk walk(p, [&](auto steps) { program.add(steps); });
     for (const auto& s : spans) walk.add(s);
     walk.end();

@@ -66,7 +66,7 @@ std::string program(const machine::Profile& p, const std::vector<Span>& spans, p
     Notes notes;
     Facts facts;
     postproc::add_efforts(p, first_pass, "postproc", notes, facts);
-    program.begin(postproc::about(p, first_pass, postproc::summary(p, first_pass, {}, notes, facts)));
+    program.begin(postproc::about(p, first_pass, postproc::summary(p, first_pass, {}, notes, facts), notes));
     const auto walk = postproc::walker(p, measure.walk_shift(), [&](auto steps) { program.add(steps); });
     for (const Span& s : spans) walk->add(s);
     walk->end();

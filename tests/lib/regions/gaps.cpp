@@ -71,7 +71,7 @@ TEST(Gaps, AllThatIsDoneIsTold) {
     ASSERT_EQ(r.size(), 1U);
     EXPECT_NEAR(r[0].area, 8.04, 1e-3);
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_EQ(notes[0].what, "hairline gap closed");
+    EXPECT_EQ(notes[0].code, NoteCode::hairline_gap_closed);
     EXPECT_NEAR(notes[0].amount, 0.04, 1e-3);
     EXPECT_NEAR(notes[0].x, 2.01, 0.02);
 }

@@ -219,7 +219,7 @@ TEST(Regions, TellParentsAndDropSliversWithANote) {
     EXPECT_EQ(r[2].layer, 7U);
     EXPECT_NEAR(r[2].unsupported, 4, 1e-9);
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_EQ(notes[0].what, "sliver left out");
+    EXPECT_EQ(notes[0].code, NoteCode::sliver_dropped);
     EXPECT_NEAR(notes[0].amount, 0.2, 1e-6);
     EXPECT_EQ(notes[0].layer, 7);
 }

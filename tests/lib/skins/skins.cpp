@@ -192,7 +192,7 @@ TEST(Skins, ZonesInASolidPartAreThoseOfOtherBeads) {
         Facts facts;
         const Notes notes = skins(part, o, std::span(&m, 1), facts); // of what is asked for in vain
         ASSERT_FALSE(notes.empty());
-        for (const Note& n : notes) EXPECT_EQ(n.what.starts_with("outer wall"), any) << n.what;
+        for (const Note& n : notes) EXPECT_EQ(n.code == NoteCode::modifier_wall_width, any) << code_name(n);
         const bool zones = std::ranges::any_of(part, [](const Region& r) {
             return std::ranges::any_of(r.areas, [](const auto& a) { return a.kind == AreaKind::zone; });
         });

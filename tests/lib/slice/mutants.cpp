@@ -71,13 +71,13 @@ std::vector<Specimen> specimens() {
 double told(const Notes& notes) {
     double sum = 0;
     for (const Note& n : notes)
-        if (n.unit == "mm3") sum += n.amount;
+        if (unit(n) == "mm3") sum += n.amount;
     return sum;
 }
 
 std::string all(const Notes& notes) {
     std::map<std::string, double> sums;
-    for (const Note& n : notes) sums[n.what + " [" + n.unit + "]"] += n.amount;
+    for (const Note& n : notes) sums[code_name(n) + " [" + unit(n) + "]"] += n.amount;
     std::ostringstream out;
     for (const auto& [what, amount] : sums) out << "; " << what << " " << amount;
     return out.str();

@@ -196,10 +196,19 @@ TEST(Stream, HistoryThatRefersForwardIsRefused) {
 }
 
 TEST(Stream, NotesComeOutAsTheyWentIn) {
-    const Note note{"slice", "gap closed", 0.25, "mm", 3, 7, 1.5, std::nan("")};
+    const Note note{.code = NoteCode::contour_gap_closed,
+                    .amount = 0.25,
+                    .count = 3,
+                    .layer = 7,
+                    .x = 1.5,
+                    .detail = "d",
+                    .patch = "A",
+                    .stage = "slice"};
     const Note got = parse_note(serialise(note));
     EXPECT_EQ(got.stage, note.stage);
-    EXPECT_EQ(got.what, note.what);
+    EXPECT_EQ(got.code, note.code);
+    EXPECT_EQ(got.detail, "d");
+    EXPECT_EQ(got.patch, "A");
     EXPECT_EQ(got.amount, note.amount);
     EXPECT_EQ(got.count, note.count);
     EXPECT_EQ(got.layer, note.layer);
@@ -210,6 +219,22 @@ TEST(Stream, NotesComeOutAsTheyWentIn) {
     in_space.y = 2;
     in_space.z = 0;
     EXPECT_EQ(parse_note(serialise(in_space)).z, 0);
+}
+
+// A program of another make may know neither codes nor grades, or have its own.
+TEST(Stream, ForeignNotesKeepTheirTextAndAreLookedAt) {
+    Note note{.amount = 2, .stage = "mine"};
+    note.foreign.text = "corner rounded";
+    note.foreign.unit = "mm";
+    const Note got = parse_note(serialise(note));
+    EXPECT_EQ(got.code, NoteCode::foreign);
+    EXPECT_EQ(sentence(got), "corner rounded: 1 case, 2 mm");
+    EXPECT_EQ(code_name(got), "corner-rounded");
+    EXPECT_EQ(grade(got), Grade::look);
+    note.foreign.code = "own-code";
+    note.foreign.grade = Grade::will_fail;
+    EXPECT_EQ(code_name(parse_note(serialise(note))), "own-code");
+    EXPECT_EQ(grade(parse_note(serialise(note))), Grade::will_fail);
 }
 
 // Streams that were written before notes had a z.

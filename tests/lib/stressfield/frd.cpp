@@ -250,7 +250,7 @@ TEST(Frd, IncrementsAndModesCanBeNamed) {
     Notes notes;
     frd(text, &notes);
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_TRUE(has(notes[0].what, "1-1"));
+    EXPECT_TRUE(has(notes[0].detail, "1-1"));
 }
 
 } // namespace

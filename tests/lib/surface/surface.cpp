@@ -33,7 +33,7 @@ std::vector<Triangle> cells(int n, int m, const Without& without) {
 std::size_t counted(const Notes& notes, const char* what) {
     std::size_t out = 0;
     for (const Note& n : notes)
-        if (n.what.find(what) != std::string::npos) out += n.count;
+        if (code_name(n).find(what) != std::string::npos) out += n.count;
     return out;
 }
 
@@ -69,7 +69,7 @@ TEST(Surface, LeavesOutCopies) {
     triangles.push_back({triangles[5][2], triangles[5][1], triangles[5][0]});
     Notes notes;
     const Surface s = connect({grid(3, 3), triangles}, notes);
-    EXPECT_EQ(counted(notes, "twice"), 2U);
+    EXPECT_EQ(counted(notes, "triangle-copied"), 2U);
     EXPECT_EQ(s.triangles.size(), 18U);
     EXPECT_EQ(s.rims.size(), 1U);
 }
@@ -79,7 +79,7 @@ TEST(Surface, TurnsFlippedTriangles) {
     for (const std::size_t t : {3U, 10U, 11U, 20U}) std::swap(triangles[t][0], triangles[t][1]);
     Notes notes;
     const Surface s = connect({grid(4, 4), triangles}, notes);
-    EXPECT_EQ(counted(notes, "turned round"), 4U);
+    EXPECT_EQ(counted(notes, "triangle-turned"), 4U);
     EXPECT_EQ(s.rims.size(), 1U);
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) EXPECT_EQ(normal(s, t), (Vec3{0, 0, 1}));
 }
@@ -89,7 +89,7 @@ TEST(Surface, TakesOutTrianglesWithoutAreaAndLeavesNoGap) {
     Notes notes;
     const Surface s = connect(
         {{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 0}}, {{0, 1, 4}, {1, 2, 4}, {0, 4, 2}, {0, 2, 3}}}, notes);
-    EXPECT_EQ(counted(notes, "without area"), 1U);
+    EXPECT_EQ(counted(notes, "triangle-flat"), 1U);
     EXPECT_EQ(s.triangles.size(), 4U);
     EXPECT_DOUBLE_EQ(area(s), 4);
     ASSERT_EQ(s.rims.size(), 1U);
@@ -125,8 +125,8 @@ TEST(Surface, KeepsTheFlattestPairOfACrowdedEdge) {
     triangles.insert(triangles.begin(), {{1, 4, 7}, {1, 7, 6}});
     Notes notes;
     const Surface s = connect({points, triangles}, notes);
-    EXPECT_EQ(counted(notes, "more than two"), 1U);
-    EXPECT_EQ(counted(notes, "touch in a point"), 2U);
+    EXPECT_EQ(counted(notes, "edge-crowded"), 1U);
+    EXPECT_EQ(counted(notes, "vertex-split"), 2U);
     EXPECT_EQ(s.components, 2U);
     ASSERT_EQ(s.rims.size(), 2U);
     EXPECT_EQ(s.rims[0].sides.size(), 4U); // the rib
@@ -136,7 +136,7 @@ TEST(Surface, KeepsTheFlattestPairOfACrowdedEdge) {
 TEST(Surface, SplitsPartsThatTouchInAPoint) {
     Notes notes;
     const Surface s = connect({grid(2, 2), cells(2, 2, [](int i, int j) { return i != j; })}, notes);
-    EXPECT_EQ(counted(notes, "touch in a point"), 1U);
+    EXPECT_EQ(counted(notes, "vertex-split"), 1U);
     EXPECT_EQ(s.components, 2U);
     EXPECT_EQ(s.rims.size(), 2U);
     EXPECT_EQ(s.vertices.size(), 8U); // 9 - 2 unused + 1
@@ -161,7 +161,7 @@ TEST(Surface, CutsABandWithOneSideOpen) {
     }
     Notes notes;
     const Surface s = connect({points, triangles}, notes);
-    EXPECT_EQ(counted(notes, "one side only"), 1U);
+    EXPECT_EQ(counted(notes, "edge-one-sided"), 1U);
     EXPECT_EQ(s.components, 1U);
     EXPECT_EQ(s.rims.size(), 1U);
 }

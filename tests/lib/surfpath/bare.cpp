@@ -27,7 +27,8 @@ Plan rows(const Surface& s, double from, double to, double spacing) {
 }
 
 const Note* note(const Plan& plan, const std::string& what) {
-    const auto it = std::find_if(plan.notes.begin(), plan.notes.end(), [&](const Note& n) { return n.what == what; });
+    const auto it =
+        std::find_if(plan.notes.begin(), plan.notes.end(), [&](const Note& n) { return code_name(n) == what; });
     return it == plan.notes.end() ? nullptr : &*it;
 }
 
@@ -35,7 +36,7 @@ const Note* note(const Plan& plan, const std::string& what) {
 std::array<double, 3> told(const Surface& s, Plan plan) {
     tell_cover(s, plan, 1);
     const std::array<const char*, 3> facts{"bare", "uncovered", "laid-twice"},
-        notes{"no line within a spacing", "not covered", "laid twice"};
+        notes{"no-line-near", "area-bare", "area-doubled"};
     const std::array<double, 3> shares{0.01, 0.04, 0.04};
     std::array<double, 3> out{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -66,11 +67,11 @@ TEST(Bare, WhatIsMissingIsToldWithItsPlace) {
     EXPECT_NEAR(uncovered, 20 * 8, 3);
     EXPECT_NEAR(twice, 0, 3);
     tell_cover(s, plan, 1);
-    for (const char* what : {"no line within a spacing", "not covered"}) {
+    for (const char* what : {"no-line-near", "area-bare"}) {
         ASSERT_NE(note(plan, what), nullptr);
         EXPECT_GT(note(plan, what)->y, 13);
         EXPECT_EQ(note(plan, what)->z, 0);
-        EXPECT_EQ(note(plan, what)->unit, "mm2");
+        EXPECT_EQ(unit(*note(plan, what)), "mm2");
     }
     EXPECT_NEAR(told(s, {})[0], 400, 1e-6);
 }
@@ -85,10 +86,10 @@ TEST(Bare, WhatIsLaidTwiceIsToldWithItsPlace) {
     EXPECT_EQ(uncovered, 0);
     EXPECT_NEAR(twice, 3 * 20, 1);
     tell_cover(s, plan, 1);
-    ASSERT_NE(note(plan, "laid twice"), nullptr);
-    EXPECT_GT(note(plan, "laid twice")->y, 14.9);
-    EXPECT_LT(note(plan, "laid twice")->y, 18.1);
-    EXPECT_EQ(note(plan, "laid twice")->z, 3);
+    ASSERT_NE(note(plan, "area-doubled"), nullptr);
+    EXPECT_GT(note(plan, "area-doubled")->y, 14.9);
+    EXPECT_LT(note(plan, "area-doubled")->y, 18.1);
+    EXPECT_EQ(note(plan, "area-doubled")->z, 3);
 }
 
 // A line on the other skin of a thin wall covers nothing of this one.

@@ -123,7 +123,7 @@ TEST(Follow, DirectionsThatAreNoNumbersAreTold) {
     sheet.fields = {given};
     const Plan p = plan_paths(sheet, {.algorithm = Algorithm::field, .turns = RowTurns::none});
     const auto told = std::find_if(p.notes.begin(), p.notes.end(),
-                                   [](const Note& n) { return n.what.starts_with("direction is no number"); });
+                                   [](const Note& n) { return n.code == NoteCode::direction_unknown; });
     ASSERT_NE(told, p.notes.end());
     EXPECT_GT(told->amount, 50);
     EXPECT_LT(told->amount, 90);
@@ -224,7 +224,7 @@ TEST(Rows, ThatAreNotWorthTheirWayAreLeftOut) {
     const Plan p = boustrophedon(s, found, turns);
     EXPECT_EQ(p.strokes.size(), 1U);
     EXPECT_LT(fact(p, "transits"), 5);
-    const auto told = [](const Note& n) { return n.what.find("left out") != std::string::npos; };
+    const auto told = [](const Note& n) { return n.code == NoteCode::rows_not_worth; };
     EXPECT_EQ(std::count_if(p.notes.begin(), p.notes.end(), told), 1);
 }
 

@@ -87,7 +87,7 @@ surface::Sheet closed_sheet(mesh::Mesh mesh) {
 
 double opened(const Notes& notes) {
     double out = 0;
-    for (const Note& n : notes) out += n.what == "closed surface opened along a seam" ? n.amount : 0;
+    for (const Note& n : notes) out += n.code == NoteCode::surface_opened ? n.amount : 0;
     return out;
 }
 

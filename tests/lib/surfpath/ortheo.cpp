@@ -118,7 +118,7 @@ TEST(Ortheo, WhatIsTooShortIsLeftOutWithANote) {
     const Plan all = ortheo(sheet, {.spacing = 1}), some = ortheo(sheet, {.spacing = 1, .min_length = 25});
     EXPECT_LT(some.strokes.size(), all.strokes.size());
     ASSERT_FALSE(some.notes.empty());
-    EXPECT_EQ(some.notes[0].what, "line left out: too short");
+    EXPECT_EQ(some.notes[0].code, NoteCode::line_too_short);
     for (const Stroke& s : some.strokes) EXPECT_GT(surface::curve::length(line(s)), 24);
 }
 

@@ -21,7 +21,7 @@ Plan side(const surface::Sheet& s) {
     Plan out;
     out.strokes.push_back({{{{{{0, s.surface.vertices[0]}, {0, s.surface.vertices[1]}}, false}, false}}});
     out.facts.push_back({"", "rows", 1, ""});
-    out.notes.push_back({.stage = "", .what = "bare place", .amount = 1, .unit = "mm2"});
+    out.notes.push_back({.code = NoteCode::area_bare, .amount = 1});
     return out;
 }
 
@@ -43,8 +43,10 @@ TEST(Patches, AreLaidOneAfterTheOther) {
     ASSERT_EQ(patches.facts.size(), 2);
     EXPECT_EQ(patches.facts[1].name, "patch.C.rows");
     ASSERT_EQ(patches.notes.size(), 3);
-    EXPECT_EQ(patches.notes[0].what, "bare place on patch A");
-    EXPECT_EQ(patches.notes[1].what, "patch without a plan on patch 2");
+    EXPECT_EQ(patches.notes[0].code, NoteCode::area_bare);
+    EXPECT_EQ(patches.notes[0].patch, "A");
+    EXPECT_EQ(patches.notes[1].code, NoteCode::patch_unplanned);
+    EXPECT_EQ(patches.notes[1].patch, "2");
     EXPECT_DOUBLE_EQ(patches.notes[1].amount, 0.5);
     EXPECT_EQ(patches.notes[1].x, 3);
     const auto all = spans(sheets, patches.plans, {});
@@ -60,7 +62,8 @@ TEST(Patches, OneIsAsItAlwaysWas) {
     const std::vector<surface::Sheet> one{patch("A", "fina", 0)};
     const auto patches = each_patch(one, algorithms(one, {}), 1, [&](std::size_t) { return side(one[0]); });
     EXPECT_EQ(patches.facts[0].name, "rows");
-    EXPECT_EQ(patches.notes[0].what, "bare place");
+    EXPECT_EQ(patches.notes[0].code, NoteCode::area_bare);
+    EXPECT_EQ(patches.notes[0].patch, "");
 }
 
 TEST(Patches, ErrorsNameThePatch) {

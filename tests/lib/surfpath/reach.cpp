@@ -74,7 +74,7 @@ TEST(Reach, TellsWhatIsBeyond) {
     tell_reach(reach(cells_of(40, 30, comb), 1, 2.4), plan);
     EXPECT_LT(fact(plan, "rings-bound"), 0.6);
     ASSERT_EQ(plan.notes.size(), 1U);
-    EXPECT_EQ(plan.notes[0].what, "out of reach of rings of the least radius");
+    EXPECT_EQ(plan.notes[0].code, NoteCode::area_out_of_rings);
     EXPECT_GE(plan.notes[0].count, 8U);
     EXPECT_GT(plan.notes[0].y, 5); // beside a tooth or in it
 }

@@ -228,7 +228,7 @@ TEST(Fexa, NotesWhereTheSurfaceLeansTowardsThePlane) {
     const Plan plan = fexa(twisted, {.algorithm = Algorithm::fexa});
     double area = 0;
     for (const Note& note : plan.notes)
-        if (note.what.find("1.1 spacings") != std::string::npos) area = note.amount;
+        if (note.code == NoteCode::rows_apart) area = note.amount;
     EXPECT_GT(area, 20);
     EXPECT_LT(area, 400);
 }

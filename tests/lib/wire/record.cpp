@@ -90,7 +90,7 @@ stream::RawFrame surface_frame() {
 
 std::vector<stream::RawFrame> frames() {
     const polygon::Layer layer{2, 0.75, 0.25, 0.625, holed(3)};
-    const Note note{"slice", "gap closed", 1.5, "mm", 3, 2, 4.5, 5.5};
+    const Note note{NoteCode::contour_gap_closed, 1.5, 3, 2, 4.5, 5.5, std::nan(""), "d", "p", "slice"};
     const Fact fact{"sequence", "strokes", 21, "strokes"};
     return {frame(layer),
             region_frame(),

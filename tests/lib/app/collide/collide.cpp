@@ -11,7 +11,7 @@ using namespace test;
 using stream::Payload;
 
 std::string strokes(const Folder& at) {
-    return write_stream(at("strokes"), Payload::toolpath, frames(two_strokes()), {{"", "wall laid twice", 1, "mm", 1}});
+    return write_stream(at("strokes"), Payload::toolpath, frames(two_strokes()), {{NoteCode::wall_doubled, 1}});
 }
 
 TEST(Collide, PassesOnUnchangedWhatMeetsNothing) {
@@ -52,7 +52,7 @@ TEST(Collide, GoesOnWithANoteIfItIsNotStrict) {
     EXPECT_EQ(s.frames.size(), 3U);
     EXPECT_GT(find(s.told.facts, "collide", "colliding-moves")->value, 0);
     bool noted = false;
-    for (const Note& n : s.told.notes) noted = noted || (n.stage == "collide" && tells(n.what, "fixture"));
+    for (const Note& n : s.told.notes) noted = noted || (n.stage == "collide" && tells(code_name(n), "fixture"));
     EXPECT_TRUE(noted);
     bool known = false; // by its content, as the head by its measures
     for (const auto& setting : s.told.header.history.back().settings) known = known || setting.name == "fixture_crc32c";

@@ -86,9 +86,8 @@ TEST(Geodesic, CutsAndSaysWhichLinesGo) {
     EXPECT_TRUE(sheet.isolines.empty());
     ASSERT_EQ(sheet.fields.size(), 1U); // carried over
     std::vector<std::string> noted;
-    for (const Note& n : all.told.notes) noted.push_back(n.what + " " + std::to_string(n.count));
-    EXPECT_EQ(noted, (std::vector<std::string>{"isoline of the surface before dropped 2",
-                                               "source of the surface before dropped 1"}));
+    for (const Note& n : all.told.notes) noted.push_back(code_name(n) + " " + std::to_string(n.count));
+    EXPECT_EQ(noted, (std::vector<std::string>{"isoline-dropped 2", "source-dropped 1"}));
 }
 
 TEST(Geodesic, TakesSourcesFromFiles) {

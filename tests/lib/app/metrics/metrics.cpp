@@ -60,7 +60,7 @@ std::string rows(const Folder& at) {
                 wire::frame(Span{Role::travel, k, 0, 0, {row(k - 1).points.back(), row(k).points.front()}, {}, {}}));
         frames.push_back(wire::frame(row(k)));
     }
-    return write_stream(at("rows"), Payload::toolpath, frames, {{"", "wall laid twice", 0.25, "mm", 1}});
+    return write_stream(at("rows"), Payload::toolpath, frames, {{NoteCode::wall_doubled, 0.25}});
 }
 
 TEST(Planar, MeasuresRowsOfKnownArea) {

@@ -98,7 +98,7 @@ TEST(Modifier, IsCutAtThePartsLayers) {
     map.t[0] = 100;
     body(file.name, told(map), regions, 1, notes);
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_EQ(notes[0].what, "body meets nothing of the part");
+    EXPECT_EQ(notes[0].code, NoteCode::body_apart);
 }
 
 TEST(Modifier, BeyondTenKilometresIsRefused) {

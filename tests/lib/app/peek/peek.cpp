@@ -59,7 +59,7 @@ TEST(Peek, DecimalsCountInTheText) {
 
 TEST(Peek, FramesAreToldByOffsetAndKind) {
     const Folder at;
-    const auto file = write_stream(at("s"), Payload::regions, column(), {{"", "gap closed", 1, "mm", 1}});
+    const auto file = write_stream(at("s"), Payload::regions, column(), {{NoteCode::contour_gap_closed, 1}});
     const std::string text = peeked(at, file, {.frames = true});
     std::size_t places = 0;
     std::istringstream lines(text);
@@ -80,7 +80,7 @@ TEST(Peek, CheckPrintsNothing) {
 TEST(Peek, SumsCountWhatLiesOnOtherThingsOnce) {
     Summary s;
     for (const auto& raw : column()) add(s, raw, record(raw));
-    const stream::RawFrame note{stream::Tag::note, stream::serialise(Note{"slice", "gap closed", 0.5, "mm", 2})};
+    const stream::RawFrame note{stream::Tag::note, stream::serialise(Note{NoteCode::contour_gap_closed, 0.5, 2})};
     for (int i = 0; i < 2; ++i) add(s, note, record(note));
     EXPECT_EQ(s.areas["area"], 9 + 4); // not the overlap's
     EXPECT_EQ(s.records["overlap"], 1U);
@@ -115,11 +115,14 @@ TEST(Peek, ASurfaceTellsWhatFollowsFromIt) {
 }
 
 TEST(Peek, JsonEscapesWordsAndHasNoBareNan) {
-    const stream::RawFrame raw{stream::Tag::note,
-                               stream::serialise(Note{"a", "said \"no\\\n\x01\"", 0.1, "mm", 1, -1, NAN, 1e-3})};
+    Note note{.amount = 0.1, .y = 1e-3, .stage = "a"};
+    note.foreign.text = "said \"no\\\n\x01\"";
+    note.foreign.unit = "mm";
+    const stream::RawFrame raw{stream::Tag::note, stream::serialise(note)};
     EXPECT_EQ(json(record(raw)),
               "{\"kind\":\"note\",\"stage\":\"a\",\"what\":\"said \\\"no\\\\\\u000a\\u0001\\\"\","
-              "\"amount\":0.1,\"unit\":\"mm\",\"count\":1,\"layer\":-1,\"x\":null,\"y\":0.001,\"z\":0}");
+              "\"amount\":0.1,\"unit\":\"mm\",\"count\":1,\"layer\":-1,\"x\":null,\"y\":0.001,\"z\":0,"
+              "\"code\":\"\",\"grade\":\"look\",\"detail\":\"\",\"patch\":\"\"}");
 }
 
 TEST(Peek, OfACutStreamItPrintsWhatComesBefore) {

@@ -144,7 +144,7 @@ TEST_F(Step, AFaceThatCannotBeReadIsNoted) {
     text.replace(text.find("PLANE("), 6, "PLANT(");
     const auto file = mesh::step::read(text, "'it'");
     ASSERT_EQ(file.notes.size(), 1U);
-    EXPECT_EQ(file.notes[0].what, "CAD face that OpenCASCADE could not read left out");
+    EXPECT_EQ(file.notes[0].code, NoteCode::cad_face_unread);
     EXPECT_EQ(file.notes[0].count, 1U);
     EXPECT_EQ(area_of_faces(file.mesh).size(), 5U);
 }

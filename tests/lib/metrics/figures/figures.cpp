@@ -67,11 +67,14 @@ TEST(Meanings, AreShortAndStableAndEndWithTheirUnit) {
 
 TEST(Said, FactsAreNumbersAndNotesAreCounted) {
     Figures out;
-    said_before({{"fill", "Left out!", 1.5, "mm2", 2, 0, 0, 0}, {"fill", "Left out!", 0.5, "mm2", 1, 0, 0, 0}},
-                {{"sequence", "lower-bound", 14, "strokes"}}, out);
+    const auto note = [](double amount, std::uint64_t count) {
+        return Note{.code = NoteCode::area_unreached, .amount = amount, .count = count, .stage = "fill"};
+    };
+    said_before({note(1.5, 2), note(0.5, 1)}, {{"sequence", "lower-bound", 14, "strokes"}}, out);
     EXPECT_EQ(text(out, Format::tsv),
               "key\tvalue\tunit\nreport\tmetrics\t\nversion\t1\t\nsaid.sequence.lower_bound\t14\tstrokes\n"
-              "noted.fill.left_out.cases\t3\tcases\nnoted.fill.left_out.mm2\t2\tmm2\n");
+              "noted.fill.area_unreached.grade\tlook\t\nnoted.fill.area_unreached.cases\t3\tcases\n"
+              "noted.fill.area_unreached.mm2\t2\tmm2\n");
 }
 
 } // namespace

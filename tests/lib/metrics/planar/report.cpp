@@ -2,6 +2,8 @@
 
 #include "toolpaths.hpp"
 
+#include <algorithm>
+
 namespace filum::metrics::planar {
 
 namespace {
@@ -80,17 +82,24 @@ TEST(Report, OfNothingHasNoNumbersThatAreNone) {
 
 TEST(Report, RepeatsWhatStagesSaid) {
     Job job;
-    job.input.notes = {{"slice", "gap closed", 0.5, "mm", 2},
-                       {"slice", "gap closed", 0.25, "mm", 1},
-                       {"fill", "ring not joined", 3, "", 3}};
+    job.input.notes = {{.code = NoteCode::contour_gap_closed, .amount = 0.5, .count = 2, .stage = "slice"},
+                       {.code = NoteCode::contour_gap_closed, .amount = 0.25, .count = 1, .stage = "slice"},
+                       {.code = NoteCode::ring_unjoined, .amount = 3, .count = 3, .stage = "fill"}};
     job.input.facts = {{"sequence", "lower-bound", 3, "strokes"}};
     const Figures f = job.figures();
     EXPECT_EQ(number(f, "sequence: lower-bound"), 3);
-    EXPECT_EQ(std::get<std::uint64_t>(find(f, "slice: gap closed")->value), 3U);
-    EXPECT_EQ(number(f, "slice: gap closed, in all"), 0.75);
-    EXPECT_EQ(find(f, "slice: gap closed, in all")->key, "noted.slice.gap_closed.mm");
-    EXPECT_EQ(std::get<std::uint64_t>(find(f, "fill: ring not joined")->value), 3U);
-    EXPECT_EQ(find(f, "fill: ring not joined, in all"), nullptr); // without a unit there is no amount
+    const auto by_key = [&](const std::string& key) {
+        const auto at = std::find_if(f.begin(), f.end(), [&](const auto& figure) { return figure.key == key; });
+        return at == f.end() ? nullptr : &*at;
+    };
+    ASSERT_NE(by_key("noted.slice.contour_gap_closed.cases"), nullptr);
+    EXPECT_EQ(std::get<std::uint64_t>(by_key("noted.slice.contour_gap_closed.cases")->value), 3U);
+    ASSERT_NE(by_key("noted.slice.contour_gap_closed.mm"), nullptr);
+    EXPECT_EQ(std::get<double>(by_key("noted.slice.contour_gap_closed.mm")->value), 0.75);
+    EXPECT_EQ(std::get<std::string>(by_key("noted.slice.contour_gap_closed.grade")->value), "harmless");
+    ASSERT_NE(by_key("noted.fill.ring_unjoined.cases"), nullptr);
+    EXPECT_EQ(std::get<std::uint64_t>(by_key("noted.fill.ring_unjoined.cases")->value), 3U);
+    EXPECT_EQ(by_key("noted.fill.ring_unjoined."), nullptr); // without a unit there is no amount
 }
 
 TEST(Report, HoldsFarFromTheOrigin) {

@@ -1,0 +1,84 @@
+#include "base/note.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <sstream>
+
+namespace filum {
+namespace {
+
+std::size_t words(const std::string& text) {
+    std::istringstream in(text);
+    std::size_t n = 0;
+    for (std::string word; in >> word;) ++n;
+    return n;
+}
+
+std::vector<NoteCode> all_codes() {
+    return {
+#define NOTE(code, grade, unit, sum, sentence, advice) NoteCode::code,
+#include "base/notes.def"
+#undef NOTE
+    };
+}
+
+TEST(Note, EveryCodeHasAShortSentenceAndAdviceUnlessHarmless) {
+    std::set<std::string> names;
+    for (const NoteCode code : all_codes()) {
+        for (const std::uint64_t count : {1, 2}) {
+            Note n{.code = code, .amount = 1.5, .count = count};
+            n.detail = "it";
+            const std::string text = sentence(n);
+            EXPECT_LE(words(text), 25U) << text;
+            EXPECT_GE(words(text), 3U - (code == NoteCode::setting_differs ? 2U : 0U)) << text; // its detail says all
+            EXPECT_EQ(text.find_first_of("{}|"), std::string::npos) << text;
+            EXPECT_NE(text.back(), '.') << text;
+            EXPECT_EQ(advice(n).empty(), grade(n) == Grade::harmless) << text;
+        }
+        const Note n{.code = code};
+        EXPECT_TRUE(names.insert(code_name(n)).second) << code_name(n);
+        EXPECT_EQ(note_code(code_name(n)), code);
+    }
+    EXPECT_EQ(note_code("no-such-code"), NoteCode::foreign);
+    EXPECT_EQ(note_code(""), NoteCode::foreign);
+}
+
+TEST(Note, SentencesHaveNumbersAndPlaces) {
+    Note n{NoteCode::overhang, 647.6685, 8, 1, 12.346, 7};
+    n.detail = "4.3 mm";
+    EXPECT_EQ(line(n), "648 mm2 of unsupported overhang on 8 layers, reaching out up to 4.3 mm; worst on layer 1 at "
+                       "12.35,7; add --support [overhang]");
+    EXPECT_EQ(sentence({NoteCode::path_runs_twice, 226.6542, 168}),
+              "the path runs twice along 227 mm of outline; the beads share the width there (168 places)");
+    EXPECT_EQ(sentence({NoteCode::turn_too_tight, 1}), "1 turn is tighter than the least radius");
+}
+
+TEST(Note, SumsGoByKindAndGrade) {
+    Note a{NoteCode::hairline_gap_closed, 1}, b{NoteCode::heat_inexact, 3}, c{NoteCode::overhang_floating, 2};
+    Note other = b;
+    other.amount = 5;
+    other.layer = 4;
+    Note on_patch = b;
+    on_patch.patch = "A";
+    const Notes sums = summed({a, b, a, c, other, on_patch});
+    ASSERT_EQ(sums.size(), 4U);
+    EXPECT_EQ(sums[0].code, NoteCode::overhang_floating);
+    EXPECT_EQ(sums[1].amount, 5); // the greatest, not the sum
+    EXPECT_EQ(sums[1].layer, 4);
+    EXPECT_EQ(sums[2].patch, "A");
+    EXPECT_EQ(sums[3].amount, 2);
+    EXPECT_EQ(sums[3].count, 2U);
+}
+
+TEST(Note, ThePageHasEveryCode) {
+    const std::string page = notes_page();
+    for (const NoteCode code : all_codes()) {
+        const Note n{.code = code};
+        EXPECT_NE(page.find("| `" + code_name(n) + "` |"), std::string::npos) << code_name(n);
+    }
+    EXPECT_EQ(page.find('{'), std::string::npos);
+}
+
+} // namespace
+} // namespace filum
