@@ -16,6 +16,11 @@ constexpr OtherName kOtherNames[] = {
     // layers and beads
     {"nozzle", "bead-width"},
     {"nozzle-diameter", "bead-width", Value::length},
+    {"nozzle-size", "bead-width", Value::length},
+    {"nozzle-width", "bead-width", Value::length},
+    {"strand-width", "bead-width", Value::length},
+    {"strand-diameter", "bead-width", Value::length},
+    {"bead", "bead-width", Value::length},
     {"machine-nozzle-size", "bead-width", Value::length},
     {"extrusion-width", "bead-width", Value::length},
     {"line-width", "bead-width", Value::length},
@@ -86,8 +91,8 @@ constexpr OtherName kOtherNames[] = {
     {"load", "machine", Value::none},
     {"gcode-flavor", "machine", Value::none},
     {"machine-gcode-flavor", "machine", Value::none},
-    {"start-gcode", "machine", Value::none},
-    {"end-gcode", "machine", Value::none},
+    {"start-gcode", "templates.start", Value::text},
+    {"end-gcode", "templates.end", Value::text},
     {"export-gcode", "output", Value::none},
     {"filament-diameter", "extrusion.diameter", Value::key},
     {"material-diameter", "extrusion.diameter", Value::key},
@@ -126,13 +131,14 @@ const OtherName* other_name(std::string_view theirs, const std::function<bool(st
     std::string name(theirs.substr(0, theirs.find('=')));
     std::replace(name.begin(), name.end(), '_', '-');
     const auto* at = std::find_if(std::begin(kOtherNames), std::end(kOtherNames), [&](const OtherName& n) {
-        return n.theirs == name && has(n.value == Value::key ? "set" : n.ours);
+        return n.theirs == name && has(n.value == Value::key || n.value == Value::text ? "set" : n.ours);
     });
     return at == std::end(kOtherNames) ? nullptr : at;
 }
 
 std::string ours_of(const OtherName& name) {
     if (name.value == Value::key) return "--set " + std::string(name.ours) + "=N";
+    if (name.value == Value::text) return "--set " + std::string(name.ours) + "=CODE";
     return "--" + std::string(name.ours);
 }
 

@@ -18,6 +18,7 @@ enum class Value : std::uint8_t {
     steepness,  // degrees from the horizontal; here they count from the vertical
     pattern,    // of infill
     key,        // of the machine's profile, by --set; a share of something else has no meaning here
+    text,       // of the machine's profile, by --set: code, with \n for a new line
     bed_only,   // 0 or 1: where supports may stand
     seam,       // where strokes begin
     shrinks_by, // % of the size in x and y that a part loses as it cools
@@ -31,7 +32,7 @@ enum class Value : std::uint8_t {
 
 struct OtherName {
     std::string_view theirs; // with '-'
-    std::string_view ours;   // an option without dashes; of Value::key a key of the machine's profile
+    std::string_view ours;   // an option without dashes; of Value::key and Value::text a key of the machine's profile
     Value value = Value::same;
 };
 

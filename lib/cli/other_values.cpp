@@ -1,5 +1,6 @@
 #include "cli/other_values.hpp"
 
+#include "base/error.hpp"
 #include "base/number.hpp"
 
 namespace filum::cli {
@@ -18,6 +19,22 @@ std::string pattern(const std::string& theirs) {
         if (theirs == rows) return "rows";
     if (theirs == "concentric") return "concentric";
     return theirs == "gyroid" || theirs == "wave" ? "wave" : "";
+}
+
+// Lines of code that one option holds: \n is a new line, and --set parts its keys at commas.
+std::string code(const std::string& text, const std::string& of) {
+    if (text.find(',') != std::string::npos)
+        throw Error(Exit::usage,
+                    "cannot use --" + of + ": '" + text +
+                        "' holds a comma; write it as templates.start or templates.end of a profile of your "
+                        "own, see docs/machines.md");
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool escape = text.compare(i, 2, "\\n") == 0;
+        out += escape ? '\n' : text[i];
+        i += escape ? 1 : 0;
+    }
+    return out;
 }
 
 // Strokes begin where they are least seen, or where the one before ended: few that they are, nobody lines them up.
@@ -70,6 +87,8 @@ std::optional<std::string> our_word(const OtherName& n, const std::string& value
         if (percent(value)) return std::nullopt;
         number(value, theirs);
         return "--set=" + std::string(n.ours) + "=" + value;
+    case Value::text:
+        return "--set=" + std::string(n.ours) + "=" + code(value, theirs);
     case Value::bed_only:
         if (value != "1") return std::nullopt;
         return option + "=bed";

@@ -274,6 +274,11 @@ void Document::check_names() const {
             const bool in_use = state_->texts.find("{" + key + "}") != std::string::npos;
             (in_use ? used : idle).push_back(key);
         }
+        // Templates that --set replaces need not name what the profile's own ones named.
+        const bool replaced = std::any_of(state_->set.begin(), state_->set.end(),
+                                          [](const std::string& key) { return key.starts_with("templates."); });
+        if (replaced)
+            std::erase_if(idle, [&](const auto& name) { return state_->set.count(section + "." + name) == 0; });
         if (idle.empty()) continue;
         const auto set = std::find_if(idle.begin(), idle.end(),
                                       [&](const auto& name) { return state_->set.count(section + "." + name) != 0; });

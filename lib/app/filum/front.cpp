@@ -90,6 +90,47 @@ void env() {
     show(out);
 }
 
+struct OwnCommand {
+    const char* name;
+    void (*run)(); // null: it takes arguments
+    const char* help;
+    int (*run_with)(const std::vector<std::string>& arguments) = nullptr;
+};
+
+constexpr OwnCommand kOwnCommands[] = {
+    {"list", list, "usage: filum list\n\nNames all stages, what they read and write, and what they do.\n"},
+    {"env", env,
+     "usage: eval \"$(filum env)\"\n\nPrints shell lines that put the stages on the PATH, with manual pages and "
+     "completion.\n"},
+    {"machines", machines,
+     "usage: filum machines\n\nLists the machines that Filum knows: the name for --machine, the size of the bed and "
+     "the\n"
+     "height, and what kind of machine it is. A machine of your own is a file of settings (TOML):\n\n"
+     "  postproc --machine marlin --set bed.x_max=300   changes a key\n"
+     "  postproc --machine mine.toml                    reads a file; docs/machines.md explains its keys\n"},
+    {"patterns", patterns,
+     "usage: filum patterns\n\nLists what fill and surfpath can lay, and the option that asks for it. Sparse infill "
+     "has\n"
+     "patterns of its own: filum help skins, --infill-pattern.\n"},
+    {"check", nullptr,
+     "usage: filum check PROGRAM --as STAGE\n\nRuns a program of your own as that stage, on a small part and on "
+     "damaged "
+     "streams, and says which of\na stage's promises it keeps. Exit code 0: all of them.\n",
+     check_foreign},
+    {"settings", nullptr,
+     "usage: filum settings FILE...\n\nShows what Filum makes of each setting of a slicer's file or project: the "
+     "option for it, or why\nthere is none.\n",
+     show_settings},
+};
+
+const OwnCommand* own_command(const std::string& name) {
+    const auto* at = std::find_if(std::begin(kOwnCommands), std::end(kOwnCommands),
+                                  [&](const OwnCommand& c) { return name == c.name; });
+    return at == std::end(kOwnCommands) ? nullptr : at;
+}
+
+bool asks_for_help(const std::string& word) { return word == "--help" || word == "-h"; }
+
 } // namespace
 
 int front(const std::vector<std::string>& words) {
@@ -98,17 +139,15 @@ int front(const std::vector<std::string>& words) {
     if (what == "print") return print_part(rest);
     if (what == "help" && rest.size() == 1 && rest[0] == "print") return print_part({"--help"});
     if (what == "help" && rest.empty()) become({"/proc/self/exe", "--help"});
-    if (what == "help" && rest.size() == 1) become({stage_program(rest[0]), "--help"});
-    const std::pair<const char*, void (*)()> tables[] = {
-        {"list", list}, {"env", env}, {"machines", machines}, {"patterns", patterns}};
-    for (const auto& [name, tell] : tables) {
-        if (what != name) continue;
-        if (!rest.empty()) throw Error(Exit::usage, "unexpected argument '" + rest[0] + "'; see 'filum --help'");
-        tell();
-        return 0;
+    const bool help = what == "help" && rest.size() == 1;
+    if (const OwnCommand* own = own_command(help ? rest[0] : what)) {
+        if (help || (rest.size() == 1 && asks_for_help(rest[0]))) return show(own->help), 0;
+        if (own->run_with != nullptr) return own->run_with(rest);
+        if (!rest.empty())
+            throw Error(Exit::usage, "unexpected argument '" + rest[0] + "'; see 'filum help " + what + "'");
+        return own->run(), 0;
     }
-    if (what == "check") return check_foreign(rest);
-    if (what == "settings") return show_settings(rest);
+    if (help) become({stage_program(rest[0]), "--help"});
     const std::string extra = is_stage(what) ? "" : extra_program(what);
     Command command{extra.empty() ? stage_program(what) : extra};
     command.insert(command.end(), rest.begin(), rest.end());

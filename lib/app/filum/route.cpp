@@ -6,6 +6,7 @@
 #include "cli/other_names.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 
 namespace filum::app::filum {
@@ -38,6 +39,12 @@ const StageOption* find(const Stage& stage, const std::string& name) {
     return at == stage.options.end() ? nullptr : &*at;
 }
 
+// "-o" and "--keep" are options, "-" is standard input, and "-2.5" a number.
+bool is_option(const std::string& word) {
+    return word.size() > 1 && word[0] == '-' &&
+           (std::isalpha(static_cast<unsigned char>(word[1])) != 0 || word[1] == '-');
+}
+
 // What is written twice: once for all stages, and for one alone, which must come last to win.
 struct Given {
     std::vector<std::string> all, own;
@@ -52,8 +59,9 @@ bool give(const Word& word, const std::vector<Stage>& stages, std::vector<Given>
         const StageOption* option = find(stages[s], word.name);
         if (option == nullptr || word.name == "output") continue;
         if (option->takes_value && !value) {
-            if (++at == words.size())
-                throw Error(Exit::usage, "cannot use '--" + word.name + "' without a value" + kSee);
+            if (++at == words.size() || is_option(words[at]))
+                throw Error(Exit::usage, "cannot use '--" + word.name + "' without a value" +
+                                             (at == words.size() ? "" : ": '" + words[at] + "' is an option") + kSee);
             value = words[at];
         }
         auto& list = word.stage.empty() ? to[s].all : to[s].own;
@@ -164,7 +172,7 @@ Request route(const std::vector<std::string>& words, const std::vector<Stage>& s
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string& word = words[i];
         const auto next = [&]() -> const std::string& {
-            if (++i == words.size() || words[i].empty())
+            if (++i == words.size() || words[i].empty() || is_option(words[i]))
                 throw Error(Exit::usage, "cannot use '" + word + "' without a file name" + kSee);
             return words[i];
         };

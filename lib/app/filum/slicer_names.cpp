@@ -124,11 +124,18 @@ void load(const std::string& file, bool printed, double most, const std::vector<
     load_bodies(file, printed, all.supports, stages, out);
 }
 
-// --rotate 45, --scale 150%: our options, values of theirs.
+// --rotate 45, --scale 150%, --infill 15, --infill-pattern gyroid: our options, values of theirs.
 std::string own_value(const std::string& name, const std::string& value) {
     if (name == "rotate" && value.find(',') == std::string::npos && !value.empty()) return "0,0," + value;
     if (name == "scale" && value.ends_with('%'))
         return shortest_text(parse_number(value.substr(0, value.size() - 1), "--scale") / 100);
+    if (name == "infill" && !value.empty() && value.find_first_not_of("0123456789.") == std::string::npos &&
+        parse_number(value, "--infill") > 1)
+        return value + "%";
+    if (name == "infill-pattern") { // rows, wave and concentric are ours
+        const auto ours = cli::our_word({"fill-pattern", "infill-pattern", Value::pattern}, value);
+        if (ours) return ours->substr(ours->find('=') + 1);
+    }
     return value;
 }
 
@@ -170,7 +177,8 @@ Translated translated(const std::vector<std::string>& words, const std::vector<S
         const OtherName* n = typed.empty() || has(stages, typed) ? nullptr : known(stages, typed);
         if (typed == "load") {
             files.push_back(value());
-        } else if (typed == "set" || typed == "rotate" || typed == "scale") {
+        } else if (typed == "set" || typed == "rotate" || typed == "scale" || typed == "infill" ||
+                   typed == "infill-pattern") {
             rest.push_back(option_of(typed, own_value(typed, value())));
         } else if (n != nullptr) {
             const std::string given = n->value == Value::flag && equal == std::string::npos ? "1" : value();

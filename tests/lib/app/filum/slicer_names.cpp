@@ -67,7 +67,7 @@ TEST(SlicerNames, ShrinkageOfAllAxesIsOneOption) {
 }
 
 TEST(SlicerNames, OwnWordsStay) {
-    const Words words{"--infill", "15%", "--unknown", "-o", "x.gcode", "p.stl", "--", "--temperature", "--set=x"};
+    const Words words{"--walls", "3", "--unknown", "-o", "x.gcode", "p.stl", "--", "--temperature", "--set=x"};
     EXPECT_EQ(ours(words), words);
 }
 
