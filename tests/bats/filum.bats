@@ -334,3 +334,46 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     said "at least" slice --layer-height 0 part.stl
     said "see 'regions --help'" regions part.layers other.layers
 }
+
+@test "filum's own commands have help, by either way" {
+    for command in list env machines patterns check settings; do
+        expect 0 filum help $command
+        [[ $out == usage:*"filum $command"* ]]
+        local by_help=$out
+        expect 0 filum $command --help
+        [[ $out == "$by_help" ]]
+    done
+}
+
+@test "a print without a part, and an option without its value, say what to type" {
+    expect 2 filum print < /dev/null
+    [[ $err == *"filum print part.stl -o part.gcode"* ]]
+    for option in connect infill layer-height; do
+        expect 2 filum print part.stl --$option -o part.gcode
+        [[ $err == *"'--$option' without a value"*"'-o' is an option"* ]]
+    done
+    expect 0 filum print part.stl --place -2.5,3 --dry-run # a number is a value
+}
+
+@test "numbers and names as people type them" {
+    for typed in 15 15% 0.15; do
+        filum print part.stl --infill $typed -q -o "$typed.gcode"
+        grep -v '^;' "$typed.gcode" > "$typed.moves"
+    done
+    cmp 15.moves 15%.moves
+    cmp 15.moves 0.15.moves
+    filum print part.stl --infill 15 --infill-pattern gyroid --dry-run | grep -q -- '--infill-pattern=wave'
+    for name in nozzle nozzle-size nozzle-width nozzle-diameter strand-width bead; do
+        filum print part.stl --$name 0.6 --dry-run | grep -q -- '--bead-width=0.6'
+    done
+}
+
+@test "start and end code of the printer's owner" {
+    filum print part.stl -q --start-gcode 'PRINT_START\nG92 E0' --end-gcode PRINT_END -o own.gcode
+    [[ $(grep -c -x -e PRINT_START -e PRINT_END own.gcode) == 2 ]]
+    run -1 grep -q '^G28' own.gcode
+    awk '/^PRINT_START$/ { start = NR } /^G92 E0$/ { zero = zero ? zero : NR } / E[0-9]/ { if (!first) first = NR } /^PRINT_END$/ { end = NR }
+        END { exit !(start && start < zero && zero < end) }' own.gcode
+    expect 2 filum print part.stl --start-gcode 'M117 a, b' -o own.gcode
+    [[ $err == *"holds a comma"* ]]
+}

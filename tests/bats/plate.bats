@@ -117,11 +117,11 @@ strokes() { grep -o -m 1 'strokes = [0-9]*' "$1" | tail -c +11; }
     cd "$BATS_TEST_TMPDIR"
     part() { "$FILUM_SOURCE"/examples/scaffold/make-part block "$1" "$2" 1 "$3"; }
     part 210 70 bar.stl
-    slice bar.stl --copies 2 --machine marlin -o two.layers 2> err
+    slice bar.stl --copies 2 --machine marlin --notes all -o two.layers 2> err
     run -1 grep -q turned err
     part 140 70 short.stl # on 220 x 220 mm four of them go with one upright beside three, five never
-    slice short.stl --copies 4 --machine marlin -o four.layers 2> err
-    grep -q "parts turned by quarter turns" err
+    slice short.stl --copies 4 --machine marlin --notes all -o four.layers 2> err
+    grep -q "parts-turned" err
     whole() { regions -q "$1" | peek | awk '$1 == "area" { print $2 }'; }
     slice short.stl -o one.layers
     python3 -c "assert abs(4 * $(whole one.layers) - $(whole four.layers)) < 1, 'parts lie over each other'"

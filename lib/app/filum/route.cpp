@@ -39,12 +39,6 @@ const StageOption* find(const Stage& stage, const std::string& name) {
     return at == stage.options.end() ? nullptr : &*at;
 }
 
-// "-o" and "--keep" are options, "-" is standard input, and "-2.5" a number.
-bool is_option(const std::string& word) {
-    return word.size() > 1 && word[0] == '-' &&
-           (std::isalpha(static_cast<unsigned char>(word[1])) != 0 || word[1] == '-');
-}
-
 // What is written twice: once for all stages, and for one alone, which must come last to win.
 struct Given {
     std::vector<std::string> all, own;
@@ -58,12 +52,7 @@ bool give(const Word& word, const std::vector<Stage>& stages, std::vector<Given>
         if (!word.stage.empty() && stages[s].name != word.stage) continue;
         const StageOption* option = find(stages[s], word.name);
         if (option == nullptr || word.name == "output") continue;
-        if (option->takes_value && !value) {
-            if (++at == words.size() || is_option(words[at]))
-                throw Error(Exit::usage, "cannot use '--" + word.name + "' without a value" +
-                                             (at == words.size() ? "" : ": '" + words[at] + "' is an option") + kSee);
-            value = words[at];
-        }
+        if (option->takes_value && !value) value = value_behind(words, at);
         auto& list = word.stage.empty() ? to[s].all : to[s].own;
         list.push_back("--" + word.name + (value ? "=" + *value : ""));
         known = true;
@@ -165,6 +154,19 @@ std::string* own_option(const std::string& word, Request& to) {
 
 } // namespace
 
+const std::string& value_behind(const std::vector<std::string>& words, std::size_t& i) {
+    // "-o" and "--keep" are options, "-" is standard input, and "-2.5" a number.
+    const auto is_option = [](const std::string& word) {
+        return word.size() > 1 && word[0] == '-' &&
+               (std::isalpha(static_cast<unsigned char>(word[1])) != 0 || word[1] == '-');
+    };
+    const std::string option = words[i].substr(0, words[i].find('='));
+    if (++i == words.size() || is_option(words[i]))
+        throw Error(Exit::usage, "cannot use '" + option + "' without a value" +
+                                     (i == words.size() ? "" : ": '" + words[i] + "' is an option") + kSee);
+    return words[i];
+}
+
 Request route(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
     Request out;
     std::vector<Given> given(stages.size());
@@ -172,9 +174,9 @@ Request route(const std::vector<std::string>& words, const std::vector<Stage>& s
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string& word = words[i];
         const auto next = [&]() -> const std::string& {
-            if (++i == words.size() || words[i].empty() || is_option(words[i]))
-                throw Error(Exit::usage, "cannot use '" + word + "' without a file name" + kSee);
-            return words[i];
+            const std::string& name = value_behind(words, i);
+            if (name.empty()) throw Error(Exit::usage, "cannot use '" + word + "' without a file name" + kSee);
+            return name;
         };
         const bool option = !names_only && word.starts_with("-") && word != "-";
         if (option && word == "--")

@@ -24,6 +24,10 @@ struct Request {
     } // something is made of the toolpath
 };
 
+// The value of the option words[i]: the word behind it, to which `i` goes on.  Throws Error(usage) if there is none, or
+// if it is an option itself.
+const std::string& value_behind(const std::vector<std::string>& words, std::size_t& i);
+
 // Gives every option to each stage that has it, so that one --bead-width serves all; --fill.bead-width goes to `fill`
 // alone and wins there.  Where it would do nothing, an option for all is left out, if it does something in another
 // stage.

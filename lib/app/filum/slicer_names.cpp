@@ -1,5 +1,6 @@
 #include "app/filum/slicer_names.hpp"
 
+#include "app/filum/route.hpp"
 #include "app/filum/slicer_settings.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -170,9 +171,7 @@ Translated translated(const std::vector<std::string>& words, const std::vector<S
             word.starts_with("--") ? word.substr(2, equal == std::string::npos ? equal : equal - 2) : "";
         const auto value = [&]() -> std::string {
             if (equal != std::string::npos) return word.substr(equal + 1);
-            if (i + 1 == words.size())
-                throw Error(Exit::usage, "cannot use '--" + typed + "' without a value; see 'filum help print'");
-            return words[++i];
+            return value_behind(words, i);
         };
         const OtherName* n = typed.empty() || has(stages, typed) ? nullptr : known(stages, typed);
         if (typed == "load") {
