@@ -11,7 +11,7 @@ namespace {
 
 Note unplanned(const surface::Sheet& sheet) {
     Note out{.code = NoteCode::patch_unplanned, .amount = surface::area(sheet.surface)};
-    const Vec3& p = sheet.surface.vertices.front();
+    const geom::Vec3& p = sheet.surface.vertices.front();
     out.x = p.x;
     out.y = p.y;
     out.z = p.z;

@@ -195,8 +195,7 @@ Request route(const std::vector<std::string>& words, const std::vector<Stage>& s
             out.quiet = true;
             for (auto& g : given) g.all.emplace_back("--quiet");
         } else if (option && word.starts_with("--")) {
-            const std::string typed = word;
-            if (!give(split(typed), stages, given, i, words)) unknown(split(typed), typed, stages);
+            if (!give(split(word), stages, given, i, words)) unknown(split(word), word, stages);
         } else if (option) {
             unknown({"", word.substr(1), {}}, word, stages);
         } else if (word.empty()) {
