@@ -120,5 +120,5 @@ facts() { peek "$1" | sed -n 's/^fact *surfpath: //p'; }
     echo '3 117 118 119' >> two.off
     geodesic two.off --source plane:1,0,0,12.5 > s
     expect 0 baseline fina s -o t
-    [[ $err == *'1 component that no distance reaches stay empty (50 mm2)'* ]]
+    [[ $err == *'no distance reaches 1 component of the surface, so no path covers 50 mm2'* ]]
 }
