@@ -63,4 +63,59 @@ std::string Zip::read(std::string path) {
     }
 }
 
+namespace {
+
+[[noreturn]] void cannot_write(const std::string& why) {
+    throw Error(Exit::failure, "cannot write a zip archive: " + why);
+}
+
+using Target = std::unique_ptr<zip_source_t, decltype(&zip_source_free)>;
+
+// What libzip has written to `target`.
+std::string bytes_of(zip_source_t* target) {
+    zip_stat_t about;
+    zip_stat_init(&about);
+    if (zip_source_stat(target, &about) != 0 || zip_source_open(target) != 0) cannot_write("its bytes are not there");
+    std::string out(about.size, '\0');
+    const zip_int64_t n = zip_source_read(target, out.data(), out.size());
+    zip_source_close(target);
+    if (n < 0 || static_cast<std::size_t>(n) != out.size()) cannot_write("its bytes are not whole");
+    return out;
+}
+
+void add_file(zip_t* zip, const std::string& path, const std::string& content) {
+    zip_source_t* source = zip_source_buffer(zip, content.data(), content.size(), 0);
+    if (source == nullptr) cannot_write(zip_strerror(zip));
+    const zip_int64_t index = zip_file_add(zip, path.c_str(), source, ZIP_FL_ENC_UTF_8);
+    if (index < 0) {
+        zip_source_free(source);
+        cannot_write(path + ": " + zip_strerror(zip));
+    }
+    constexpr zip_uint16_t kFirstDay = 1U << 5U | 1U; // month and day of the year 1980
+    const auto entry = static_cast<zip_uint64_t>(index);
+    if (zip_set_file_compression(zip, entry, ZIP_CM_DEFLATE, 0) != 0 ||
+        zip_file_set_dostime(zip, entry, 0, kFirstDay, 0) != 0)
+        cannot_write(path + ": " + zip_strerror(zip));
+}
+
+} // namespace
+
+std::string zipped(const std::vector<std::pair<std::string, std::string>>& files) {
+    zip_error_t error;
+    zip_error_init(&error);
+    const Target target(zip_source_buffer_create(nullptr, 0, 0, &error), &zip_source_free);
+    if (target == nullptr) cannot_write(zip_error_strerror(&error));
+    zip_source_keep(target.get()); // zip_close gives up one of the two holds
+    std::unique_ptr<zip_t, decltype(&zip_discard)> zip(
+        zip_open_from_source(target.get(), ZIP_CREATE | ZIP_TRUNCATE, &error), &zip_discard);
+    if (zip == nullptr) {
+        zip_source_free(target.get());
+        cannot_write(zip_error_strerror(&error));
+    }
+    for (const auto& [path, content] : files) add_file(zip.get(), path, content);
+    if (zip_close(zip.get()) != 0) cannot_write(zip_strerror(zip.get()));
+    (void)zip.release(); // zip_close freed it
+    return bytes_of(target.get());
+}
+
 } // namespace filum::archive

@@ -1,4 +1,4 @@
-// Files in a zip archive in memory.
+// Files in a zip archive in memory: reading and writing.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +7,8 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace filum::archive {
 
@@ -40,5 +42,10 @@ class Zip {
     std::string name_;
     std::size_t taken_ = 0;
 };
+
+// The bytes of an archive with these files, deflated, in this order: pairs of a path and a content.  Equal files give
+// equal bytes: every entry is dated 1 January 1980, the first day that the format knows.  Throws Error(failure) if
+// memory runs out.
+std::string zipped(const std::vector<std::pair<std::string, std::string>>& files);
 
 } // namespace filum::archive

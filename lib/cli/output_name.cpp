@@ -20,8 +20,7 @@ constexpr std::string_view kPrograms = "machine code comes from 'filum print' or
 
 // The first that fits counts.
 constexpr Format kFormats[] = {
-    {" .gcode.3mf ", "a Bambu Studio print file", "write x.gcode"},
-    {" .bgcode .gcode .gco .g .nc .ngc .tap .cnc .src .mod .script .urp ", "machine code", kPrograms},
+    {" .gcode.3mf .bgcode .gcode .gco .g .nc .ngc .tap .cnc .src .mod .script .urp ", "machine code", kPrograms},
     {" .gx .x3g .makerbot .ufp .s3g ", "a printer's own program format", "write x.gcode"},
     {" .png .svg ", "a picture", kPictures},
     {" .pdf .jpg .jpeg .gif .webp .bmp .tif .tiff .eps .ps ", "a picture or document", kPictures},

@@ -7,7 +7,7 @@
 namespace filum::cli {
 
 // Throws Error(usage) for a name whose ending stands for a format that is not written: part.pdf,
-// part.gcode.3mf, ...  `program` writes `what`, as its help says it: "machine code", "a PNG picture, SVG or VTP".
+// part.stl, ...  `program` writes `what`, as its help says it: "machine code", "a PNG picture, SVG or VTP".
 // Names without an ending, and endings that stand for no other format, are free.
 void check_output_name(const std::string& name, std::string_view program, const std::string& what);
 

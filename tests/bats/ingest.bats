@@ -149,10 +149,49 @@ END
         metrics --format tsv read.toolpath | grep -v '^said\|^noted' > $file.tsv
     done
     diff towers.gcode.tsv towers.bgcode.tsv
-    expect 2 filum print towers.stl -o towers.gcode.3mf
+    expect 2 filum print towers.stl -o towers.3mf
     expect 2 filum print towers.stl --machine ur -o towers.bgcode
     head -c 5000 towers.bgcode > short.bgcode
     expect 4 ingest short.bgcode
+}
+
+@test "a Bambu Studio print file: the same program, its sum, where its parts stand" {
+    filum print towers.stl --infill 15% --copies 2 -o towers.gcode
+    for out in one two; do filum print towers.stl --infill 15% --copies 2 --thumbnails 16x16 -o $out.gcode.3mf; done
+    cmp one.gcode.3mf two.gcode.3mf
+    for file in towers.gcode one.gcode.3mf; do
+        ingest -q $file -o read.toolpath
+        metrics --format tsv read.toolpath | grep -v '^said\|^noted' > $file.tsv
+    done
+    diff towers.gcode.tsv one.gcode.3mf.tsv
+    python3 - <<'END'
+import hashlib, json, re, struct, zipfile
+import xml.etree.ElementTree as xml
+z = zipfile.ZipFile("one.gcode.3mf")
+assert z.testzip() is None
+read = lambda name: z.read("Metadata/" + name)
+assert read("plate_1.gcode.md5").decode() == hashlib.md5(read("plate_1.gcode")).hexdigest().upper()
+trees = {n: xml.fromstring(z.read(n)) for n in z.namelist() if n.endswith((".xml", ".rels", ".config", ".model"))}
+for name, tree in trees.items():  # what a relation points to is there
+    for relation in tree.findall("{*}Relationship"):
+        assert relation.get("Target")[1:] in z.namelist(), relation.attrib
+info = {m.get("key"): m.get("value") for m in trees["Metadata/slice_info.config"].iter("metadata")}
+assert float(info["prediction"]) > 60 and info["support_used"] == "false" and "printer_model_id" not in info, info
+plate = json.loads(read("plate_1.json"))
+assert len(plate["bbox_objects"]) == len(trees["Metadata/slice_info.config"].findall(".//object")) == 2, plate
+moves = [re.findall(r"([XYE])([-.\d]+)", l) for l in read("plate_1.gcode").decode().splitlines() if re.match("G1 X.* E[.\\d]", l)]
+for k, axis in enumerate("XY"):  # the boxes hold what is printed
+    values = [float(v) for words in moves for a, v in words if a == axis]
+    low, high = plate["bbox_all"][k], plate["bbox_all"][k + 2]
+    assert min(b["bbox"][k] for b in plate["bbox_objects"]) == low and low < max(values) and high > min(values)
+for name, side in (("plate_1.png", 512), ("plate_1_small.png", 128)):
+    assert struct.unpack(">II", read(name)[16:24]) == (side, side)
+used = trees["Metadata/slice_info.config"].find(".//filament")
+assert used.get("id") == "1" and float(used.get("used_m")) > 0.1, used.attrib
+END
+    head -c 5000 one.gcode.3mf > short.gcode.3mf
+    expect 3 ingest short.gcode.3mf
+    expect 2 filum print towers.stl --machine ur -o towers.gcode.3mf
 }
 
 @test "hollow programs with supports read back: time, lengths by role, volume" {

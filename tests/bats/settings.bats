@@ -42,7 +42,7 @@ cm3() { sed -n 's/^; filament used \[cm3\] = //p' "$1"; }
 }
 
 @test "endings mean what they say" {
-    for name in x.pdf x.jpg x.gcode.3mf x.png; do
+    for name in x.pdf x.jpg x.3mf x.png; do
         run filum print cube.obj -o "$name"
         [ "$status" -eq 2 ]
         [ ! -e "$name" ]

@@ -100,13 +100,20 @@ void write_summary(const std::string& path, const std::vector<std::string>& line
     cli::write_text(path, text);
 }
 
-// Pictures go into a table of binary G-code, and into comments at the head of a text.
-void add_pictures(const std::vector<PictureSize>& sizes, const std::vector<std::string>& pictures, ProgramFile& file,
+// Draws the pictures that `sizes` asks for and those that the file needs, and puts them where they belong: in a table
+// of the file, or in comments at the head of a text.
+void add_pictures(stream::Spool& spool, const std::vector<PictureSize>& sizes, int threads, ProgramFile& file,
                   std::vector<std::string>& about) {
-    if (file.binary())
-        for (std::size_t i = 0; i < sizes.size(); ++i) file.add(sizes[i], pictures[i]);
-    else
-        for (auto& line : thumbnail_lines(sizes, pictures)) about.push_back(std::move(line));
+    auto all = file.own_pictures();
+    const std::size_t own = all.size();
+    all.insert(all.end(), sizes.begin(), sizes.end());
+    if (all.empty()) return;
+    const auto pictures = thumbnails(spool, all, threads);
+    spool.rewind();
+    for (std::size_t i = 0; i < (file.tables() ? all.size() : own); ++i) file.add(all[i], pictures[i]);
+    if (file.tables()) return;
+    for (auto& line : thumbnail_lines(sizes, {pictures.begin() + static_cast<std::ptrdiff_t>(own), pictures.end()}))
+        about.push_back(std::move(line));
 }
 
 } // namespace
@@ -161,10 +168,7 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
         profile, first_pass, measure.program_shift(), [&](auto text) { file.write(text); }, modules.file());
     const auto told = filum::postproc::summary(profile, first_pass, measure.program_shift(), notes, facts);
     auto about = filum::postproc::about(profile, first_pass, told, notes);
-    if (!sizes.empty()) {
-        add_pictures(sizes, thumbnails(spool, sizes, io.threads), file, about);
-        spool.rewind();
-    }
+    add_pictures(spool, sizes, io.threads, file, about);
     program->begin(about);
     const auto add = [&](std::span<const filum::postproc::Step> steps) { program->add(steps); };
     const auto written = filum::postproc::walker(profile, measure.walk_shift(), add, measure.joins());
@@ -173,7 +177,7 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     const auto made_by = stages(reader.header(), io, profile);
     program->end(filum::postproc::history(made_by, notes, facts));
     modules.commit();
-    file.describe(profile, first_pass, made_by);
+    file.describe(profile, first_pass, measure.program_shift(), made_by);
     file.commit();
     write_summary(o.summary, told);
 }
