@@ -270,3 +270,13 @@ nest() {
     printf '@test "a" {\n    [ -e a ] && [ -e b ]\n    true\n}\n' >"$tree/tests/bats/a.bats"
     finds "tests/bats/a.bats:2: an assertion that cannot fail, 'A && B'"
 }
+
+@test "a page of an algorithm that names a function of yesterday" {
+    mkdir -p "$tree/docs/algorithms"
+    echo 'First `cut::parts()`, then `glue()`.' >"$tree/docs/algorithms/cut.md"
+    echo 'int glue() { return parts(1); }' >>"$tree/cmds/cut.cpp"
+    run "$check" "$tree"
+    [ "$status" -eq 0 ]
+    sed -i 's/parts(/pieces(/' "$tree/cmds/cut.cpp"
+    finds "docs/algorithms/cut.md:1: names the function 'parts()'"
+}

@@ -4,8 +4,8 @@
 setup() { top=$BATS_TEST_DIRNAME/../..; }
 
 @test "sketches are what the script draws" {
-    "$top/scripts/draw-docs" --out "$BATS_TEST_TMPDIR" sequence-head sequence-again geodesic-window
-    for f in sequence-head sequence-again geodesic-window; do
+    "$top/scripts/draw-docs" --out "$BATS_TEST_TMPDIR" sequence-head sequence-again geodesic-window field-joins rows-turns
+    for f in sequence-head sequence-again geodesic-window field-joins rows-turns; do
         cmp "$BATS_TEST_TMPDIR/$f.svg" "$top/docs/algorithms/pictures/$f.svg"
     done
 }

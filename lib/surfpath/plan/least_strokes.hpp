@@ -1,4 +1,4 @@
-// How few strokes can cover a surface (docs/algorithms/surfaces.md, "How few cuts").
+// How few strokes can cover a surface (docs/algorithms/bounds.md, "How few cuts").
 #pragma once
 
 #include "surfpath/plan/plan.hpp"

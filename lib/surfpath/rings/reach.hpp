@@ -1,4 +1,4 @@
-// How much of a surface rings can cover that bend no tighter than a radius (docs/algorithms/surfaces.md, "How much
+// How much of a surface rings can cover that bend no tighter than a radius (docs/algorithms/bounds.md, "How much
 // rings can cover").
 #pragma once
 

@@ -109,7 +109,7 @@ TEST(Stagger, TurnsBehindEachOtherLayLessTwiceThanAllAtTheRim) {
     EXPECT_LT(staggered, 0.9 * piled);
 }
 
-// docs/algorithms/surfaces.md, "How little turns can waste": found by a search over all pairs and depths.
+// docs/algorithms/rows.md, "How little turns can waste": found by a search over all pairs and depths.
 TEST(Stagger, TurnsWasteLittleMoreThanTheBestKnownOnes) {
     FILUM_NOT_SANITIZED();
     constexpr double kEnds = 60,
