@@ -4,8 +4,8 @@
 setup() { top=$BATS_TEST_DIRNAME/../..; }
 
 @test "sketches are what the script draws" {
-    "$top/scripts/draw-docs" --out "$BATS_TEST_TMPDIR" sequence-head sequence-again geodesic-window field-joins rows-turns
-    for f in sequence-head sequence-again geodesic-window field-joins rows-turns; do
+    "$top/scripts/draw-docs" --out "$BATS_TEST_TMPDIR" sequence-head sequence-again geodesic-window field-joins rows-turns link3d-moves
+    for f in sequence-head sequence-again geodesic-window field-joins rows-turns link3d-moves; do
         cmp "$BATS_TEST_TMPDIR/$f.svg" "$top/docs/algorithms/pictures/$f.svg"
     done
 }
