@@ -8,8 +8,8 @@ namespace filum {
 // 2^64 by the golden ratio, odd: the step of splitmix64.
 inline constexpr std::uint64_t kMixStep = 0x9e3779b97f4a7c15U;
 
-// A permutation of the 64-bit numbers of which each bit depends on all; 0 stays 0.  (Stafford's variant 13, the
-// finaliser of splitmix64: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014.)
+// A permutation of the 64-bit numbers. Every bit depends on all bits of the input, and 0 stays 0. (Stafford's variant
+// 13, the finaliser of splitmix64: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014.)
 constexpr std::uint64_t mixed(std::uint64_t x) {
     x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
     x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;

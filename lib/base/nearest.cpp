@@ -24,7 +24,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 namespace {
 
-// The only one of `names` of which `word` is a part, or that is a part of it.
+// The name that contains `word` or is contained in it, if there is exactly one such name.
 std::string only_with_part(std::string_view word, std::span<const std::string> names) {
     constexpr std::size_t kLeast = 3;
     std::string out;

@@ -203,13 +203,14 @@ Notes summed(const Notes& notes) {
 }
 
 std::string notes_page() {
-    std::string out =
-        "# Notes\n\nMade by `scripts/generate-docs` from `lib/base/notes.def`.\n\n"
-        "What a stage drops, repairs or cannot place becomes a note in its stream, with a code, an amount, a place and "
-        "a "
-        "grade. Programs say each kind once, at the end: `filum print` those of all stages, a single stage its own. "
-        "Harmless notes are said with `--notes all` only. JSON of `metrics` and `peek`, reports and Python carry codes "
-        "and grades.\n";
+    std::string out = "# Notes\n\nMade by `scripts/generate-docs` from `lib/base/notes.def`.\n\n"
+                      "A stage writes a note into its stream for everything that it drops, repairs or cannot place. A "
+                      "note has a code, an "
+                      "amount, a place and a grade. Programs print each kind once, at their end: `filum print` those "
+                      "of all stages, a "
+                      "single stage its own. Harmless notes appear with `--notes all` only. JSON of `metrics` and "
+                      "`peek`, reports and "
+                      "Python contain codes and grades.\n";
     for (const Grade g : {Grade::will_fail, Grade::look, Grade::harmless}) {
         const bool advised = g != Grade::harmless;
         out += "\n## " +

@@ -32,7 +32,7 @@ struct Spoken {
 };
 Spoken spoken(std::string_view key, bool on_surface);
 
-// Text as part of a key: lower case, whatever is no letter, figure or point as '_'.
+// Text as part of a key: lower case, with '_' for everything except letters, digits and points.
 std::string key_text(std::string_view text);
 
 // docs/metrics.md.

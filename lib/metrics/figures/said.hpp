@@ -1,4 +1,4 @@
-// What the stages before said, as figures.
+// Facts and notes of earlier stages, as figures.
 #pragma once
 
 #include "base/fact.hpp"
