@@ -4,7 +4,7 @@
 FILUM_KLIPPER names a checkout of Klipper.  KEY is one of [printer] (max_accel=5000), `resolution` of [gcode_arcs], or
 `rotary=a,c`: manual steppers.  Prints, tab-separated: the seconds from above the first stroke to the end of the
 last one, without what the profile's templates do before and after, then each motor and how many steps it makes in all.
-Exit 1 and Klipper's own words if it refuses a line, 77 if it cannot be run here.
+Exit 1 and Klipper's own words if it refuses a line or does not end within five minutes, 77 if it cannot be run here.
 """
 import os
 import re
@@ -14,6 +14,7 @@ import tempfile
 
 PRINTER = {"kinematics": "cartesian", "max_velocity": 300, "max_accel": 3000, "max_z_velocity": 15,
            "max_z_accel": 100, "square_corner_velocity": 5}
+LONGEST = 300  # s that Klipper may take
 MARK = "FILUM_MARK"  # a command of our own; the machine stands where it is put
 
 
@@ -41,6 +42,7 @@ def config(keys):
                       filament_diameter=1.75, max_extrude_only_distance=500, max_extrude_cross_section=50, **drive))
     out.update(heater("heater_bed", 34, 1, control="watermark"))
     out["fan"] = {"pin": "gpio35"}
+    out["display_status"] = {}  # M73, as any printer with a screen has it
     for k, name in enumerate(rotary):
         out.update(stepper(f"manual_stepper {name}", 40 + 10 * k, 36, velocity=60, accel=600))
     return "\n".join(f"[{s}]\n" + "".join(f"{k}: {v}\n" for k, v in keys.items()) for s, keys in out.items())
@@ -111,9 +113,14 @@ def plan(program, keys):
         with open(program) as f, open(at["program.gcode"], "w") as g:
             g.write(marked(f.read()))
         spoken = dictionary(klipper, room)
-        done = subprocess.run([sys.executable, __file__, "--run", os.path.join(klipper, "klippy"), at["printer.cfg"],
-                               "-i", at["program.gcode"], "-o", at["serial"], "-l", at["log"], "-d", spoken],
-                              capture_output=True, text=True)
+        try:
+            done = subprocess.run([sys.executable, __file__, "--run", os.path.join(klipper, "klippy"),
+                                   at["printer.cfg"], "-i", at["program.gcode"], "-o", at["serial"], "-l", at["log"],
+                                   "-d", spoken], capture_output=True, text=True, timeout=LONGEST)
+        except subprocess.TimeoutExpired:
+            with open(at["log"]) as f:
+                sys.stderr.write(f"Klipper does not end within {LONGEST} s; its log ends: {f.read()[-500:]}\n")
+            sys.exit(1)
         with open(at["log"]) as f:
             log = f.read()
         wrong = re.findall(r"^(?:ERROR|Traceback|.*!! |.*Unknown command|.*Must home|.*Move out of range).*", log, re.M)
