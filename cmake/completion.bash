@@ -42,7 +42,11 @@ _filum() {
     if [[ $command != filum ]]; then
         _filum_complete "$command" "$word" "$previous"
     elif [[ $COMP_CWORD -eq 1 || ${COMP_WORDS[1]} == help ]]; then
-        mapfile -t COMPREPLY < <(compgen -W "print list env help $(_filum_options | cut -d ' ' -f 1)" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "print list env machines printers patterns settings check help $(_filum_options | cut -d ' ' -f 1)" -- "$word")
+    elif [[ ${COMP_WORDS[1]} == print && $previous == --printer ]]; then
+        mapfile -t COMPREPLY < <(filum printers --names 2> /dev/null | grep -i -F -- "$word" | sed 's/[^A-Za-z0-9_.+-]/\\&/g')
+    elif [[ ${COMP_WORDS[1]} == print && $previous == --filament ]]; then
+        mapfile -t COMPREPLY < <(compgen -W "pla petg abs tpu" -- "$word")
     elif [[ ${COMP_WORDS[1]} == print ]]; then
         for stage in slice regions sequence fill link3d postproc; do
             local so_far=("${COMPREPLY[@]}")

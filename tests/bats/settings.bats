@@ -41,6 +41,48 @@ cm3() { sed -n 's/^; filament used \[cm3\] = //p' "$1"; }
     run ! grep -q '^not known' groups
 }
 
+@test "presets of a bundle are named, and what they inherit is found or named" {
+    printf '%s\n' '[printer:*common*]' 'nozzle_diameter = 0.4' 'retract_length = 3' \
+        '[printer:Test 0.6 & Co, large]' 'inherits = *common*' 'nozzle_diameter = 0.6' \
+        'default_print_profile = usual' '[print:usual]' 'perimeters = 2' '[print:own one]' 'perimeters = 5' > bundle.ini
+    run filum print cube.obj --load 'bundle.ini:printer=Test 0.6 & Co, large' --dry-run
+    [[ "$status" -eq 0 && "$output" == *"--walls=2"*"travel.retract=3"* && "$output" == *"--bead-width=0.6"* ]]
+    run filum print cube.obj --load 'bundle.ini:printer=Test 0.6 & Co, large,print=own one' --dry-run
+    [[ "$output" == *"--walls=5"* ]]
+    run filum print cube.obj --load 'bundle.ini:printer=Test 0.8' --dry-run
+    [[ "$status" -eq 2 && "$output" == *"it has no printer 'Test 0.8'"* ]]
+    printf 'perimeters = 2\n' > plain.ini
+    run filum print cube.obj --load plain.ini:printer=X --dry-run
+    [ "$status" -eq 2 ]
+    mkdir process
+    echo '{"type": "process", "name": "mine", "inherits": "0.2 Standard", "wall_loops": "3"}' > mine.json
+    run filum print cube.obj --load mine.json --dry-run
+    [[ "$status" -eq 0 && "$output" == *"'0.2 Standard', which 'mine' inherits from, was not found"* ]]
+    echo '{"type": "process", "name": "0.2 Standard", "layer_height": "0.25"}' > 'process/0.2 Standard.json'
+    FILUM_PRESETS=$PWD run filum print cube.obj --load mine.json --dry-run
+    [[ "$output" != *"not found"* && "$output" == *"--layer-height=0.25"*"--walls=3"* ]]
+}
+
+@test "printers are chosen by name, and listed" {
+    printf '%s\n' '[printer:Maker One]' 'nozzle_diameter = 0.6' 'default_print_profile = usual' '[print:usual]' \
+        'perimeters = 4' '[printer:Maker One XL]' 'nozzle_diameter = 0.8' > maker.ini
+    export FILUM_PRESETS=$PWD
+    run filum printers maker one
+    [[ "$status" -eq 0 && "${#lines[@]}" -eq 2 && "${lines[0]}" == "Maker One "*"maker.ini" ]]
+    run filum printers ender
+    [[ "$output" == *"ender3"*"Creality Ender 3"* ]]
+    run filum print cube.obj --printer 'maker one' --filament petg --dry-run
+    [[ "$status" -eq 0 && "$output" == *"--bead-width=0.6"*"--walls=4"*"nozzle_temp=240"* ]]
+    run filum print cube.obj --printer mk3s --filament abs --dry-run
+    [[ "$status" -eq 0 && "$output" == *"--machine=mk3s"* && "$output" == *"first_bed_temp=100"* ]]
+    run filum print cube.obj --printer 'no such' --dry-run
+    [ "$status" -eq 2 ]
+    for machine in ender3 mk3s mk4 mini voron-2.4 bambu-a1 bambu-p1 bambu-x1 ultimaker-original; do
+        filum print cube.obj --printer "$machine" --infill 20 -q -o "$machine.gcode"
+        ingest --machine "$machine" "$machine.gcode" | peek --json > /dev/null
+    done
+}
+
 @test "endings mean what they say" {
     for name in x.pdf x.jpg x.3mf x.png; do
         run filum print cube.obj -o "$name"

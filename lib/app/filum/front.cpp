@@ -2,6 +2,7 @@
 
 #include "app/filum/check.hpp"
 #include "app/filum/print.hpp"
+#include "app/filum/printers.hpp"
 #include "app/filum/process.hpp"
 #include "app/filum/show_settings.hpp"
 #include "app/filum/stage.hpp"
@@ -121,6 +122,7 @@ constexpr OwnCommand kOwnCommands[] = {
      "usage: filum settings FILE...\n\nShows what Filum makes of each setting of a slicer's file or project: the "
      "option for it, or why\nthere is none.\n",
      show_settings},
+    {"printers", nullptr, kPrintersHelp, show_printers},
 };
 
 const OwnCommand* own_command(const std::string& name) {

@@ -69,6 +69,8 @@ struct FirstOption {
 };
 constexpr FirstOption kFirstOptions[] = {
     {"machine", "NAME", "the machine: see filum machines"},
+    {"printer", "NAME", "a printer of your slicer's presets or of Filum's: see filum printers"},
+    {"filament", "NAME", "pla, petg, abs, tpu, or a filament of your slicer's presets"},
     {"layer-height", "MM", "height of a layer"},
     {"bead-width", "MM", "width of a bead: usually that of the nozzle"},
     {"infill", "PERCENT", "how much of the inside is filled; 100%: one unbroken curve without skins"},
@@ -112,7 +114,9 @@ std::string print_help(const std::vector<Stage>& stages) {
         "first in the program.\n"
         "If a stage fails, the exit code is its own, and no file appears.\n\n"
         "  -o, --output FILE   where to write\n"
-        "  --load FILE         settings of PrusaSlicer, OrcaSlicer or Bambu Studio (.ini, .json, or a project, .3mf):\n"
+        "  --load FILE         settings of PrusaSlicer, OrcaSlicer or Bambu Studio (.ini, .json, or a project, .3mf);\n"
+        "                      of a bundle the presets that stand behind it: "
+        "FILE:printer=NAME,print=NAME,filament=NAME.\n"
         "                      Filum applies the settings it knows and lists those it ignores.\n"
         "                      Options win over it. Options by slicers' names are taken, too: --fill-density 15%,\n"
         "                      --temperature 210, --rotate 45, --scale 150%\n"

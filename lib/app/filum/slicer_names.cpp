@@ -1,5 +1,6 @@
 #include "app/filum/slicer_names.hpp"
 
+#include "app/filum/printers.hpp"
 #include "app/filum/route.hpp"
 #include "app/filum/slicer_settings.hpp"
 #include "base/error.hpp"
@@ -109,9 +110,9 @@ void limit_speeds(SlicerWishes& all, double most) {
         }
 }
 
-// What of a file has a meaning here; `printed`: it is also the part; `most`: mm/s.
-void load(const std::string& file, bool printed, double most, const std::vector<Stage>& stages, Translated& out) {
-    SlicerWishes all = wishes(slicer_file(file), [&](std::string_view name) { return has(stages, name); });
+// What of settings has a meaning here; `most`: mm/s.  Returns whether they ask for supports.
+bool use_settings(const SlicerFile& file, double most, const std::vector<Stage>& stages, Translated& out) {
+    SlicerWishes all = wishes(file, [&](std::string_view name) { return has(stages, name); });
     limit_speeds(all, most);
     out.words.insert(out.words.end(), all.words.begin(), all.words.end());
     std::ranges::move(all.remarks, std::back_inserter(out.remarks));
@@ -122,7 +123,32 @@ void load(const std::string& file, bool printed, double most, const std::vector<
         else if (s.use == Use::later || s.use == Use::unknown)
             out.left.push_back(s.key);
     }
-    load_bodies(file, printed, all.supports, stages, out);
+    return all.supports;
+}
+
+// The settings of the printer and of all files, then the bodies of those that are projects; `words`: the user's own.
+void load(const PrinterNames& printer, const std::vector<std::string>& files, const std::vector<std::string>& words,
+          const std::vector<Stage>& stages, Translated& out) {
+    if (files.empty() && !printer.any()) return;
+    ChosenPrinter chosen = chosen_printer(printer);
+    out.words = chosen.words;
+    std::vector<SlicerFile> read = std::move(chosen.settings);
+    for (const std::string& file : files) read.push_back(slicer_file(file));
+    std::vector<std::string> all = out.words;
+    all.insert(all.end(), words.begin(), words.end());
+    const double most = fastest(all, stages);
+    bool supports = false;
+    for (const SlicerFile& file : merged(std::move(read))) supports = use_settings(file, most, stages, out) || supports;
+    for (const std::string& file : files)
+        load_bodies(file, std::ranges::find(words, file) != words.end(), supports, stages, out);
+}
+
+// Where the value of an option goes that names a printer, its print profile or its filament; else null.
+std::string* printer_name(PrinterNames& names, const std::string& option) {
+    if (option == "printer" || option == "printer-profile") return &names.printer;
+    if (option == "print-profile") return &names.print;
+    if (option == "filament" || option == "material-profile") return &names.filament;
+    return nullptr;
 }
 
 // --rotate 45, --scale 150%, --infill 15, --infill-pattern gyroid: our options, values of theirs.
@@ -163,6 +189,7 @@ void join_sets(std::vector<std::string>& words) {
 Translated translated(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
     Translated out;
     std::vector<std::string> rest, files;
+    PrinterNames printer;
     std::size_t i = 0;
     for (; i < words.size() && words[i] != "--"; ++i) {
         const std::string& word = words[i];
@@ -176,6 +203,8 @@ Translated translated(const std::vector<std::string>& words, const std::vector<S
         const OtherName* n = typed.empty() || has(stages, typed) ? nullptr : known(stages, typed);
         if (typed == "load") {
             files.push_back(value());
+        } else if (std::string* name = printer_name(printer, typed)) {
+            *name = value();
         } else if (typed == "set" || typed == "rotate" || typed == "scale" || typed == "infill" ||
                    typed == "infill-pattern") {
             rest.push_back(option_of(typed, own_value(typed, value())));
@@ -191,8 +220,7 @@ Translated translated(const std::vector<std::string>& words, const std::vector<S
         }
     }
     join_sets(rest);
-    const double most = files.empty() ? 0 : fastest(rest, stages);
-    for (const std::string& file : files) load(file, std::ranges::find(rest, file) != rest.end(), most, stages, out);
+    load(printer, files, rest, stages, out);
     out.words.insert(out.words.end(), rest.begin(), rest.end());
     out.words.insert(out.words.end(), words.begin() + static_cast<std::ptrdiff_t>(i), words.end());
     join_sets(out.words);

@@ -20,6 +20,8 @@ std::string option(std::string_view name, const std::string& value) { return "--
 std::string option(std::string_view name, double value) { return option(name, shortest_text(value)); }
 std::string set(std::string_view key, double value) { return "--set=" + std::string(key) + "=" + shortest_text(value); }
 
+constexpr double kNoFlowLimit = 1e5; // mm3/s: more than any hot end melts
+
 // How the words of one setting are made; none: it asks for what Filum does anyway.  Throws Error for a value that has
 // no meaning here.
 class Reader {
@@ -41,6 +43,12 @@ class Reader {
             return number > 0 || row.reading == "key" ? Words{set(row.target, number)} : Words{};
         }
         if (row.reading == "celsius") return celsius(key, row);
+        if (row.reading == "acceleration") {
+            const double mm_s2 = acceleration(key, row);
+            return mm_s2 > 0 ? Words{set(row.target, mm_s2)} : Words{};
+        }
+        if (row.reading == "flow") // 0: without a limit
+            return {set(row.target, values_.number(key) > 0 ? values_.number(key) : kNoFlowLimit)};
         if (row.reading == "supported")
             return supports() && !values_.percent(key) && values_.number(key) > 0
                        ? Words{option(row.target, values_.number(key))}
@@ -103,6 +111,9 @@ class Reader {
         if (row.target == "bead-width")
             return first_of(key, {"extrusion_width", "line_width", "nozzle_diameter"}) ? width() : Words{};
         if (row.target == "brim") return key == "brim_width" ? brim() : Words{};
+        if (row.target == "cooling")
+            return first_of(key, {"max_fan_speed", "fan_max_speed", "min_fan_speed", "fan_min_speed"}) ? cooling()
+                                                                                                       : Words{};
         if (row.target == "skirt") return key == "skirt_distance" ? skirt() : Words{};
         if (row.target == "shrinkage")
             return first_of(key, {"filament_shrink", "filament_shrinkage_compensation_xy",
@@ -157,6 +168,41 @@ class Reader {
         remarks_.push_back("no brim: brim_type is " + (type.empty() ? "auto_brim, the slicer's default," : type) +
                            " and Filum makes outer ones; add --brim");
         return {};
+    }
+
+    // The fan by the time that a layer takes, as PrusaSlicer, OrcaSlicer and Bambu Studio drive it; those two by other
+    // names, and with other defaults.
+    Words cooling() {
+        const bool orca = values_.of_orca();
+        const auto of = [&](const char* prusa, const char* orcas, double otherwise) {
+            return values_.number_or(orca ? orcas : prusa, otherwise);
+        };
+        const auto speed = [](double percent) { return std::round(25.5 * percent) / 10; }; // 255 is full speed
+        const double least = of("min_fan_speed", "fan_min_speed", orca ? 20 : 35);
+        const double most = of("max_fan_speed", "fan_max_speed", 100);
+        const bool always = of("fan_always_on", "reduce_fan_stop_start_freq", 0) != 0;
+        const bool by_time = orca || values_.number_or("cooling", 1) != 0;
+        const bool bridges = !orca || values_.number_or("enable_overhang_bridge_fan", 1) != 0;
+        Words out{
+            set("cooling.most", speed(most)),
+            set("cooling.least", speed(least)),
+            set("cooling.idle", always ? speed(least) : 0),
+            set("cooling.fast", by_time ? of("slowdown_below_layer_time", "slow_down_layer_time", 5) : 0),
+            set("cooling.below", by_time ? of("fan_below_layer_time", "fan_cooling_layer_time", 60) : 0),
+            set("cooling.off_layers", of("disable_fan_first_layers", "close_fan_the_first_x_layers", orca ? 1 : 3)),
+            set("cooling.full_layer", of("full_fan_speed_layer", "full_fan_speed_layer", 0))};
+        if (bridges) out.push_back(set("cooling.bridge", speed(of("bridge_fan_speed", "overhang_fan_speed", 100))));
+        return out;
+    }
+
+    // mm/s2; 0 is the acceleration of everything else, and a percentage is one of another acceleration.
+    double acceleration(const std::string& key, const SettingRow& row, int depth = 0) const {
+        const std::string base = values_.of_orca() || key != "default_acceleration" ? std::string(row.of) : "";
+        const double own = values_.number_or(key, 0);
+        if (own > 0 && !values_.percent(key)) return own;
+        if (base.empty() || depth > 1) return 0;
+        const double whole = acceleration(base, row_of(base, values_.slicer()), depth + 1);
+        return own > 0 ? own / 100 * whole : whole;
     }
 
     Words skirt() {
@@ -223,6 +269,7 @@ class Reader {
 
 SlicerWishes wishes(const SlicerFile& file, const std::function<bool(std::string_view)>& has) {
     SlicerWishes out;
+    out.remarks = file.remarks;
     const SlicerValues values(file);
     Reader reader(values, out.remarks);
     out.supports = reader.supports();

@@ -68,11 +68,27 @@ std::string_view word_of(Slicer slicer) {
 
 } // namespace
 
-SettingRow row_of(std::string_view key, Slicer slicer) {
+namespace {
+
+const std::vector<Line>& table() {
     static const std::vector<Line> all = lines();
-    for (const Line& line : all)
+    return all;
+}
+
+} // namespace
+
+SettingRow row_of(std::string_view key, Slicer slicer) {
+    for (const Line& line : table())
         if (fits(key, line.key) && (line.slicers == "*" || has_word(line.slicers, word_of(slicer)))) return line.row;
     return {};
+}
+
+std::vector<SlicerSetting> defaults_of(Slicer slicer) {
+    std::vector<SlicerSetting> out;
+    for (const Line& line : table())
+        if (line.row.use == Use::used && !line.row.usual.empty() && has_word(line.slicers, word_of(slicer)))
+            out.push_back({std::string(line.key), std::string(line.row.usual)});
+    return out;
 }
 
 } // namespace filum::app::filum

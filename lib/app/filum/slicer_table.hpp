@@ -4,6 +4,7 @@
 #include "app/filum/slicer_file.hpp"
 
 #include <string_view>
+#include <vector>
 
 namespace filum::app::filum {
 
@@ -24,6 +25,9 @@ struct SettingRow {
     std::string_view usual;   // the slicer's default
     std::string_view why;     // it is not used
 };
+
+// Keys that the slicer has a value for where a preset lacks it, with that value.
+std::vector<SlicerSetting> defaults_of(Slicer slicer);
 
 // The first row that fits; one of unknown use if there is none.
 SettingRow row_of(std::string_view key, Slicer slicer);

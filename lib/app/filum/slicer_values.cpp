@@ -1,5 +1,6 @@
 #include "app/filum/slicer_values.hpp"
 
+#include "app/filum/slicer_text.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
 
@@ -10,12 +11,7 @@ namespace filum::app::filum {
 
 namespace {
 
-constexpr int kDeepest = 8; // percentages of percentages
-
-std::string unquoted(const std::string& text) {
-    const auto from = text.find_first_not_of(" \t\"");
-    return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(" \t\"") - from + 1);
-}
+constexpr int kDeepestShare = 8; // percentages of percentages
 
 } // namespace
 
@@ -55,11 +51,13 @@ double SlicerValues::share_of(const std::string& key, const SettingRow& row) con
 }
 
 double SlicerValues::speed(const std::string& key, const SettingRow& row, int depth) const {
-    if (text(key).empty()) return row.usual.empty() ? 0 : parse_number(std::string(row.usual), key);
-    if (!percent(key)) return number(key);
-    if (row.of.empty() || depth > kDeepest) throw Error(Exit::usage, "nothing says what it is a percentage of");
+    const std::string value = text(key).empty() ? std::string(row.usual) : text(key);
+    if (value.empty()) return 0;
+    if (!value.ends_with('%')) return parse_number(value, key);
+    if (row.of.empty() || depth > kDeepestShare) throw Error(Exit::usage, "nothing says what it is a percentage of");
     const std::string base(row.of);
-    return number(key) / 100 * speed(base, row_of(base, slicer_), depth + 1);
+    const double share = parse_number(value.substr(0, value.size() - 1), key) / 100;
+    return share * speed(base, row_of(base, slicer_), depth + 1);
 }
 
 double SlicerValues::density(const std::string& key) const {

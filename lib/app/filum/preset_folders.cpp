@@ -1,0 +1,143 @@
+#include "app/filum/preset_folders.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <iterator>
+#include <sstream>
+
+namespace filum::app::filum {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kMostEntries = 100'000; // of folders; all presets of OrcaSlicer are 20,000
+constexpr int kDeepestFolder = 6;             // folders below one that slicers keep presets in
+
+std::string from_environment(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+// The folders in which slicers keep presets, the user's first.
+std::vector<fs::path> kept_folders() {
+    std::vector<fs::path> out;
+    std::istringstream own(from_environment("FILUM_PRESETS"));
+    for (std::string folder; std::getline(own, folder, ':');)
+        if (!folder.empty()) out.emplace_back(folder);
+    const fs::path home = from_environment("HOME");
+    const std::string config = from_environment("XDG_CONFIG_HOME");
+    constexpr std::pair<const char*, const char*> kSlicers[] = {{"PrusaSlicer", "com.prusa3d.PrusaSlicer"},
+                                                                {"SuperSlicer", ""},
+                                                                {"OrcaSlicer", "io.github.softfever.OrcaSlicer"},
+                                                                {"OrcaSlicer", "com.orcaslicer.OrcaSlicer"},
+                                                                {"BambuStudio", "com.bambulab.BambuStudio"}};
+    for (const auto& [name, flatpak] : kSlicers) {
+        if (!config.empty() || !home.empty())
+            out.push_back((config.empty() ? home / ".config" : fs::path(config)) / name);
+        if (*flatpak != '\0' && !home.empty()) out.push_back(home / ".var" / "app" / flatpak / "config" / name);
+    }
+    for (const auto& [name, flatpak] : kSlicers)
+        for (const char* share : {"/usr/share", "/usr/local/share", "/opt"}) {
+            out.push_back(fs::path(share) / name / "profiles");
+            out.push_back(fs::path(share) / name / "resources" / "profiles");
+        }
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+}
+
+// How many folders two paths share from the root on.
+std::size_t shared_folders(const fs::path& a, const fs::path& b) {
+    const auto end = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
+    return static_cast<std::size_t>(std::distance(a.begin(), end));
+}
+
+} // namespace
+
+const char* name_of(PresetKind kind) {
+    constexpr const char* kNames[kPresetKinds] = {"printer", "print", "filament"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::optional<PresetKind> kind_of(std::string_view word) {
+    if (word == "printer" || word == "machine") return PresetKind::printer;
+    if (word == "print" || word == "process") return PresetKind::print;
+    if (word == "filament") return PresetKind::filament;
+    return std::nullopt;
+}
+
+// A preset lies in a folder of its kind, perhaps in folders below that; an .ini file elsewhere is a vendor's bundle.
+void PresetFolders::add(const fs::path& file, const fs::path& root) {
+    const bool ini = file.extension() == ".ini";
+    if (!ini && file.extension() != ".json") return;
+    std::optional<PresetKind> kind;
+    for (fs::path at = file.parent_path(); !kind && shared_folders(at, root) >= shared_folders(root, root);
+         at = at.parent_path()) {
+        kind = kind_of(at.filename().string());
+        if (at == root || at == at.parent_path()) break;
+    }
+    const bool is_beside = !beside_.empty() && file.parent_path() == fs::absolute(beside_).parent_path();
+    if (kind || is_beside)
+        places_.emplace(file.stem().string(), Place{kind, file});
+    else if (ini)
+        bundles_.push_back(file.string());
+}
+
+void PresetFolders::scan_folder(const fs::path& folder, bool deep) {
+    std::error_code none;
+    fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, none);
+    const fs::recursive_directory_iterator end;
+    std::vector<fs::path> files;
+    while (!none && at != end && entries_ < kMostEntries) {
+        ++entries_;
+        if (at->is_directory(none) && (!deep || at.depth() >= kDeepestFolder)) at.disable_recursion_pending();
+        if (at->is_regular_file(none)) files.push_back(at->path());
+        at.increment(none);
+    }
+    std::ranges::sort(files);
+    for (const fs::path& file : files) add(file, folder);
+}
+
+// Beside a preset in a folder of its kind stand those of the same vendor, and of others one folder up.
+void PresetFolders::scan() {
+    if (scanned_) return;
+    scanned_ = true;
+    if (!beside_.empty()) {
+        const fs::path folder = fs::absolute(beside_).lexically_normal().parent_path();
+        fs::path kind = folder;
+        while (!kind_of(kind.filename().string()) && kind != kind.parent_path()) kind = kind.parent_path();
+        const bool sorted = kind_of(kind.filename().string()).has_value();
+        scan_folder(sorted ? kind : folder, sorted);
+        if (sorted) scan_folder(kind.parent_path().parent_path(), true);
+    }
+    for (const fs::path& folder : kept_folders()) scan_folder(folder, true);
+}
+
+std::optional<std::string> PresetFolders::find(PresetKind kind, const std::string& name) {
+    scan();
+    const fs::path own = beside_.empty() ? fs::path() : fs::absolute(beside_).lexically_normal();
+    const Place* best = nullptr;
+    const auto [from, to] = places_.equal_range(name);
+    for (auto at = from; at != to; ++at) {
+        const Place& place = at->second;
+        if ((place.kind && *place.kind != kind) || place.file == own) continue;
+        if (best == nullptr || shared_folders(place.file, own) > shared_folders(best->file, own)) best = &place;
+    }
+    if (best == nullptr) return std::nullopt;
+    return best->file.string();
+}
+
+const std::vector<std::string>& PresetFolders::bundles() {
+    scan();
+    return bundles_;
+}
+
+std::vector<std::string> PresetFolders::files(PresetKind kind) {
+    scan();
+    std::vector<std::string> out;
+    for (const auto& [name, place] : places_)
+        if (place.kind == kind) out.push_back(place.file.string());
+    return out;
+}
+
+} // namespace filum::app::filum

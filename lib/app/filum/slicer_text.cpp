@@ -1,0 +1,81 @@
+#include "app/filum/slicer_text.hpp"
+
+#include "base/error.hpp"
+#include "wire/json.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace filum::app::filum {
+
+namespace {
+
+bool is_key(const std::string& text) {
+    return !text.empty() && std::ranges::all_of(text, [](unsigned char c) {
+        return std::islower(c) != 0 || std::isdigit(c) != 0 || c == '_' || std::isupper(c) != 0;
+    });
+}
+
+} // namespace
+
+std::string trimmed(const std::string& text) {
+    const auto from = text.find_first_not_of(" \t\r");
+    return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(" \t\r") - from + 1);
+}
+
+std::string unquoted(const std::string& text) {
+    const auto from = text.find_first_not_of(" \t\"");
+    return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(" \t\"") - from + 1);
+}
+
+std::vector<Section> sections(const std::string& text, Lines kind) {
+    std::vector<Section> out(1);
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) {
+        line = trimmed(line);
+        const bool comment = line.starts_with(';');
+        if (comment != (kind == Lines::commented)) continue;
+        if (comment) line = trimmed(line.substr(1));
+        if (!comment && line.starts_with('[') && line.ends_with(']')) {
+            out.push_back({line.substr(1, line.size() - 2), {}});
+            continue;
+        }
+        const auto equal = line.find('=');
+        const std::string key = trimmed(line.substr(0, equal));
+        if (equal != std::string::npos && is_key(key))
+            out.back().settings.push_back({key, trimmed(line.substr(equal + 1))});
+    }
+    return out;
+}
+
+std::vector<SlicerSetting> all_settings(const std::string& text, Lines kind) {
+    std::vector<SlicerSetting> out;
+    for (Section& section : sections(text, kind)) std::ranges::move(section.settings, std::back_inserter(out));
+    return out;
+}
+
+std::vector<SlicerSetting> json_settings(const std::string& text) {
+    std::vector<SlicerSetting> out;
+    for (const auto& [key, value] : wire::json_values(text)) out.push_back({key, value});
+    return out;
+}
+
+bool is_json(const std::string& text) {
+    const auto first = text.find_first_not_of(" \t\r\n");
+    return first != std::string::npos && text[first] == '{';
+}
+
+std::string content_of(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::string text;
+    if (in) text.assign(std::istreambuf_iterator<char>(in), {});
+    if (!in || in.bad()) throw Error(Exit::io, "cannot read '" + file + "': " + std::strerror(errno));
+    return text;
+}
+
+} // namespace filum::app::filum
