@@ -160,6 +160,13 @@ void add_piece(Loose& to, const Piece& piece, const Region& r, double depth, dou
         add_inside(to, rest, r, depth + piece.walls * piece.width, piece.width, tolerance);
 }
 
+// Whether an area that stays empty covers all of what walls leave, however narrow that is.
+bool stays_empty(const Loops& rest, const Region& r) {
+    return std::any_of(r.areas.begin(), r.areas.end(), [&](const Area& a) {
+        return a.kind == AreaKind::sparse && a.spacing >= infill::kHollow && polygon::subtract(rest, a.loops).empty();
+    });
+}
+
 // All closed curves of the region, none joined.
 Loose closed_curves(const Region& r, double w, double tolerance) {
     Loose out;
@@ -172,7 +179,9 @@ Loose closed_curves(const Region& r, double w, double tolerance) {
     add(out, walls.lanes, r.walls);
     const double depth = r.walls * w;
     for (const Loops& rest : walls.rest)
-        if (!has(r, AreaKind::zone))
+        if (stays_empty(rest, r))
+            continue;
+        else if (!has(r, AreaKind::zone))
             add_inside(out, rest, r, depth, w, tolerance);
         else
             for (const Piece& piece : pieces(polygon::simplify(rest, kTolerance), r, w))

@@ -4,6 +4,7 @@
 #include "app/filum/route.hpp"
 #include "app/filum/slicer_names.hpp"
 #include "app/filum/watch.hpp"
+#include "app/filum/wishes.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "base/shell.hpp"
@@ -30,39 +31,6 @@ int tell(const std::string& text) {
     return 0;
 }
 
-bool by_wish(const Stage& stage) {
-    return std::find(std::begin(kByWish), std::end(kByWish), stage.name) != std::end(kByWish);
-}
-
-// Whether one of the words is an option that no other stage has, or one of this stage by its name.
-bool wished(const std::vector<std::string>& words, const std::vector<Stage>& stages, const Stage& stage) {
-    const auto has = [](const Stage& s, const std::string& name) {
-        return std::any_of(s.options.begin(), s.options.end(), [&](const StageOption& o) { return o.name == name; });
-    };
-    return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
-        if (word.starts_with("--" + stage.name + ".") || word.starts_with("--stage=" + stage.name + "=") ||
-            word.starts_with(stage.name + "="))
-            return true;
-        const std::string name = word.starts_with("--") ? word.substr(2, word.find('=') - 2) : "";
-        return has(stage, name) && std::none_of(stages.begin(), stages.end(), [&](const Stage& other) {
-                   return other.name != stage.name && has(other, name);
-               });
-    });
-}
-
-// Leaves out the stages that nobody asks for.
-void keep_wished(const std::vector<std::string>& words, Request& request, std::vector<Stage>& stages) {
-    const std::vector<Stage> all = stages;
-    const Request given = request;
-    stages.clear();
-    request.arguments.clear();
-    for (std::size_t s = 0; s < all.size(); ++s) {
-        if (by_wish(all[s]) && !wished(words, all, all[s])) continue;
-        stages.push_back(all[s]);
-        request.arguments.push_back(given.arguments[s]);
-    }
-}
-
 // The options that a first print needs; their defaults are the stages'.
 struct FirstOption {
     const char *name, *unit, *help;
@@ -76,6 +44,7 @@ constexpr FirstOption kFirstOptions[] = {
     {"infill", "PERCENT", "how much of the inside is filled; 100%: one unbroken curve without skins"},
     {"walls", "N", "walls about sparse infill"},
     {"top", "N", "solid layers under a top surface; --bottom above a lower one"},
+    {"vase", "", "a solid floor and one bead in a helix above it; --walls, --bottom"},
     {"support", "", "supports under overhangs"},
     {"brim", "MM", "width of a brim about the first layer"},
     {"copies", "N", "how many of each part to pack on the bed"},
@@ -106,7 +75,8 @@ std::string print_help(const std::vector<Stage>& stages) {
     }
     out +=
         "\n\n" + first_options(stages) +
-        "A stage in brackets runs only if you use one of its own options.\nAn option goes to every stage "
+        "A stage in brackets runs only if you use one of its own options; --vase asks for vase.\nAn option goes to "
+        "every stage "
         "that has it; --STAGE.OPTION goes to that stage alone and wins there.\n"
         "--machine also tells the stages before whose head to keep clear of, unless --head says another.\n"
         "Several parts, or --copies, are packed on one bed; see filum help slice.\n"
@@ -202,6 +172,12 @@ void tell_left(const Translated& from) {
     list(" more settings of --load are not used yet (filum settings FILE tells why):", from.left);
 }
 
+void tell_idle(const std::vector<std::string>& options) {
+    std::string all;
+    for (const std::string& option : options) all += (all.empty() ? "" : ", ") + option;
+    std::cerr << "filum: a vase is empty above its floor: no effect of " << all << std::endl;
+}
+
 // The exit code of the chain, where it is not 0 and the stage has said why; else throws.
 int judge(const std::vector<Ended>& ended, const std::vector<Stage>& stages) {
     std::size_t who = 0;
@@ -287,7 +263,7 @@ int print_part(const std::vector<std::string>& typed) {
     const auto& words = ours.words;
     swap(words, stages);
     Request request = route(words, stages);
-    keep_wished(words, request, stages);
+    const auto idle = keep_wished(words, request, stages);
     if (!request.report.empty() && !request.report.ends_with(".html"))
         throw Error(Exit::usage, "cannot make the report '" + request.report + "': its name must end in .html");
     refuse_input_as_output(request);
@@ -295,6 +271,7 @@ int print_part(const std::vector<std::string>& typed) {
     if (!request.picture.empty())
         cli::check_output_name(request.picture, "--picture", "a PNG picture, SVG, VTP or an HTML page");
     if (!request.quiet) tell_left(ours);
+    if (!request.quiet && !idle.empty()) tell_idle(idle);
     check_profiles(request, stages);
     std::vector<Command> commands = commands_of(request, stages);
     if (request.dry_run) return tell(pipeline(commands, stages));

@@ -84,6 +84,13 @@ void hand_on_machine(const std::vector<Stage>& stages, std::vector<Given>& to) {
             to[s].all.push_back("--head=" + name);
 }
 
+// The wall of a vase is a helix.
+void ask_for_helix(const std::vector<Stage>& stages, std::vector<Given>& to) {
+    for (std::size_t s = 0; s < stages.size(); ++s)
+        if (find(stages[s], "lift") != nullptr && last(to[s], "--lift=") == nullptr)
+            to[s].all.emplace_back("--lift=helical");
+}
+
 // How an option of the stage stands after the words that it is given.
 cli::Lookup lookup(const Stage& stage, const Given& given) {
     return [&](const std::string& name) -> cli::Standing {
@@ -120,7 +127,7 @@ void keep_effective(const std::vector<Stage>& stages, std::vector<Given>& to) {
 }
 
 [[noreturn]] void unknown(const Word& word, const std::string& typed, const std::vector<Stage>& stages) {
-    std::vector<std::string> names{"output", "keep", "picture", "report", "stage", "dry-run", "quiet"}, folders;
+    std::vector<std::string> names{"output", "keep", "picture", "report", "stage", "vase", "dry-run", "quiet"}, folders;
     const std::size_t own = names.size();
     for (const Stage& s : stages) {
         folders.push_back(s.name);
@@ -187,6 +194,8 @@ Request route(const std::vector<std::string>& words, const std::vector<Stage>& s
             out.output = word.substr(9);
         else if (option && word == "--dry-run")
             out.dry_run = true;
+        else if (option && word == "--vase")
+            out.vase = true;
         else if (std::string* own = option ? own_option(word, out) : nullptr) {
             const auto equal = word.find('=');
             *own = equal == std::string::npos ? next() : word.substr(equal + 1);
@@ -205,6 +214,7 @@ Request route(const std::vector<std::string>& words, const std::vector<Stage>& s
         }
     }
     hand_on_machine(stages, given);
+    if (out.vase) ask_for_helix(stages, given);
     keep_effective(stages, given);
     for (Given& g : given) {
         g.all.insert(g.all.end(), g.own.begin(), g.own.end());

@@ -16,6 +16,7 @@ struct Request {
     std::string picture, report; // files
     bool dry_run = false;        // show the pipeline only
     bool quiet = false;
+    bool vase = false;                               // one bead in a helix above a floor
     std::string swapped;                             // the last NAME=FILE of --stage
     std::vector<std::vector<std::string>> arguments; // for each stage, without input and output
 
@@ -31,9 +32,9 @@ const std::string& value_behind(const std::vector<std::string>& words, std::size
 // Gives every option to each stage that has it, so that one --bead-width serves all; --fill.bead-width goes to `fill`
 // alone and wins there.  Where it would do nothing, an option for all is left out, if it does something in another
 // stage.
-// --machine also names the head of each stage that has a --head and is not given one.  Options
-// take their value behind a space or a '='; behind "--" all are names.  Throws Error(usage) for options that no stage
-// has, values that are missing.
+// --vase asks link3d for a helix, unless it is given another --lift.  --machine also names the head of each stage that
+// has a --head and is not given one.  Options take their value behind a space or a '='; behind "--" all are names.
+// Throws Error(usage) for options that no stage has, values that are missing.
 Request route(const std::vector<std::string>& words, const std::vector<Stage>& stages);
 
 } // namespace filum::app::filum

@@ -34,9 +34,9 @@ std::string stage_program(const std::string& name);
 bool is_stage(const std::string& name);
 
 // The planar chain, first to last, and those of it that take part only where one of their own options is given.
-inline constexpr const char* kPlanar[] = {"slice",    "regions", "skins",  "supports",
+inline constexpr const char* kPlanar[] = {"slice",    "regions", "vase",   "skins",   "supports",
                                           "sequence", "fill",    "link3d", "postproc"};
-inline constexpr const char* kByWish[] = {"skins", "supports"};
+inline constexpr const char* kByWish[] = {"vase", "skins", "supports"};
 
 // Names of all stages, in alphabetical order.
 std::vector<std::string> stage_names();

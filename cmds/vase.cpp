@@ -1,0 +1,71 @@
+// vase - a floor and one outline per layer, for a wall in one helix
+// reads:  Regions
+// writes: Regions
+// memory: the whole part
+#include "vase/vase.hpp"
+
+#include "cli/command.hpp"
+#include "cli/output.hpp"
+#include "regions/air.hpp"
+#include "wire/planar.hpp"
+
+namespace {
+
+using namespace filum;
+
+constexpr const char* kDescription =
+    "Makes a vase of a part: a solid floor of --bottom layers, and above it only the outer outline of each layer, with "
+    "--walls beads and nothing inside. It does not matter whether the part is solid or hollow. 'link3d --lift helical' "
+    "then lays the wall as one helix with a level top edge; 'filum print --vase' does both.\n\n"
+    "Holes of the floor stay open if they begin in the first layer, as of a flower pot. Every outline of the first "
+    "layer becomes a vase, so several parts on a bed are several vases.\n\n"
+    "A helix has no branches. Where a layer has two outlines over one, or one over two, the vase ends, and the rest of "
+    "the part is left out and reported. So are bodies within an outline. A part without a wall above its floor is an "
+    "error (3). Walls carry themselves if each turn lies at least with half of its width on the turn below: at layers "
+    "half as high as a bead is wide they may lean by 45 degrees. Longer overhangs are reported.\n\n"
+    "With --walls 2 each layer has two beads side by side, there and back, and is still one curve.";
+
+cli::Spec spec(vase::Options& o) {
+    using cli::Option;
+    return {
+        .name = "vase",
+        .synopsis = "a floor and one outline per layer, for a wall in one helix",
+        .description = kDescription,
+        .in = cli::reads(stream::Payload::regions),
+        .out = cli::writes(stream::Payload::regions),
+        .memory = "the whole part",
+        .options =
+            {Option{"bottom", &o.bottom, "LAYERS", "solid layers of the floor; 0: no floor"}.within(0, 1e6).a_limit(),
+             Option{"walls", &o.walls, "N", "beads side by side above the floor"}.within(1, 1000),
+             Option{"bead-width", &o.bead_width, "MM", "width of a bead"}
+                 .within(0.01, 100)
+                 .same_as({"regions.bead-width"})
+                 .a_limit()},
+        .examples = {{"slice part.stl | regions | vase --bottom 2 | sequence | fill | link3d --lift helical > "
+                      "part.toolpath",
+                      "two layers of floor, then one bead all the way up"},
+                     {"filum print part.stl --vase -o part.gcode", "the same to machine code"}},
+        .see_also = {"regions", "skins", "fill", "link3d"}};
+}
+
+void run(const vase::Options& options, const cli::Io& io) {
+    std::vector<polygon::Region> part;
+    auto whole = cli::read_all(io.input, stream::Payload::regions,
+                               [&](stream::RawFrame frame) { part.push_back(wire::region(frame)); });
+    Notes notes;
+    Facts facts;
+    const auto regions = vase::vase(part, options, notes, facts);
+    whole.header.expected = regions.size();
+    cli::Output output(io, cli::header(io, stream::Payload::regions, {&whole.header}));
+    // The overhangs of the solid part say nothing of the wall alone.
+    std::erase_if(whole.notes, [](const Note& n) { return regions::of_air(n.code); });
+    output.pass_on(whole);
+    output.add(notes);
+    output.add(facts);
+    for (const auto& r : regions) output.write(wire::frame(r));
+    output.close();
+}
+
+} // namespace
+
+int main(int argc, char** argv) { return cli::main<vase::Options>(argc, argv, spec, run); }
