@@ -10,7 +10,9 @@ Filum.distinct = i => { // hues by the golden angle
     const f = n => { const k = (n + h * 12) % 12; return l - s * Math.min(l, 1 - l) * Math.max(-1, Math.min(k - 3, 9 - k, 1)); };
     return [255 * f(0), 255 * f(8), 255 * f(4)];
 };
-Filum.ROLE_COLOURS = [[106, 168, 214], [235, 160, 60], [220, 80, 150], [210, 70, 60], [140, 146, 155], [170, 110, 220]];
+Filum.ROLE_COLOURS = [[106, 168, 214], [45, 50, 58], [220, 80, 150], [210, 70, 60], [140, 146, 155], [170, 110, 220]];
+Filum.FEATURE_COLOURS = [[0, 0, 0], [214, 69, 65], [240, 150, 50], [66, 120, 190], [165, 110, 175], [230, 200, 60], [150, 105, 80], [0, 170, 190],
+    [190, 190, 190], [250, 150, 165], [70, 150, 70], [150, 205, 110], [115, 122, 132], [70, 70, 130]];
 Filum.css = c => 'rgb(' + c.map(Math.round).join(',') + ')';
 
 // By name: kind 'ramp' with a value per segment, or 'kinds' with a number and a word per span.
@@ -20,7 +22,7 @@ Filum.COLOURS = {
     role: {
         kinds: (p, s) => p.c.feature[s] ? 100 + p.c.feature[s] : p.c.role[s],
         word: k => k >= 100 ? Filum.FEATURES[k - 100] : Filum.ROLES[k],
-        colour: k => k >= 100 ? Filum.distinct(k - 100) : Filum.ROLE_COLOURS[k]
+        colour: k => k >= 100 ? Filum.FEATURE_COLOURS[k - 100] : Filum.ROLE_COLOURS[k]
     },
     layer: { ramp: (p, i) => p.c.layer[p.spanOf[i]], unit: '' },
     width: { ramp: (p, i) => p.c.width[i] / 1000, unit: 'mm' },
@@ -79,11 +81,11 @@ Filum.legend = (element, programs, name, range) => {
     const kinds = new Set();
     for (const p of programs)
         for (let s = 0; s < p.c.start.length; s++) if (p.c.role[s] !== Filum.TRAVEL) kinds.add(how.kinds(p, s));
-    const most = 12, sorted = [...kinds].sort((a, b) => a - b);
+    const most = 14, sorted = [...kinds].sort((a, b) => a - b);
+    if (sorted.length > most) { add('div', '', sorted.length + ' of them, each in a colour of its own; a click on a bead names it'); return; }
     for (const k of sorted.slice(0, most)) {
         const row = add('div', 'row');
         add('span', 'chip', '', row).style.background = Filum.css(Filum.kindColour(how, k));
         add('span', '', how.word(k), row);
     }
-    if (sorted.length > most) add('div', '', 'and ' + (sorted.length - most) + ' more');
 };

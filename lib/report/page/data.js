@@ -50,21 +50,65 @@ Filum.Program = class {
         const c = this.c;
         return Math.hypot(c.x[i + 1] - c.x[i], c.y[i + 1] - c.y[i], c.z[i + 1] - c.z[i]) / 1000;
     }
+    // A figure by its name, as a number; of several the first.
+    figure(name) {
+        const found = this.figures.find(f => f[1] === name && !f[0].startsWith('notes')), v = found ? parseFloat(found[2]) : NaN;
+        return Number.isFinite(v) ? v : undefined;
+    }
+    // What a stage was told, or undefined.
+    told(stage, name) {
+        for (const [program, settings] of this.made)
+            if (program === stage) for (const [key, value] of settings) if (key === name) return value;
+        return undefined;
+    }
+    // What kind of job it is: its figures and its colours go by that.
+    job() {
+        if (this.surfaces.length || this.c.nx.length) return 'surface';
+        if (this.told('fill', 'pattern') === 'scaffold') return 'scaffold';
+        return this.c.feature.some(f => f > 0) ? 'hollow' : 'solid';
+    }
+    // Of a scaffold, mm.
+    spacing() {
+        const told = +this.told('fill', 'spacing'), pore = this.told('fill', 'pore-size'), width = +this.told('fill', 'bead-width');
+        return pore ? +pore + width : told || 2.5 * width;
+    }
+    // The direction that a surface is seen from: that of its path, or of most of its area; else null.
+    facing() {
+        const c = this.c, sum = [0, 0, 0];
+        let all = 0;
+        for (let i = 0; i < c.nx.length; i++) { sum[0] += c.nx[i]; sum[1] += c.ny[i]; sum[2] += c.nz[i]; all += 1000; }
+        if (!all)
+            this.surfaces.forEach((_, k) => {
+                const at = n => c['s' + k + n], corner = at('corner'), x = at('x'), y = at('y'), z = at('z');
+                for (let t = 0; t + 2 < corner.length; t += 3) {
+                    const [p, q, r] = [corner[t], corner[t + 1], corner[t + 2]], a = [x[q] - x[p], y[q] - y[p], z[q] - z[p]], b = [x[r] - x[p], y[r] - y[p], z[r] - z[p]];
+                    const n = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+                    for (let d = 0; d < 3; d++) sum[d] += n[d];
+                    all += Math.hypot(...n);
+                }
+            });
+        const length = Math.hypot(...sum), least = 0.3; // of a closed surface no side is the front
+        return all > 0 && length > least * all ? sum.map(v => v / length) : null;
+    }
     measure() {
         const c = this.c, layers = new Map();
+        this.volumes = new Map(); // mm3 by role, as the colour of that name counts
         this.along = new Float64Array(this.n); // mm laid before each point
         this.sums = { laid: 0, travel: 0, volume: 0, moves: 0 };
         this.strokes = new Map(); // number -> first point, length
         for (let s = 0; s < c.start.length; s++) {
             const travel = c.role[s] === Filum.TRAVEL;
-            let way = 0;
+            let way = 0, volume = 0;
             if (s > 0) this.along[c.start[s]] = this.along[c.start[s] - 1];
             for (let i = c.start[s]; i + 1 < this.end(s); i++) {
                 const d = this.length(i);
                 way += d;
                 this.along[i + 1] = this.along[i] + (travel ? 0 : d);
-                if (!travel) this.sums.volume += d * (c.width[i] * c.height[i] + c.width[i + 1] * c.height[i + 1]) / 2e6;
+                if (!travel) volume += d * (c.width[i] * c.height[i] + c.width[i + 1] * c.height[i + 1]) / 2e6;
             }
+            this.sums.volume += volume;
+            const kind = c.feature[s] ? 100 + c.feature[s] : c.role[s];
+            if (!travel) this.volumes.set(kind, (this.volumes.get(kind) || 0) + volume);
             this.sums[travel ? 'travel' : 'laid'] += way;
             if (travel) continue;
             this.sums.moves += this.end(s) - c.start[s] - 1;

@@ -37,7 +37,7 @@ Filum.Flat = class {
         this.ruler(g, dense, h, css);
         const loops = this.p.loopsOf.get(this.layer) || [], spans = this.p.spansOf.get(this.layer) || [];
         this.said.textContent = 'layer ' + this.layer + ' from above: ' + new Set(spans.map(s => p.c.stroke[s])).size + ' strokes, ' + loops.length + ' outlines';
-        this.note.textContent = loops.length ? 'What is red no bead covers. Wheel and drag look closer, a double click shows all.' :
+        this.note.textContent = loops.length ? 'Red: not covered. Scroll to zoom, drag to pan, double-click to reset.' :
             'No outlines are in this page, so voids do not show: give them by --regions.';
     }
     fillOutlines(g, css) {

@@ -37,7 +37,9 @@
         showFlat();
     }
     function showFlat() {
-        if (!$('tab-layer').hidden) flat.show(programs[0], layers[state.high] ?? 0, count(programs[0]) , state.tones[0]);
+        // While all layers are shown the top one would hide them: then the middle one is shown from above.
+        const at = state.low === 0 && state.high === layers.length - 1 ? layers.length >> 1 : state.high;
+        if (!$('tab-layer').hidden) flat.show(programs[0], layers[at] ?? 0, count(programs[0]), state.tones[0]);
     }
     function showColour() {
         const how = Filum.COLOURS[state.colour];
@@ -125,7 +127,9 @@
     Filum.figures($('tab-figures'), programs);
     Filum.listPlaces($('tab-places'), programs, fly);
     Filum.made($('tab-made'), programs);
-    state.colour = programs.some(p => p.strokes.size > 1) ? 'stroke' : 'progress';
+    const jobs = programs.map(p => p.job()), front = jobs[0] === 'surface' && programs[0].facing();
+    state.colour = jobs.includes('hollow') ? 'role' : programs.some(p => p.strokes.size > 1) ? 'stroke' : 'progress';
+    if (front) [Filum.where.turn, Filum.where.rise] = [Math.hypot(front[0], front[1]) < 0.05 ? -Math.PI / 2 : Math.atan2(front[1], front[0]), Math.max(-1.5, Math.min(1.5, Math.asin(front[2])))];
     theme(window.matchMedia('(prefers-color-scheme: dark)').matches);
     fit();
     showColour(); showLayers(); showPath();

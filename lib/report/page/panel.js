@@ -7,34 +7,106 @@ Filum.make = (parent, tag, text, css) => {
     return e;
 };
 
+// A table under a heading; long values wrap, so that the panel needs no scroll bar below.
+Filum.rows = (parent, heading, list) => {
+    if (!list.length) return;
+    if (heading) Filum.make(parent, 'h2', heading);
+    const table = Filum.make(parent, 'table'), long = 28;
+    for (const [name, ...values] of list) {
+        const row = Filum.make(table, 'tr');
+        Filum.make(row, 'td', name);
+        values.forEach(v => Filum.make(row, 'td', v, v.length > long ? 'text' : 'number'));
+    }
+};
+Filum.number = (v, digits) => v.toLocaleString('en', { maximumFractionDigits: digits, minimumFractionDigits: digits });
+Filum.duration = s => {
+    const h = Math.floor(s / 3600), m = Math.floor(s / 60) % 60;
+    return h ? h + ' h ' + m + ' min' : m ? m + ' min ' + Math.round(s % 60) + ' s' : s.toFixed(1) + ' s';
+};
+
+// What tables hold: [name, value per program], without rows of which nothing is known.
+Filum.table = programs => {
+    const out = [];
+    const row = (name, f) => { const v = programs.map(p => f(p) ?? '-'); if (v.some(t => t !== '-')) out.push([name, ...v]); };
+    const given = (name, text) => p => { const v = p.figure(name); return v === undefined ? undefined : text(v); };
+    return { out, row, given };
+};
+
+// The first things to know of any job.
+Filum.glance = programs => {
+    const n = Filum.number, { out, row, given } = Filum.table(programs);
+    row('time', given('print time', Filum.duration));
+    row('material', p => n(p.sums.volume / 1000, 2) + ' cm3' + [['filament', 'm'], ['mass', 'g']].map(([k, unit]) => {
+        const v = p.figure(k);
+        return v > 0 ? ', ' + n(v, 1) + ' ' + unit : '';
+    }).join(''));
+    row('strokes', p => n(p.strokes.size, 0));
+    row('stops', p => n(p.figure('stops') ?? Math.max(0, p.strokes.size - 1), 0));
+    row('size', p => p.size.map(v => n(v, 1)).join(' x ') + ' mm');
+    row('layers', p => n(p.layers.length, 0));
+    return out;
+};
+
+// The figures that matter to a job of this kind.
+Filum.worth = programs => {
+    const n = Filum.number, shares = v => n(100 * v, 1) + ' %', { out, row, given } = Filum.table(programs);
+    const kinds = new Set(programs.map(p => p.job()));
+    if (kinds.has('solid')) {
+        row('part covered', p => p.job() === 'solid' ? given('coverage', shares)(p) : undefined);
+        row('crossings', p => p.job() === 'solid' ? given('crossings', v => n(v, 0))(p) : undefined);
+    }
+    if (kinds.has('scaffold')) {
+        row('strands apart', p => p.job() === 'scaffold' ? n(p.spacing(), 2) + ' mm' : undefined);
+        for (const [name, text] of [['porosity by volume', shares], ['pore size', v => n(v, 3) + ' mm']]) row(name, given(name, text));
+        row('filled', p => p.job() === 'scaffold' ? given('coverage', shares)(p) : undefined);
+    }
+    if (kinds.has('surface')) {
+        row('surface covered', given('coverage', shares));
+        row('cuts', given('cuts', v => n(v, 0)));
+        row('covered twice', given('overlap', shares));
+        row('tight turns', given('hairpin-length', v => n(v, 1) + ' mm'));
+        row('fibre', p => p.job() === 'surface' ? n(p.sums.laid, 0) + ' mm' : undefined);
+    }
+    if (kinds.has('hollow'))
+        for (const k of [...new Set(programs.flatMap(p => [...p.volumes.keys()]))].filter(k => k >= 100).sort((a, b) => a - b))
+            row(Filum.COLOURS.role.word(k), p => p.volumes.has(k) ? n(p.volumes.get(k) / 1000, 2) + ' cm3' : undefined);
+    row('in the air', given('length in the air', v => n(v, 0) + ' mm'));
+    return out;
+};
+
 Filum.figures = (tab, programs) => {
     tab.textContent = '';
-    const rows = (heading, list) => {
-        Filum.make(tab, 'h2', heading);
-        const table = Filum.make(tab, 'table');
-        for (const [name, ...values] of list) {
-            const row = Filum.make(table, 'tr');
-            Filum.make(row, 'td', name);
-            values.forEach(v => Filum.make(row, 'td', v, 'number'));
+    const of = f => programs.map(f), n = Filum.number;
+    if (programs.length > 1) Filum.rows(tab, '', [['', ...of(p => p.name)]]);
+    Filum.rows(tab, '', Filum.glance(programs));
+    for (const p of programs) {
+        const notes = grade => p.figures.filter(f => f[0] === 'notes: ' + grade);
+        for (const grade of ['will fail', 'look']) {
+            const list = notes(grade);
+            if (list.length) Filum.make(tab, 'h2', (programs.length > 1 ? p.name + ': ' : '') + (grade === 'look' ? 'look at' : grade));
+            for (const [, stage, text] of list) Filum.make(tab, 'p', stage + ': ' + text.replace(/ \[[a-z-]+\]$/, ''), grade === 'look' ? 'note' : 'note fails');
         }
-    };
-    const of = f => programs.map(f), n = (v, d) => v.toLocaleString('en', { maximumFractionDigits: d, minimumFractionDigits: d });
-    if (programs.length > 1) rows('', [['', ...of(p => p.name)]]);
-    rows('path', [
-        ['strokes', ...of(p => n(p.strokes.size, 0))], ['moves', ...of(p => n(p.sums.moves, 0))],
+    }
+    Filum.rows(tab, programs.every(p => p.job() === 'hollow') ? 'material by role' : 'this job', Filum.worth(programs));
+    const more = Filum.make(tab, 'details');
+    Filum.make(more, 'summary', 'all figures');
+    Filum.rows(more, 'path', [
+        ['moves', ...of(p => n(p.sums.moves, 0))],
         ['laid', ...of(p => n(p.sums.laid, 1) + ' mm')], ['travel', ...of(p => n(p.sums.travel, 1) + ' mm')],
-        ['volume', ...of(p => n(p.sums.volume, 2) + ' mm3')], ['layers', ...of(p => n(p.layers.length, 0))],
+        ['volume', ...of(p => n(p.sums.volume, 2) + ' mm3')],
         ['size', ...of(p => p.size.map(v => n(v, 2)).join(' x ') + ' mm')]
     ]);
     for (const p of programs) {
-        Filum.make(tab, 'h2', 'machine');
-        Filum.make(tab, 'div', p.machine);
+        Filum.make(more, 'h2', 'machine');
+        Filum.make(more, 'div', p.machine);
         const groups = new Map();
         for (const [group, name, value, unit] of p.figures) {
             if (!groups.has(group)) groups.set(group, []);
             groups.get(group).push([name, value + (unit ? ' ' + unit : '')]);
         }
-        for (const [group, list] of groups) rows((programs.length > 1 ? p.name + ': ' : '') + group, list);
+        const whole = p.job() === 'solid' || p.job() === 'surface' ? '' : ', of the whole outlines';
+        for (const [group, list] of groups)
+            Filum.rows(more, (programs.length > 1 ? p.name + ': ' : '') + group + (group === 'coverage' ? whole : ''), list);
     }
 };
 

@@ -75,11 +75,23 @@ Filum.View = class {
             g.setAttribute('color', new THREE.BufferAttribute(new Float32Array(3 * n).fill(0.7), 3));
             g.setIndex(new THREE.BufferAttribute(Uint32Array.from(at('corner')), 1));
             g.computeVertexNormals();
+            this.sink(g, xyz);
             const m = new THREE.Mesh(g, new THREE.MeshLambertMaterial({ vertexColors: THREE.VertexColors, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 }));
             m.frustumCulled = false;
             this.scene.add(m);
             return m;
         });
+    }
+    // Lowers a surface by a bead's height, away from the path, so that beads lie on it and do not fight for depth.
+    sink(g, xyz) {
+        const c = this.p.c, normal = g.attributes.normal.array, front = this.p.facing();
+        let high = 0;
+        for (let i = 0; i < c.height.length; i++) high = Math.max(high, c.height[i] / 1000);
+        if (!high) return;
+        let sum = [0, 0, 0];
+        for (let i = 0; i < normal.length; i += 3) sum = sum.map((v, d) => v + normal[i + d]);
+        const side = front && front[0] * sum[0] + front[1] * sum[1] + front[2] * sum[2] < 0 ? -1 : 1;
+        for (let i = 0; i < xyz.length; i++) xyz[i] -= side * 1.1 * high * normal[i];
     }
     // Colours surfaces by a field; 'void': what is farther from the path than half a bead.
     field(name) {
