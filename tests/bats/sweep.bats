@@ -110,3 +110,19 @@ make_sweep() {
     [ ! -e "$(dirname "$(cat conf)")" ]
     run -1 pgrep -f "$(dirname "$(cat conf)")"
 }
+
+@test "sweep: any option is an axis, and columns are called as the keys of metrics" {
+    printf 'axis\tname\tvalue\toptions\npart\tbar\tbar\t--layer-height 1\npattern\tzigzag\tfill --pattern zigzag\t\nwidth\t1\t\t\n' > t.tsv
+    printf 'angles\t0\t\t\nangles\t0,90\t\t\nmax-overhang\t1\t\t\n' > wrong
+    printf 'angles\t0\t\t\nangles\t30,90\t\t\n' >> t.tsv
+    make_sweep SWEEP="$PWD/t.tsv"
+    [ "$jobs" -eq 2 ]
+    head -n 1 out/sweep/table.tsv | grep -q "^part.pattern.angles.width.strokes.stops.coverage.overfill.crossings.extruded_mm.print_time_s$"
+    awk -F '\t' 'NR > 1 { print $3 }' out/sweep/table.tsv | grep -qx '30,90'
+    run cmp -s "out/sweep/bar/zigzag@angles=0/1.toolpath" "out/sweep/bar/zigzag@angles=30,90/1.toolpath"
+    [ "$status" -eq 1 ]
+    cat wrong >> t.tsv
+    run make_sweep SWEEP="$PWD/t.tsv"
+    [ "$status" -ne 0 ]
+    grep -q "has the option '--max-overhang'" log
+}
