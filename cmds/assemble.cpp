@@ -15,12 +15,12 @@ namespace {
 using namespace filum;
 
 constexpr const char* kDescription =
-    "Writes the toolpaths one behind the other, in the order given, as one: a printed core first, then patches, or "
-    "plies of one surface. Strokes are numbered on, and between two toolpaths the tool travels: up along its axis by "
-    "--lift, across, and down; if it does not stay upright, it stands up there and goes across above all that was laid "
-    "so far. Notes and facts of all stay, and the history names all of them.\n\n"
-    "--tools says which tool of the machine lays each toolpath, as 0,1 for a printed core and a patch of fibre on it. "
-    "--rotate and --translate move everything, as the same options of slice do: patches of a part that is printed "
+    "Writes several toolpaths as one, in the given order: a printed core first, then patches, or plies of one "
+    "surface. Strokes are numbered consecutively. Between two toolpaths the tool travels up along its axis by "
+    "--lift, across, and down. If the tool is tilted, it stands up there and crosses above everything printed so "
+    "far. Notes and facts of all stay, and the history names all of them.\n\n"
+    "--tools gives the machine's tool of each toolpath, such as 0,1 for a printed core and a patch of fibre on it. "
+    "--rotate and --translate move everything, like the same options of slice, for patches of a part that is printed "
     "turned.";
 
 struct Options {
@@ -40,12 +40,13 @@ cli::Spec spec(Options& o) {
                         .within(0, 1e4)
                         .a_limit(),
                     cli::Option{"tools", &o.job.tools, "N,...",
-                                "tool of each toolpath in turn, the last one also of all that follow"}
+                                "tool of each toolpath in turn; the last one applies to all that follow"}
                         .within(0, 1000),
                     cli::Option{"rotate", &o.rotate_deg, "X,Y,Z", "degrees to turn about the x axis, then y, then z"}
                         .numbers(3)
                         .within(-360, 360),
-                    cli::Option{"translate", &o.translate, "X,Y,Z", "mm to move by"}.numbers(3).within(-1e7, 1e7)},
+                    cli::Option{"translate", &o.translate, "X,Y,Z", "distance to move by, mm"}.numbers(3).within(-1e7,
+                                                                                                                 1e7)},
         .examples =
             {{"geodesic part.stl --source plane:1,0,0,4.5 > part.surface; surfpath fina part.surface > a.toolpath; "
               "surfpath ortheo part.surface --ply 1 --offset 0.2 > b.toolpath; assemble a.toolpath b.toolpath > "

@@ -21,24 +21,23 @@ struct Options {
 };
 
 constexpr const char* kDescription =
-    "Proposes for every surface of the stream, the patches of a part, by which of surfpath's algorithms and from where "
-    "to fill it: writes the same surfaces with the algorithm, its sources and the distances from them, which "
-    "`surfpath` "
-    "follows. Candidates are fina and fexa along, and ortheo across, planes in directions from the mean pull of the "
-    "patch on, its principal axes, lines that follow the pull, sides of its rims; geo-contour, geo-fiso and hybrid "
-    "within the "
-    "rims; geo-spiral about its middle; and what the patch came with: sources from `geodesic`, an algorithm. All are "
-    "judged by how much of the pull would run along such lines, the promising ones laid roughly, twice as far apart, "
-    "and the best --finals of them as asked.\n\n"
-    "The score is the mean, by --weights, of five terms from 0 to 1: coverage, the share of the area within half a "
-    "bead of the path; load, how much of the greatest pull of all load cases runs along the path (the greatest s1 "
-    "|t . d1| over the greatest s1, by length; left out without stresses from `stressfield`); angle, 1 less the mean "
-    "of "
-    "the greatest hundredth of angles at a quarter of the spacing, over 90 degrees; cuts, 1 less cuts times "
-    "--cut-length over the length of the fibre; overlap, 1 less the share of the fibre that lies on fibre. Of equal "
-    "scores the first candidate counts. --report lists all candidates with what is known of them. A patch that no "
-    "candidate fills goes on without an algorithm, is noted with its area, and the command ends with 1. --algorithm "
-    "plans by hand instead: nothing else is tried, and the score is that of the algorithm with the patch's sources.";
+    "Finds an algorithm of `surfpath`, and where it starts, for every surface of the stream, such as the patches of "
+    "a part. It writes the same surfaces with the algorithm, its sources and the distances from them. `surfpath` "
+    "follows this plan.\n\n"
+    "Candidates are rows (fina, fexa) along planes, and lines (ortheo) across them, in directions from the mean pull "
+    "of the patch on; its principal axes; lines that follow the pull; sides of its rims. Further candidates are "
+    "geo-contour, geo-fiso and hybrid within the rims, geo-spiral about its middle, and the plan that the patch came "
+    "with. First all candidates are judged by how much of the pull would run along such lines. The promising ones "
+    "are planned at twice the spacing, and the best --finals of them as asked.\n\n"
+    "The score is the mean, by --weights, of five terms from 0 to 1. Coverage is the share of the area within half a "
+    "bead of the path. Load is how much of the greatest pull of all load cases runs along the path: the greatest s1 "
+    "|t . d1| over the greatest s1, by length. Without stresses from `stressfield` there is no such term. Angle is 1 "
+    "less the mean of the greatest hundredth of angles at a quarter of the spacing, over 90 degrees. Cuts is 1 less "
+    "cuts times --cut-length over the length of the fibre. Overlap is 1 less the share of the fibre that lies on "
+    "fibre. Of equal scores the first candidate wins.\n\n"
+    "--report lists all candidates with their figures. A patch that no candidate fills goes on without an algorithm. "
+    "A note gives its area, and the command ends with 1. With --algorithm nothing else is tried, and the score is "
+    "that of the algorithm with the patch's sources.";
 
 cli::Spec spec(Options& o) {
     auto& plan = o.how.plan;
@@ -50,34 +49,34 @@ cli::Spec spec(Options& o) {
         .out = cli::writes(stream::Payload::surface),
         .memory = "the patches, and windows of distance of one candidate per thread",
         .options =
-            {Option{"algorithm", &o.algorithm, "", "the best, or this one from the sources that the patch has"}.one_of(
+            {Option{"algorithm", &o.algorithm, "", "best: try all; or only this one, from the patch's sources"}.one_of(
                  {"best", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral", "field", "hybrid"}),
              Option{"weights", &o.weights, "NAME=W,...", "how much each criterion counts; see above"},
-             Option{"cut-length", &plan.cut_length, "MM", "of fibre that a cut costs: from cutter to nozzle"}.within(
-                 0, 1e5),
-             Option{"finals", &o.how.finals, "N", "candidates to lay as asked"}
+             Option{"cut-length", &plan.cut_length, "MM", "length of fibre that a cut costs: from cutter to nozzle"}
+                 .within(0, 1e5),
+             Option{"finals", &o.how.finals, "N", "candidates that are planned as asked"}
                  .within(1, 1000)
                  .when("algorithm=best")
                  .a_limit(),
              Option{"spacing", &plan.spacing, "MM", "between neighbouring lines"}.within(0.001, 1000),
-             Option{"min-radius", &plan.least_radius, "MM", "of turns, where there is room"}
+             Option{"min-radius", &plan.least_radius, "MM", "minimum radius of turns, where there is room"}
                  .within(0, 1e5)
                  .a_limit()
                  .a_limit(),
              Option{"turn-outside", &plan.turn_outside, "MM",
-                    "rows turn beyond the rims, so far at most, and are trimmed there; 0: on the part"}
+                    "rows may turn so far beyond the rims, where they are trimmed; 0: they turn on the part"}
                  .zero_or_at_least(0.001)
                  .at_most(1000)
                  .when("algorithm=best|fina|fexa|ortheo|field"),
-             Option{"turns", &plan.turns, "", "of ortheo: lines end at the rim, or go on by tight or by wide turns"}
+             Option{"turns", &plan.turns, "", "lines of ortheo end at the rim, or continue by tight or wide turns"}
                  .one_of({"usual", "none", "hairpin", "wide"})
                  .when("algorithm=best|ortheo")
                  .a_limit(),
-             Option{"min-length", &plan.min_length, "MM", "of the lines of ortheo: shorter ones are left out"}
+             Option{"min-length", &plan.min_length, "MM", "lines of ortheo shorter than this are left out"}
                  .within(0, 1e6)
                  .when("algorithm=best|ortheo")
                  .a_limit(),
-             Option{"report", &o.report, "FILE", "also all candidates and their criteria, as TSV"}.not_a_setting()},
+             Option{"report", &o.report, "FILE", "writes all candidates with their criteria, as TSV"}.not_a_setting()},
         .groups = {{"candidates", {"algorithm", "finals", "weights", "cut-length"}},
                    {"lines", {"spacing", "min-radius", "turn-outside", "turns", "min-length"}}},
         .examples = {{"geodesic part.stl --cut 0,0,1,0.9 | choose --spacing 1 | surfpath --spacing 1 > part.toolpath",

@@ -10,29 +10,28 @@ namespace {
 using namespace filum;
 
 constexpr const char* kDescription =
-    "Moves the head along the whole toolpath, travels too, and looks at how near it comes to what stands there: the "
-    "beads laid so far, the meshes of --part (a printed core, a mould) and --fixture, the bed at z = 0 with --bed. If "
-    "it meets nothing the toolpath goes on unchanged, with the number of moves and the least clearances as facts, so "
-    "that collide can stand in a pipeline before postproc. Else it ends with 1 and says where; --strict=false goes on "
-    "with a note. --places lists all collisions.\n\n"
-    "The head is a nozzle (flat, cone), a carriage box and a gantry, as the options or the profile of --machine say; "
-    "upwards it has no end. The tool stands along the normals of the toolpath, upright without. How a carriage is "
-    "turned about the tool is known on three axes only; else the round column about it is taken. A travel without "
-    "normals rises above all that is printed first, as postproc makes it.\n\n"
-    "Only what rises above the plane through the tip across the tool's axis, by more than --press, counts: the rest "
-    "lies below the head. Clearances are distances to that. The nozzle may sink into beads by as much, as they are "
-    "soft, and not into anything else; --margin asks for more. The bead of the last stretch of the way, as long as it "
-    "is wide plus the flat's diameter, does not count: the nozzle has just shaped it. Beads are as wide and high as "
-    "the toolpath says, below their points, with ends rounded by half their height. Meshes are taken where they are, "
-    "in mm.\n\n"
-    "Moves are halved until nothing can be nearer than the least clearance or until no point of the head, as far up as "
-    "anything reaches, moves by more than --step from one check to the next: so no clearance is below what is said by "
-    "more than half of --step.\n\n"
-    "--program checks finished machine code instead, from its lines alone: X Y Z and the rotary words of the profile, "
-    "with the numbers of the tip or of the axes as the profile says, G0 and G1; other lines are counted. The figures "
-    "are written instead of a toolpath. Beads are as wide and high as the comments WIDTH: and HEIGHT: of the program "
-    "or --bead say, and lie where the extruder goes forward, or between the codes of a valve or of a fibre. The part "
-    "is where the program has it: use postproc --place as-is, or say with --shift how to get from there to the meshes. "
+    "Moves the head along the whole toolpath, including travels, and measures how near it comes to obstacles: "
+    "earlier beads, the meshes of --part (a printed core, a mould) and --fixture, and the bed at z = 0 with --bed. "
+    "If it touches nothing, the toolpath passes unchanged, with the number of moves and the least clearances as "
+    "facts. So collide can stand before postproc. Otherwise it ends with 1 and gives the place; with --strict=false "
+    "it passes the toolpath with a note. --places lists all collisions.\n\n"
+    "The head is a nozzle (flat, cone), a carriage box and a gantry, from the options or the profile of --machine. "
+    "Upwards it has no end. The tool follows the normals of the toolpath, and is upright without them. The rotation "
+    "of a carriage about the tool is known on three axes only; otherwise the round column about it is used. A travel "
+    "without normals first rises above everything printed, as postproc makes it.\n\n"
+    "Only obstacles that rise above the plane through the tip across the tool's axis, by more than --press, count. "
+    "Clearances are distances to them. The nozzle may sink by as much into beads, which are soft, and into nothing "
+    "else. --margin asks for more distance. The bead of the last stretch of path, as long as it is wide plus the "
+    "flat's diameter, does not count, because the nozzle has just shaped it. Beads have the width and height of the "
+    "toolpath, below their points, with ends rounded by half their height. Meshes stay in their place, in mm.\n\n"
+    "Moves are halved until nothing can be nearer than the least clearance, or until no relevant point of the head "
+    "moves by more than --step between two checks. So the true clearance is at most half of --step below the "
+    "reported one.\n\n"
+    "--program checks finished machine code instead, from its lines alone: G0 and G1, X Y Z and the rotary words of "
+    "the profile, with the numbers of the tip or of the axes. Other lines are counted. It writes the figures instead "
+    "of a toolpath. Width and height of beads come from the comments WIDTH: and HEIGHT: of the program, or from "
+    "--bead. Beads lie where the extruder advances, or between the codes of a valve or a fibre. The part keeps the "
+    "place that it has in the program: use postproc --place as-is, or give its distance from the meshes by --shift. "
     "Places are right to 0.002 mm.";
 
 cli::Spec spec(app::collide::Options& o) {
@@ -53,7 +52,7 @@ cli::Spec spec(app::collide::Options& o) {
                  .numbers(2)
                  .not_a_setting()
                  .when("program"),
-             Option{"shift", &o.shift, "MM,MM,MM", "from places in the program to those of the meshes"}
+             Option{"shift", &o.shift, "MM,MM,MM", "shift from the program's coordinates to those of the meshes"}
                  .numbers(3)
                  .within(-1e7, 1e7)
                  .not_a_setting()

@@ -16,31 +16,29 @@ namespace {
 using namespace filum;
 
 constexpr const char* kDescription =
-    "Lays bead lines into each connected region and hands it on, in the order it came. The default pattern is a "
-    "spiral: one closed curve per region that never crosses itself. Nested rings follow the outline at one bead width; "
-    "where a wall is no multiple of it, the rings next to its middle share the difference; where a wall is thinner "
-    "than a bead, two narrower lanes run along it, there and back. Stacks of rings are then joined as double spirals, "
-    "whatever is left by pairs of short links, and corners and turns are rounded, so that sharp turns are left only at "
-    "the ends of walls, at centres and where rings branch. With --method sun2019 the spiral is built as in the 2019 "
-    "paper, unrepaired, to compare.\n\n"
+    "Fills each connected region with bead lines and passes it on, in the order of the input. The default pattern is "
+    "a spiral: one closed curve per region that never crosses itself. Nested rings follow the outline at one bead "
+    "width. Where a wall is not a whole number of beads thick, the rings next to its middle share the difference. "
+    "Where a wall is thinner than a bead, two narrower lanes run along it, there and back. Stacks of rings are "
+    "joined as double spirals, and the others by pairs of short links. Corners and turns are rounded, so sharp turns "
+    "remain only at the ends of walls, at centres and where rings branch. --method sun2019 builds the spiral as in "
+    "the 2019 paper, without repairs, for comparison.\n\n"
     "zigzag and spiral+zigzag (rings outside, rows inside) also give one closed curve per region. contour and "
-    "contour+zigzag leave the rings apart; rectilinear lays separate lines, like an ordinary slicer.\n\n"
-    "scaffold leaves pores: strands at --spacing, of each region one open curve that turns round half a bead inside "
-    "the "
-    "outline, and that begins where the layer below ended. Holes and notches that interrupt strands are passed along "
-    "the boundary; where that passes a turn again, both share one bead's width. With --rings, rings around them belong "
-    "to the same curve. Strands of a column stay in line from layer to layer, centred in its first region.\n\n"
-    "Every bead carries its width, point by point: width times layer height times length is what the machine will "
-    "extrude. Whatever no bead reaches (corners, tips) is summed in each region's frame as unplaced area; beads "
-    "narrower than --min-width are laid all the same and reported.";
+    "contour+zigzag leave the rings separate. rectilinear makes separate lines, like an ordinary slicer.\n\n"
+    "scaffold leaves pores. Each region is one open curve of strands at --spacing. It turns half a bead inside the "
+    "outline, and begins where the layer below ended. Holes and notches that interrupt strands are passed along the "
+    "boundary. Where that repeats a turn, both share one bead's width. --rings adds rings around the strands to the "
+    "same curve. Strands of a column stay in line from layer to layer, centred in its first region.\n\n"
+    "Every bead has its width, point by point. The machine extrudes width times layer height times length. The area "
+    "that no bead reaches (corners, tips) is the unplaced area in each region's frame. Beads narrower than "
+    "--min-width are printed, and a note reports them.";
 
-constexpr const char* kThin =
-    "walls of a spiral thinner than a bead: two lanes, there and back; there at half the layer's height and back on "
-    "top, "
-    "where lanes would be below --min-width; or a single pass, where the curve may have two ends for it";
+constexpr const char* kThin = "walls of a spiral thinner than a bead. lanes: two lanes, there and back; half-height: "
+                              "there at half the layer's height and back on top, where lanes would be below "
+                              "--min-width; single: one pass, where the curve may have two ends";
 
 constexpr const char* kMinRadius =
-    "rings of the spiral turn no tighter; what that leaves open and where it turns tighter is reported";
+    "rings of the spiral turn no tighter; notes report the area that this leaves open, and tighter turns";
 
 struct Options {
     fill::Options how;
@@ -65,49 +63,47 @@ cli::Spec spec(Options& all) {
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::paths),
         .memory = "one region per thread, and outlines filled before, up to 32 MB",
-        .options = {Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatternNames),
-                    Option{"method", &all.method, "", "how to build a spiral"}
-                        .one_of({"cyc", "sun2019"})
-                        .when("pattern=spiral"),
-                    Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.within(0.01, 100).same_as(
-                        {"regions.bead-width"}),
-                    Option{"min-width", &o.min_width, "MM",
-                           "narrower beads of a spiral are reported; 0: below a quarter of --bead-width"}
-                        .within(0, 100)
-                        .when("pattern=spiral !method=sun2019")
-                        .a_limit(),
-                    Option{"thin", &o.thin, "", kThin}
-                        .one_of(fill::kThinNames)
-                        .when("pattern=spiral !method=sun2019")
-                        .a_limit(),
-                    Option{"min-radius", &o.min_radius, "MM", kMinRadius}.within(0, 1000).when(
-                        "pattern=spiral !method=sun2019"),
-                    Option{"angles", &o.angles_deg, "DEG,...",
-                           "angles of straight rows from the x axis, layer after layer, over and over; none: 0, or "
-                           "0,90 of a scaffold"}
-                        .within(-360, 360)
-                        .when("!pattern=spiral|contour"),
-                    Option{"spacing", &o.spacing, "MM",
-                           "from strand to strand, centre to centre; 0: two and a half bead widths"}
-                        .within(0, 1e6)
-                        .when("pattern=scaffold"),
-                    Option{"stagger", &o.stagger, "SPACINGS",
-                           "how far the strands of every other round of angles are shifted"}
-                        .within(0, 1)
-                        .when("pattern=scaffold"),
-                    Option{
-                        "rings", &o.rings, "N",
-                        "rings along the outline before straight rows, or most rings of contour; -1: the usual number"}
-                        .within(-1, 1e6)
-                        .when("!pattern=spiral|zigzag"),
-                    Option{"threshold", &all.sun2019.threshold, "WIDTHS", "within what contours are adjacent"}
-                        .within(1, 4)
-                        .when("method=sun2019")
-                        .a_limit(),
-                    Option{"start-shift", &all.sun2019.start_shift, "MM",
-                           "how far the start moves along the outer contour from layer to layer"}
-                        .within(0, 1e6)
-                        .when("method=sun2019")},
+        .options =
+            {Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatternNames),
+             Option{"method", &all.method, "", "how to build a spiral"}
+                 .one_of({"cyc", "sun2019"})
+                 .when("pattern=spiral"),
+             Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.within(0.01, 100).same_as(
+                 {"regions.bead-width"}),
+             Option{"min-width", &o.min_width, "MM",
+                    "a note reports narrower beads of a spiral; 0: a quarter of --bead-width"}
+                 .within(0, 100)
+                 .when("pattern=spiral !method=sun2019")
+                 .a_limit(),
+             Option{"thin", &o.thin, "", kThin}
+                 .one_of(fill::kThinNames)
+                 .when("pattern=spiral !method=sun2019")
+                 .a_limit(),
+             Option{"min-radius", &o.min_radius, "MM", kMinRadius}.within(0, 1000).when(
+                 "pattern=spiral !method=sun2019"),
+             Option{"angles", &o.angles_deg, "DEG,...",
+                    "angles of straight rows from the x axis, repeated layer by layer; none: 0, or 0,90 for a scaffold"}
+                 .within(-360, 360)
+                 .when("!pattern=spiral|contour"),
+             Option{"spacing", &o.spacing, "MM",
+                    "from strand to strand, centre to centre; 0: two and a half bead widths"}
+                 .within(0, 1e6)
+                 .when("pattern=scaffold"),
+             Option{"stagger", &o.stagger, "SPACINGS", "how far the strands of every other round of angles are shifted"}
+                 .within(0, 1)
+                 .when("pattern=scaffold"),
+             Option{"rings", &o.rings, "N",
+                    "rings along the outline before straight rows, or most rings of contour; -1: the usual number"}
+                 .within(-1, 1e6)
+                 .when("!pattern=spiral|zigzag"),
+             Option{"threshold", &all.sun2019.threshold, "WIDTHS", "contours within this distance are adjacent"}
+                 .within(1, 4)
+                 .when("method=sun2019")
+                 .a_limit(),
+             Option{"start-shift", &all.sun2019.start_shift, "MM",
+                    "how far the start moves along the outer contour from layer to layer"}
+                 .within(0, 1e6)
+                 .when("method=sun2019")},
         .groups = groups(),
         .examples = {{"slice part.stl | regions | sequence | fill > part.paths", "the fill of a part"},
                      {"slice part.stl | regions | sequence | fill --pattern zigzag --angles 0,90 > part.paths",

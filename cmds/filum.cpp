@@ -16,21 +16,25 @@ cli::Spec spec(Options&) {
         .name = "filum",
         .synopsis = "turn parts into unbroken toolpaths: runs the stages",
         .description =
-            "filum STAGE ... runs a stage, as its own name would if the stages were on the PATH; filum list names "
-            "them, "
-            "filum help STAGE explains one.\n\n"
+            "filum STAGE ... runs a stage, as its own name would if the stages were on the PATH. filum list names the "
+            "stages, and filum help STAGE explains one.\n\n"
             "filum print PART [OPTIONS] [-o FILE] runs the whole planar chain (slice, regions, sequence, fill, link3d, "
             "postproc) and writes machine code. An option goes to every stage that has it, so one --bead-width serves "
-            "all; --fill.bead-width goes to fill alone and wins there. The exit code is that of the first stage that "
-            "failed by itself; then no output file appears. --dry-run prints the pipeline instead. See "
-            "filum help print. On a terminal it says in a few lines what was made; --report x.html makes a page of it, "
-            "--keep FOLDER keeps every stage's stream, --stage fill=./mine puts a program of your own in place of a "
-            "stage.\n\n"
-            "filum check ./mine --as fill runs such a program on a small part and on damaged streams, and says which "
-            "of a stage's promises it keeps. filum machines lists the profiles, filum patterns what fill and surfpath "
-            "can lay. filum NAME runs filum-NAME where that is on the PATH.\n\n"
+            "all. "
+            "--fill.bead-width goes to fill alone and wins there. If a stage fails, the exit code is that of the first "
+            "one "
+            "that failed by itself, and no output file appears. --dry-run prints the pipeline instead. filum help "
+            "print "
+            "explains more. On a terminal it prints a short summary. --report x.html makes a page of it, --keep FOLDER "
+            "keeps "
+            "every stage's stream, and --stage fill=./mine replaces a stage by a program of your own.\n\n"
+            "filum check ./mine --as fill runs such a program on a small part and on damaged streams, and reports "
+            "which of a "
+            "stage's promises it keeps. filum machines lists the profiles, and filum patterns the patterns of fill and "
+            "surfpath. filum NAME runs filum-NAME if that is on the PATH.\n\n"
             "filum env prints shell lines that put the stages on the PATH, with their manual pages and completion: "
-            "eval \"$(filum env)\".",
+            "eval "
+            "\"$(filum env)\".",
         .in = cli::nothing(),
         .out = cli::text("what the command writes"),
         .memory = "nothing of its own",

@@ -12,38 +12,37 @@ using namespace filum;
 using cli::Option;
 
 constexpr const char* kDescription =
-    "Reads a triangle mesh, open or closed, from a file or standard input, and makes it a surface: every edge with "
-    "one or two triangles, every vertex with one fan of them, all facing one way. What had to be repaired for that "
-    "is noted: triangles that stand twice or have no area, that face against their neighbours, edges of more than "
-    "two triangles (the flattest pair stays joined, the others are cut off), parts that touch in a point. Several "
-    "components stay as they are. A Surface stream is taken as well, with the fields it has. Then the surface is cut "
-    "by a plane with --cut and by a closed mesh with --cut-mesh, and remeshed with --remesh, if asked; fields and CAD "
-    "faces go along. With --remesh auto triangles are as large as bends and --longest allow, never smaller than those "
-    "given where these bend; the fact remesh-off tells how far the two surfaces are apart, and a note if that is "
-    "more than --tolerance.\n\n"
-    "With --source it computes the distance of every vertex from the nearest source along the surface, infinite "
-    "where no source is on the same component. Sources, several in quotes with blanks between: vertex:ID, numbered "
-    "as in the file from 0 (in an STL as corners first appear), after a cut or --remesh as in 'peek --text'; "
-    "point:X,Y,Z, the nearest point of the surface; "
-    "boundary, boundary:outer or boundary:N, all rims, the one of each component that spans most, or one; "
-    "plane:NX,NY,NZ,D, where the plane NX x + NY y + NZ z = D cuts the surface. --source-lines names a text of "
-    "points, three numbers a line, lines of points apart by an empty line, drawn onto the surface. --source-mesh names "
-    "a mesh, open or closed: sources are the lines where the surface crosses it, and rims that run along it, within a "
-    "twentieth of a mean edge, as where two patches share a border. With --signed, distances are negative on the "
-    "other side of planes and meshes than they face, or to the right of lines seen from the side that the surface "
-    "faces.\n\n"
+    "Reads a triangle mesh, open or closed, from a file or standard input, and makes it a surface: every edge has "
+    "one or two triangles, every vertex has one fan of them, and all face one way. Notes report the repairs: copies "
+    "of triangles, triangles without area or against their neighbours, edges of more than two triangles (the "
+    "flattest pair stays joined, the others are cut off), and parts that touch in a point. Several components stay "
+    "as they are. The input can also be a Surface stream, with its fields.\n\n"
+    "Then --cut cuts the surface by a plane, --cut-mesh by a closed mesh, and --remesh makes new triangles. Fields "
+    "and CAD faces are kept. With --remesh auto triangles are as large as bends and --longest allow, and never "
+    "smaller than the given ones where these bend. The fact remesh-off is the distance between both surfaces; a note "
+    "appears if it exceeds --tolerance.\n\n"
+    "With --source it computes the distance of every vertex from the nearest source along the surface. It is "
+    "infinite on components without a source. Sources are given in quotes with blanks between. vertex:ID is a "
+    "vertex, numbered as in the file from 0 (in an STL as corners first appear); after a cut or --remesh as in 'peek "
+    "--text'. point:X,Y,Z is the nearest point of the surface. boundary is all rims, boundary:outer the one of each "
+    "component that spans most, and boundary:N a single one. plane:NX,NY,NZ,D is the line where the plane NX x + NY "
+    "y + NZ z = D cuts the surface.\n\n"
+    "--source-lines names a text of points, drawn onto the surface: three numbers a line, with an empty line between "
+    "two lines of points. --source-mesh names a mesh, open or closed. Sources are the lines where the surface "
+    "crosses it, and rims that run along it, within a twentieth of a mean edge, as where two patches share a border. "
+    "With --signed, distances are negative on the back of planes and meshes, and to the right of lines, seen from "
+    "the side that the surface faces.\n\n"
     "By default distances are exact: the length of the shortest path on the triangles to the nearest point of the "
-    "sources, found by propagating windows; lines are sources as such, not their vertices. Isolines cross edges "
-    "where the distance has their level, solved from the windows, and bend between them to 0.001 mm. --method heat "
-    "lets heat flow instead (auto: on more than 300,000 triangles, if exact distances would take longer): off by some "
-    "percent beyond 16 mean edges from "
-    "the sources, and more where triangles differ much in size (facts tell how much, beside exact distances as far as "
-    "a "
-    "second of work reaches), with isolines that are straight in every triangle. --paper does it as Kipping et al. "
-    "2022, with "
-    "the vertices nearest to lines as sources, for comparison only.\n\n"
-    "Facts in the stream tell how many vertices were reached, the farthest, and how far the slope of the distances, "
-    "taken as linear in every triangle, is from 1: it is where fronts meet, near points and on coarse meshes.";
+    "sources, found by propagating windows. Lines are sources themselves, not their vertices. Isolines cross edges "
+    "exactly where the distance has their level, and bend between them to 0.001 mm.\n\n"
+    "--method heat lets heat flow instead; auto does so on more than 300,000 triangles, if exact distances would "
+    "take longer. It is off by some percent beyond 16 mean edges from the sources, and more where triangles differ "
+    "much in size. Facts compare it with exact distances as far as a second of work reaches. Its isolines are "
+    "straight in every triangle. --paper follows Kipping et al. 2022, with the vertices nearest to lines as sources, "
+    "for comparison only.\n\n"
+    "Facts in the stream give the number of vertices reached, the farthest distance, and how far the slope of the "
+    "distances, linear in every triangle, differs from 1. It differs where fronts meet, near points and on coarse "
+    "meshes.";
 
 constexpr const char* kMeasured = "source/source-lines/source-mesh";
 
@@ -56,14 +55,15 @@ cli::Spec spec(app::geodesic::Options& o) {
         .out = cli::writes(stream::Payload::surface),
         .memory = "the model, and some hundred bytes per edge for exact distances",
         .options = cli::with(
-            {{"source", &o.source, "SOURCES", "where distance is 0; none: only make the surface"},
-             Option{"source-lines", &o.lines, "FILE", "lines of points where distance is 0 as well; see above"}
+            {{"source", &o.source, "SOURCES", "places with distance 0; none: only make the surface"},
+             Option{"source-lines", &o.lines, "FILE", "lines of points that are sources as well; see above"}
                  .not_a_setting(),
-             Option{"source-mesh", &o.mesh, "FILE", "a mesh, placed as the input's: where it meets the surface"}
+             Option{"source-mesh", &o.mesh, "FILE",
+                    "a mesh in the input's coordinates; the lines where it meets the surface are sources"}
                  .not_a_setting(),
              Option{"signed", &o.measure.with_sides, "", "distances are negative on one side of the sources; see above"}
                  .when(kMeasured),
-             Option{"method", &o.measure.method, "", "how distances are found"}
+             Option{"method", &o.measure.method, "", "method for distances"}
                  .one_of({"auto", "exact", "heat"})
                  .when(kMeasured),
              Option{"paper", &o.measure.paper, "", "heat as in Kipping et al. 2022: snapped sources, no corrections"}
@@ -74,7 +74,7 @@ cli::Spec spec(app::geodesic::Options& o) {
                  .zero_or_at_least(0.001)
                  .at_most(1e7)
                  .when(kMeasured),
-             Option{"first", &o.measure.first, "MM", "where the first of these is; 0: one spacing away"}
+             Option{"first", &o.measure.first, "MM", "distance of the first of these; 0: one spacing"}
                  .within(0, 1e7)
                  .when("spacing"),
              Option{"unit", &o.place.unit, "",

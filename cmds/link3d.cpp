@@ -15,30 +15,31 @@ namespace {
 using namespace filum;
 
 constexpr const char* kDescription =
-    "Cuts every closed curve open where it is entered, and joins curves, regions and layers to strokes: stretches that"
-    " a machine prints without stopping.\n\n"
-    "Regions are printed in the order in which they arrive. Where `sequence` says that a region continues the one "
-    "below it, the nozzle rises on the spot and reaches the nearest place of the next curve by a short jog, at half a "
-    "bead's width, which crosses no bead. If the next curve is out of reach, a lane is laid before, from the end of "
-    "the curve along the middle of the strip between two of its beads, to where the next region is in reach; both "
-    "beads beside it are thinned so that the amount of material stays the same. Entries drift towards where the part "
-    "goes, within reach, as far as the regions are known, so that lanes stay rare.\n\n"
-    "Several curves of a region are printed nearest first, and joined by a jog if that is within reach and crosses no "
-    "bead. What cannot be joined is a break: the nozzle travels, level, or over what the head would meet.\n\n"
-    "With --interlace, the starts of neighbouring layers are at least three bead widths apart: a lane of a few widths "
-    "leads from the end of each layer to beneath the start of the next, at two places in turn, spread by the golden "
-    "section, or at random; with --seam inside only to where beads on both sides hide them. A start that cannot move "
-    "is reported. Open curves begin at their two ends in turn by themselves.\n\n"
-    "With --lift ramp, a layer begins by rising along its curve, at most 1 in 20 and over five beads or more, as thick"
-    " as the gap below, and its end lies over that ramp with what is missing there: no blob, and the next layer begins"
-    " further on by itself. With --lift helical, z rises all along each layer of a column whose one curve lies on the "
-    "one below, and the last turn is flat; others get ramps.\n\n"
-    "A region in another place is reached by a break, or, with --connect outside, by a connector around everything "
-    "printed, to be trimmed later: thin at both ends, where it is to break off, and on the same way in all layers, so "
-    "that they stack to a fin. With --connect inside, a region of the same layer is reached by a thin strand straight "
-    "over. Either must cross nothing, and the head must meet nothing; else there is a break, which is reported.\n\n"
-    "--links sun2019 links as in the 2019 paper, to compare: closed curves begin on the main axis of their points, "
-    "layers and parts are linked straight or around the box of all, unchecked.";
+    "Joins the curves of all regions into one toolpath with as few stops as possible. A stretch printed without a "
+    "stop is a stroke.\n\n"
+    "Regions are printed in the order of the input. Where `sequence` planned that a stroke continues upwards, link3d "
+    "cuts the closed curve open at the best entry point and raises the nozzle on the spot. A jog connects the two "
+    "ends: a short bead of half width. Jogs never cross another bead. If the next curve is out of reach of a jog, "
+    "the current curve ends with a lane: an extra pass between two of its own beads that leads to a point within "
+    "reach. The two beads are narrowed, so the amount of material does not change. Entry points shift gradually "
+    "towards the next regions, which keeps lanes rare.\n\n"
+    "Several curves of one region are printed nearest first and joined by jogs. Where no jog is possible the stroke "
+    "breaks: the nozzle travels, level or raised above everything that the head could touch.\n\n"
+    "--interlace keeps the starts of neighbouring layers at least three bead widths apart: at two places in turn, "
+    "spread by the golden section, or at random. A lane leads from the end of each layer to beneath the next start; "
+    "with --seam inside only to places where beads on both sides hide it. A start that cannot move is reported. Open "
+    "curves begin at their two ends in turn.\n\n"
+    "--lift ramp begins a layer by rising along its curve, at most 1 in 20 and over at least five beads, as thick as "
+    "the gap below. Its end lies on that ramp with the remaining thickness. So there is no blob, and the next layer "
+    "begins further along. --lift helical raises z evenly along each layer of a column whose single curves lie on "
+    "each other; the last lap is flat. Other layers get ramps.\n\n"
+    "A region in another place is reached by a break. With --connect outside a connector around everything printed "
+    "leads there, to be trimmed later. It is thin at both ends, where it breaks off, and follows the same way in all "
+    "layers, so that connectors stack to a fin. With --connect inside, a thin strand leads straight to a region of "
+    "the same layer. Both must cross nothing, and the head must touch nothing; otherwise there is a break, which is "
+    "reported.\n\n"
+    "--links sun2019 reproduces the method of the 2019 paper for comparison: closed curves begin on the main axis of "
+    "their points, and layers and parts are linked straight or around the box of all, unchecked.";
 
 struct Options {
     link3d::Options link;
@@ -53,16 +54,17 @@ std::vector<cli::Option> free_options(Options& o) {
     using cli::Option;
     return {
         Option{"reach", &o.link.reach, "WIDTHS",
-               "the longest jog, in bead widths; a climb takes at most one; 0 joins only what touches"}
+               "longest jog, in bead widths; a climb uses at most one; 0: only curves that touch are joined"}
             .within(0, 10)
             .a_limit(),
-        Option{"look-ahead", &o.link.look_ahead, "REGIONS", "how many regions are read before one is printed"}
+        Option{"look-ahead", &o.link.look_ahead, "REGIONS", "number of regions that are read before one is printed"}
             .within(1, 1000)
             .a_limit(),
-        Option{"connect", &o.link.connect, "", "how to reach a region that lies aside"}
+        Option{"connect", &o.link.connect, "", "how to reach a region in another place"}
             .one_of({"break", "inside", "outside"})
             .a_limit(),
-        Option{"strand", &o.link.strand, "", "what carries connectors outside: nothing need, or the bed or one below"}
+        Option{"strand", &o.link.strand, "",
+               "free: connectors may hang in the air; carried: they must rest on the bed or on a connector below"}
             .one_of({"free", "carried"})
             .when("connect=outside")
             .a_limit(),
@@ -70,11 +72,12 @@ std::vector<cli::Option> free_options(Options& o) {
             "seam", &o.seam, "nearest|inside|back|X,Y",
             "where a stroke begins: nearest to where the one before ended, in the middle of its column, at the back, "
             "or nearest to a place, mm"},
-        Option{"lift", &o.link.lift, "", "how the nozzle gets to the next layer: straight up, by a ramp, or all along"}
+        Option{"lift", &o.link.lift, "",
+               "how the nozzle reaches the next layer: straight up, on a ramp, or continuously (helix)"}
             .one_of({"plain", "ramp", "helical"}),
-        Option{"interlace", &o.link.interlace, "", "how the starts of neighbouring layers are set apart"}.one_of(
+        Option{"interlace", &o.link.interlace, "", "how the starts of neighbouring layers are separated"}.one_of(
             {"none", "alternate", "golden", "random"}),
-        Option{"seed", &o.link.seed, "N", "of random starts"}.within(0, 1e15).when("interlace=random"),
+        Option{"seed", &o.link.seed, "N", "seed of random starts"}.within(0, 1e15).when("interlace=random"),
         Option{"alternate-direction", &o.link.alternate_direction, "",
                "every second layer runs the other way (the default; =false for none)"}};
 }
@@ -82,11 +85,11 @@ std::vector<cli::Option> free_options(Options& o) {
 std::vector<cli::Option> options(Options& o) {
     using cli::Option;
     auto out = cli::when("links=free", cli::with(free_options(o), cli::head_options(o.head)));
-    out.push_back(Option{"links", &o.links, "", "how to link: clear of all beads, or as in the 2019 paper"}.one_of(
+    out.push_back(Option{"links", &o.links, "", "method of links: clear of all beads, or as in the 2019 paper"}.one_of(
         {"free", "sun2019"}));
-    out.push_back(
-        Option{"start-shift", &o.sun2019.start_shift, "MM", "way of starts from layer to layer"}.within(0, 1e6).when(
-            "links=sun2019"));
+    out.push_back(Option{"start-shift", &o.sun2019.start_shift, "MM", "distance of starts from layer to layer"}
+                      .within(0, 1e6)
+                      .when("links=sun2019"));
     return out;
 }
 

@@ -11,39 +11,40 @@ using namespace filum;
 using cli::Option;
 
 constexpr const char* kDescription =
-    "Divides surfaces into patches in which neither directions nor normals are far from their mean, and writes a "
-    "surface for each, the greatest first, named A, B, C and so on. All fields go along; triangles are split where "
-    "smooth borders cross them. A surface that has a name is a patch already and passes as it is, so that patches of "
-    "several origins, also made by hand, come together: with --as-is surfaces without a name pass, too.\n\n"
-    "Directions are those of the greatest principal stress in the tangent plane, at each place that of the load case "
-    "that pulls most, as `stressfield` gives them, or of --field. They have no sign. Where there is little load they "
-    "count less, where there is none, or it points out of the surface, they are continued from around. Without "
-    "stresses, or with --by shape, normals alone count. Neighbouring places grow together while a patch's directions "
-    "keep to --angle and its normals to --bend, but for a twentieth of it, or until --patches are left. Then borders "
-    "move to where they are short, patches even, and few strong directions are cut. Edges that bend more than --crease "
-    "are always borders, those between CAD faces with --faces, and lines drawn onto the surface by --seam, a text of "
-    "points, three numbers a line, lines of points apart by an empty line; one that ends within a patch stays a "
+    "Divides surfaces into patches whose directions and normals stay near their mean. It writes a surface for each, "
+    "the greatest first, named A, B, C and so on, with all fields. Triangles are split where smooth borders cross "
+    "them. A surface with a name is a patch already and passes unchanged, so patches of several origins can be "
+    "combined. With --as-is surfaces without a name pass, too.\n\n"
+    "Directions are those of the greatest principal stress in the tangent plane, from `stressfield`, or of --field. "
+    "At each place the load case that pulls most counts. Directions have no arrow. They count less where there is "
+    "little load. Where there is none, or where it points out of the surface, they are continued from around. "
+    "Without stresses, or with --by shape, only normals count.\n\n"
+    "Neighbouring places merge while a patch's directions keep to --angle and its normals to --bend, except for a "
+    "twentieth of the patch, or until --patches are left. Then borders move to where they are short, patches are "
+    "even, and few strong directions are cut. Some borders always exist: edges that bend more than --crease, edges "
+    "between CAD faces with --faces, and lines drawn onto the surface by --seam. --seam is a text of points with "
+    "three numbers a line; an empty line separates two lines of points. A line that ends within a patch stays a "
     "slit.\n\n"
-    "Patches below --min-area are joined to a neighbour; what edges keep from any is left out, and so is, with "
-    "--mask, what bears less load; both are noted with place and area. Facts tell for each patch its area, the mean "
-    "cosine between directions and their mean (coherence), and what 95 % of angles and bends stay below.";
+    "Patches below --min-area are joined to a neighbour. Patches without a neighbour are left out, and so are parts "
+    "with less load than --mask. Notes give place and area of both. For each patch, facts give its area, the mean "
+    "cosine between directions and their mean (coherence), and the angle and bend that 95 % of it stay below.";
 
 std::vector<cli::Option> options(app::partition::Options& o) {
     using cli::Option;
     return {
-        Option{"by", &o.how.pull.by, "", "what directions come from; auto: stress if there is one, else shape"}
+        Option{"by", &o.how.pull.by, "", "source of the directions; auto: stress if there is one, else shape"}
             .one_of({"auto", "stress", "shape"})
             .when("!as-is")
             .a_limit(),
         Option{"case", &o.cases, "NAME,...", "the load cases that count; none: all"}.when("!by=shape !field !as-is"),
         Option{"field", &o.how.pull.field, "NAME", "a field of vectors whose directions count instead of stresses"}
             .when("!by=shape !as-is"),
-        Option{"angle", &o.how.limits.angle_deg, "DEG", "how far directions may be from their patch's mean"}
+        Option{"angle", &o.how.limits.angle_deg, "DEG", "largest angle between directions and the mean of their patch"}
             .above(0)
             .at_most(90)
             .when("!as-is !by=shape")
             .a_limit(),
-        Option{"bend", &o.how.limits.bend_deg, "DEG", "how far normals may be from their patch's mean"}
+        Option{"bend", &o.how.limits.bend_deg, "DEG", "largest angle between normals and the mean of their patch"}
             .above(0)
             .at_most(180)
             .when("!as-is")
@@ -56,26 +57,26 @@ std::vector<cli::Option> options(app::partition::Options& o) {
         Option{"seam", &o.seam, "FILE", "lines of points that are borders: a text, as geodesic's --source-lines"}
             .not_a_setting(),
         Option{"faces", &o.how.seams.faces, "", "edges between CAD faces are borders"}.when("!as-is"),
-        Option{"patches", &o.how.limits.patches, "N", "divide into so many, whatever the angles; 0: by the angles"}
+        Option{"patches", &o.how.limits.patches, "N", "number of patches, at any angles; 0: by the angles"}
             .at_least(0)
             .at_most(10000)
             .when("!as-is")
             .a_limit(),
-        Option{"min-area", &o.how.limits.least_area, "MM2", "of a patch; 0: a hundredth of the surface"}
+        Option{"min-area", &o.how.limits.least_area, "MM2", "smallest area of a patch; 0: a hundredth of the surface"}
             .within(0, 1e12)
             .when("!as-is")
             .a_limit(),
-        Option{"mask", &o.how.mask, "SHARE", "leave out what bears less than this share of the greatest load"}
+        Option{"mask", &o.how.mask, "SHARE", "leaves out parts with less than this share of the greatest load"}
             .within(0, 1)
             .when("!as-is !by=shape")
             .a_limit(),
-        Option{"detail", &o.how.detail, "MM", "smaller things are smoothed; 0: a 50th of the root of the area"}
+        Option{"detail", &o.how.detail, "MM", "smaller details are smoothed; 0: a 50th of the root of the area"}
             .zero_or_at_least(0.001)
             .at_most(1e6)
             .when("!as-is")
             .a_limit(),
-        Option{"as-is", &o.as_is, "", "do not divide: surfaces without a name are patches, too"}.a_limit(),
-        {"names", &o.names, "NAME,...", "of the patches that have none, in order; none: letters"},
+        Option{"as-is", &o.as_is, "", "does not divide; surfaces without a name are patches, too"}.a_limit(),
+        {"names", &o.names, "NAME,...", "names of the unnamed patches, in order; none: letters"},
         {"only", &o.only, "NAME,...", "write only these patches"}};
 }
 

@@ -13,26 +13,29 @@ cli::Spec spec(app::peek::Options& o) {
         .name = "peek",
         .synopsis = "show or verify what is in a stream",
         .description =
-            "Reads a whole stream of any kind, from a file or standard input, and prints its payload, its history with "
-            "all settings, and a summary of its contents: how many frames, points, layers and strokes, areas, bounds, "
-            "the facts that stages found out about the whole, and the sums of their notes: what they dropped, "
-            "repaired or could not place, each with its grade and code (docs/notes.md).\n\n"
-            "The stream is verified as it is read: the preamble, every frame and its values, the checksum, the end "
-            "frame. A stream whose writer did not finish ends with exit code 4, a corrupt one with 3; --check does "
-            "only "
-            "that and prints nothing else.\n\n"
-            "--text prints every frame in a form made for grep and diff, --json the same for programs, --script the "
-            "pipeline that made the stream. Of a stream that is cut or corrupt they print what comes before the fault.",
+            "Reads a whole stream of any kind, from a file or standard input. It prints its payload, its history with "
+            "all "
+            "settings, and a summary: the number of frames, points, layers and strokes, areas, bounds, facts, and the "
+            "sums "
+            "of the notes. Notes report everything that stages dropped, repaired or could not place, each with its "
+            "grade and "
+            "code (docs/notes.md).\n\n"
+            "The stream is verified as it is read: the preamble, every frame and its values, the checksum, and the end "
+            "frame. A stream whose writer did not finish ends with exit code 4, and a corrupt one with 3. --check only "
+            "verifies and prints nothing else.\n\n"
+            "--text prints every frame in a form made for grep and diff, --json the same for programs, and --script "
+            "the "
+            "pipeline that made the stream. If a stream is cut or corrupt, they print everything before the fault.",
         .in = cli::reads(stream::Payload::unknown),
         .out = cli::text("text or JSON"),
         .memory = "one frame",
-        .options = {{"check", &o.check, "", "only verify: print nothing, tell by the exit code"},
+        .options = {{"check", &o.check, "", "only verifies: prints nothing, and answers by the exit code"},
                     {"text", &o.text, "", "print every frame, a line for each point"},
                     cli::Option{"decimals", &o.decimals, "N", "digits behind the point"}.within(0, 9).when("text"),
                     {"json", &o.json, "", "print header, frames and summary as one JSON object"},
                     {"frames", &o.frames, "", "print a line for each frame: offset of its first byte, and its kind"},
                     {"script", &o.script, "", "print a bash script that makes the stream from its input again"},
-                    cli::Option{"defaults", &o.defaults, "", "give options also where they have their default"}.when(
+                    cli::Option{"defaults", &o.defaults, "", "shows options with their default values, too"}.when(
                         "script")},
         .examples = {{"slice part.stl | peek", "what slice made of a part"},
                      {"slice part.stl | regions | peek --text", "every region, point by point"},

@@ -12,31 +12,32 @@ using namespace filum;
 
 constexpr const char* kDescription =
     "Writes the program that a machine runs: every bead as moves with their own material, every break as a travel "
-    "with the profile's retraction and lift. Within a stroke every move lays material and nothing is taken back. "
-    "Material is exact: what rounding leaves over goes into the next move. What lies within --path-tolerance of one "
-    "move, straight or (with format.arcs) an arc, becomes that; a bead's section stays within 5 % meanwhile. "
+    "with the profile's retraction and lift. Within a stroke every move deposits material, and nothing is retracted. "
+    "Material is exact: rounding errors go into the next move. A stretch within --path-tolerance of one move, "
+    "straight or (with format.arcs) an arc, becomes that move; the section of a bead stays within 5 %.\n\n"
     "The output's ending chooses its form. part.bgcode is binary G-code, with tables of settings and the pictures of "
     "--thumbnails. part.gcode.3mf is a print file of Bambu Studio: the program with its MD5 sum, pictures of the "
-    "plate, "
-    "time, weight, and the places of the parts. Anything else is text.\n\n"
-    "The toolpath is read to its end first, because the head of the program holds the time and the material, the part "
-    "is centred on the bed, and limits are checked. So a toolpath that is cut short or breaks a limit gives no program "
+    "plate, time, weight, and the places of the parts. Anything else is text.\n\n"
+    "The toolpath is read to its end first. The head of the program needs the time and the material, the part is "
+    "centred on the bed, and limits are checked. So a toolpath that is cut short or breaks a limit gives no program "
     "at all. A program cut short later (a full disk, a killed process) lacks its last line, 'end of program'.\n\n"
     "A machine is a TOML file: NAME.toml in the folders of $FILUM_PROFILES or in share/filum/profiles, or any file "
-    "given by its path. Copy the nearest one and edit it; each key is explained there. Known are marlin, klipper, "
-    "reprapfirmware, linuxcnc (filament), cellink-inkredible and bio-x (valves), syringe. A bead above limits.section "
-    "or a place off the bed is an error; feeds are lowered to keep limits.flow and motion.max_speed_z.\n\n"
+    "given by its path. Copy the nearest one and edit it; its comments explain each key. Known are marlin, klipper, "
+    "reprapfirmware, linuxcnc (filament), cellink-inkredible and bio-x (valves), syringe. A bead above "
+    "limits.section or a place off the bed is an error. Feeds are lowered to keep limits.flow and "
+    "motion.max_speed_z.\n\n"
     "A profile with a section [kinematics] has rotary axes (linuxcnc-xyzac, linuxcnc-xyzbc, linuxcnc-head-table, "
-    "linuxcnc-head-head, polar-xzbc, open5x-duet, klipper-xyzac): the tool follows the toolpath's normals. The numbers "
-    "are the tip in the part's frame, or where the axes stand, cut so fine that the tip keeps to its line; the "
-    "program's head says which. The axes travel the least over a stroke that keeps their limits; where none goes on, "
-    "it is broken and they unwind in the air, which a note and the fact 'unwinds' tell. Near upright the tool may lean "
-    "a little. kuka-krl, abb-rapid and ur write tool frames. What axes cannot reach is an error with the place.\n\n"
-    "A profile with a section [fibre] (fibre-marlin, fibre-xyzac) lays continuous fibre by one of the tools that "
-    "'assemble --tools' gave: a stroke is anchored slowly, then pulled or fed, and cut as far before its end as the "
-    "cutter is from the nozzle; a stroke too short for that is an error with its place, or left out (--short).\n\n"
-    "Templates in the profile hold the codes of the start, the end, and each layer; {names} in them stand for "
-    "numbers: every name of the profile's [values], and those that marlin.toml lists, as {x_min} or {layer}.";
+    "linuxcnc-head-head, polar-xzbc, open5x-duet, klipper-xyzac). The tool follows the toolpath's normals. The "
+    "numbers are the tip in the part's frame, or the positions of the axes, cut so fine that the tip keeps to its "
+    "line; the program's head says which. The axes travel as little as possible over a stroke that keeps their "
+    "limits. Where none can continue, the stroke is broken and the axes unwind in the air. A note and the fact "
+    "'unwinds' report it. Near upright the tool may lean a little. kuka-krl, abb-rapid and ur write tool frames. A "
+    "place that the axes cannot reach is an error.\n\n"
+    "A profile with a section [fibre] (fibre-marlin, fibre-xyzac) uses continuous fibre for one of the tools of "
+    "'assemble --tools'. A stroke is anchored slowly, then pulled or fed. It is cut as far before its end as the "
+    "cutter is from the nozzle. A stroke too short for that is an error with its place, or left out (--short).\n\n"
+    "Templates in the profile contain the codes of the start, the end, and each layer. {names} in them stand for "
+    "numbers: every name of the profile's [values], and those that marlin.toml lists, such as {x_min} or {layer}.";
 
 cli::Spec spec(postproc::Options& o) {
     return {
@@ -49,15 +50,16 @@ cli::Spec spec(postproc::Options& o) {
                   "in $TMPDIR",
         .options = cli::with(
             {cli::Option{"machine", &o.machine, "NAME|FILE", "machine profile"}.not_a_setting(),
-             cli::Option{"place", &o.place, "", "where the part goes: center, of the bed; or as-is"}.one_of(
+             cli::Option{"place", &o.place, "", "place of the part: the center of the bed, or as-is"}.one_of(
                  {"center", "as-is"}),
              {"orient", &o.orient, "",
-              "how the part is turned on a machine with rotary axes: as-is; RX,RY,RZ: degrees about x, then y, then z; "
-              "up:X,Y,Z: this direction points up; auto: the largest tilt is the least there is"},
+              "rotation of the part on a machine with rotary axes: as-is; RX,RY,RZ: degrees about x, then y, then z; "
+              "up:X,Y,Z: this direction points up; auto: the largest tilt becomes as small as possible"},
              {"set", &o.set, "KEY=VALUE,...",
-              "change keys of the profile, as feeds.bead=40; without a section: [values], as nozzle_temp=230"},
+              "changes keys of the profile, such as feeds.bead=40; without a section those of [values], such as "
+              "nozzle_temp=230"},
              cli::Option{"z-offset", &o.z_offset, "MM",
-                         "added to every z of the program, as the end stop stands so much off; left out: the profile's"}
+                         "added to every z of the program, to correct the end stop; default: the profile's"}
                  .numbers(1)
                  .within(-100, 100),
              {"pause-at", &o.pause_at, "LAYER|Zmm,...",
@@ -68,11 +70,11 @@ cli::Spec spec(postproc::Options& o) {
              {"thumbnails", &o.thumbnails, "WxH,...",
               "pictures of what is printed at the program's head, as PrusaSlicer's, for printers and hosts that show "
               "them: 220x124,16x16"},
-             cli::Option{"job", &o.job, "FILE", "also what the job takes, tool by tool, as TSV"}.not_a_setting(),
+             cli::Option{"job", &o.job, "FILE", "writes the figures of the job, tool by tool, as TSV"}.not_a_setting(),
              cli::Option{"summary", &o.summary, "FILE", "also the four lines at its head on what the program makes"}
                  .not_a_setting(),
              cli::Option{"modules", &o.modules, "FOLDER",
-                         "of robots: where the modules go of a program longer than robot.module_moves"}
+                         "for robots: folder for the modules of a program longer than robot.module_moves"}
                  .not_a_setting()},
             cli::deviation_options(o)),
         .groups = {{"where the part stands", {"place", "orient", "z-offset"}},

@@ -11,27 +11,25 @@ namespace {
 using namespace filum;
 
 constexpr const char* kDescription =
-    "Draws a toolpath in perspective, every bead as wide and as high as it is, lit so that neighbouring beads can be "
-    "told; or with --layer one layer flat from above, where voids show red if the outlines are given with --regions, "
-    "and material laid twice dark. Layers and Regions are drawn as solids, with --layer as filled outlines.\n\n"
-    "Colours tell where along the program a bead lies (progress), its stroke, its layer, its width, the feed of a "
-    "machine, or its class. In a layer, green dots are where a stretch begins, red ones where it ends, orange ones "
-    "lifts, thin lines moves without material.\n\n"
+    "Draws a toolpath in perspective, every bead with its width and height, lit so that neighbouring beads can be "
+    "distinguished. With --layer it draws one layer flat from above. There, voids are red if --regions gives the "
+    "outlines, and overlaps are dark. Layers and Regions are drawn as solids, with --layer as filled outlines.\n\n"
+    "Colours show the place of a bead along the program (progress), its stroke, layer or width, the feed of a "
+    "machine, or its class. In a layer, green dots mark the beginning of a stretch, red ones its end and orange ones "
+    "lifts. Thin lines are moves without material.\n\n"
     "A Surface is drawn as a map with a scale, its rims, its isolines and the field --by; its back is bluish. With "
-    "--surface a toolpath lies on it, on the side that its normals look to, later layers over earlier ones, breaks as "
-    "grey lines; what lies beside the surface, as turns beyond its rims, is drawn thin. --voids shows red what is "
-    "farther than half a width (and 2 % of it) from the middle of all beads.\n\n"
-    "With --collisions the head stands where it comes in deepest (red), among what is printed until then and --part, "
-    "other places orange; from where it is seen best, in full and close by.\n\n"
-    "A name that ends in .svg, or --svg, gives a layer as SVG in mm with true stroke widths. One in .vtp "
-    "writes a Toolpath, or a Surface with its fields, for ParaView. Equal input gives equal bytes.\n\n"
-    "A name that ends in .html makes a report: one page that opens from disk, without network, and shows the stream in "
-    "three dimensions, every bead, with sliders along the path and over the layers, colours by what one likes, a layer "
-    "from above, travels, stops, notes and collisions as lists that one clicks to fly there, figures (--figures: what "
-    "'metrics --format tsv' wrote), and the "
-    "pipeline that made it. --regions adds the outlines, --surface what the path lies on, --beside a second stream "
-    "whose "
-    "view follows the first one's.";
+    "--surface a toolpath lies on it, on the side of its normals, later layers over earlier ones, with breaks as "
+    "grey lines. Path beside the surface, such as turns beyond its rims, is thin. --voids shows red where the "
+    "surface is farther than half a width (and 2 % of it) from the middle of all beads.\n\n"
+    "With --collisions the head stands where it comes in deepest (red), among the beads printed until then and "
+    "--part; other places are orange. The picture shows it from the best side, in full and close by.\n\n"
+    "A name that ends in .svg, or --svg, gives a layer as SVG in mm with true stroke widths. A name that ends in "
+    ".vtp writes a Toolpath, or a Surface with its fields, for ParaView. Equal input gives equal bytes.\n\n"
+    "A name that ends in .html makes a report: one page that opens from disk, without a network. It shows the stream "
+    "in three dimensions, with sliders along the path and over the layers, a choice of colours, and a layer from "
+    "above. Travels, stops, notes and collisions are lists; a click flies to the place. The page also shows figures "
+    "(--figures: a file of 'metrics --format tsv') and the pipeline that made the stream. --regions adds the "
+    "outlines, --surface the surface below the path, and --beside a second stream whose view follows the first one's.";
 
 cli::Spec spec(render::Options& o) {
     using cli::Option;
@@ -43,7 +41,7 @@ cli::Spec spec(render::Options& o) {
         .out = cli::text("a PNG picture, SVG, VTP or an HTML page"),
         .memory = "the model",
         .options = cli::with(
-            {Option{"color", &o.color, "", "what colours mean; auto: what suits the stream"}.one_of(
+            {Option{"color", &o.color, "", "meaning of colours; auto: depends on the stream"}.one_of(
                  {"auto", "progress", "stroke", "layer", "width", "speed", "class"}),
              Option{
                  "view", &o.view, "VIEW",
@@ -52,13 +50,13 @@ cli::Spec spec(render::Options& o) {
                  .when("!views !layer"),
              Option{"views", &o.views, "VIEW,...", "several of these in one picture"}.when("!layer"),
              Option{"surface", &o.surface, "FILE", "the Surface stream that a toolpath lies on"}.not_a_setting(),
-             {"by", &o.by, "FIELD", "the field that colours the surface; beads are slim then, unless --voids"},
+             {"by", &o.by, "FIELD", "field that colours the surface; beads are thin then, except with --voids"},
              {"arrows", &o.arrows, "FIELD", "a field of vectors, drawn as short lines on the surface"},
-             Option{"collisions", &o.collisions, "FILE", "shows where 'collide --places' says"}.not_a_setting(),
-             Option{"part", &o.part, "FILE,...", "meshes that the head meets there"}.not_a_setting().when("collisions"),
-             Option{"around", &o.around, "X,Y,Z,R", "fills the picture with what is R mm around there"}
-                 .numbers(4)
-                 .within(-1e9, 1e9),
+             Option{"collisions", &o.collisions, "FILE", "shows the places of 'collide --places'"}.not_a_setting(),
+             Option{"part", &o.part, "FILE,...", "meshes that the head touches there"}.not_a_setting().when(
+                 "collisions"),
+             Option{"around", &o.around, "X,Y,Z,R", "fills the picture with R mm around this place"}.numbers(4).within(
+                 -1e9, 1e9),
              {"voids", &o.voids, "", "marks where no bead covers the surface"},
              {"overlap", &o.overlap, "", "marks where passes of one layer cover the surface twice"},
              Option{"layer", &o.layer, "N", "draws this layer flat from above; -1: all"}.within(-1, UINT32_MAX),
@@ -67,15 +65,14 @@ cli::Spec spec(render::Options& o) {
                  .within(0, UINT32_MAX)
                  .when("!layer")
                  .a_limit(),
-             Option{"regions", &o.regions, "FILE", "a Regions stream whose outlines are shown, of a layer or a report"}
+             Option{"regions", &o.regions, "FILE", "Regions stream whose outlines are shown, for a layer or a report"}
                  .not_a_setting(),
              Option{"figures", &o.figures, "FILE", "figures for a report, as TSV"}.not_a_setting(),
-             Option{"title", &o.title, "TEXT", "what a report is called; left out: the name of the file"}
-                 .not_a_setting(),
-             Option{"beside", &o.beside, "FILE", "another stream, shown beside in a report"}.not_a_setting(),
+             Option{"title", &o.title, "TEXT", "title of a report; default: the name of the file"}.not_a_setting(),
+             Option{"beside", &o.beside, "FILE", "second stream, shown side by side in a report"}.not_a_setting(),
              Option{"size", &o.size, "W,H", "size of the picture in pixels"}.numbers(2).at_least(16).at_most(8192),
              Option{"samples", &o.samples, "N", "rays per pixel; more, a calmer picture"}.within(1, 4096).when("!svg"),
-             Option{"machine", &o.machine, "NAME|FILE", "machine profile of the speeds, of --color speed or a report"}
+             Option{"machine", &o.machine, "NAME|FILE", "machine profile for the speeds of --color speed or a report"}
                  .not_a_setting(),
              Option{"travels", &o.travels, "", "draws moves without material in perspective, too"}
                  .when("!layer")

@@ -10,17 +10,18 @@ namespace {
 using namespace filum;
 
 constexpr const char* kDescription =
-    "Gives every travel between two strokes a way on which the head meets nothing of what stands there: the beads laid "
-    "so far, the meshes of --part and --fixture, the bed at z = 0 with --bed; the same as `collide` checks, with the "
-    "same head. The tool goes up along its own axis by --lift at least, turns only on the way across, and comes down "
-    "along the axis of the next stroke. Of three ways it takes the shortest that is free: straight across, over what "
-    "stands there as low as can be, or around it. These travels carry normals, and postproc follows them as they "
-    "are.\n\n"
-    "With --tilt the tool may also lean off its normals by so many degrees where the head meets something along a "
+    "Finds a way for every travel between two strokes on which the head touches nothing: no earlier bead, none of "
+    "the meshes of --part and --fixture, and with --bed not the bed at z = 0. These are the obstacles and the head "
+    "of `collide`. The tool rises along its own axis by at least --lift, turns only on the way across, and descends "
+    "along the axis of the next stroke. Three ways are tried, and the shortest free one is taken: straight across, "
+    "as low as possible over the obstacles, or around them. These travels carry normals, and postproc follows them "
+    "exactly.\n\n"
+    "With --tilt the tool may also lean off its normals by so many degrees, where the head touches something along a "
     "stroke: as little as frees it, and no faster along the path than --tilt-rate. Places and material of the path "
     "stay. --leaning lists the strokes.\n\n"
-    "What comes out is checked as `collide` does, with the least clearances as facts. Where the head still meets "
-    "something route ends with 1 and says where; --strict=false goes on with a note. --places lists all such places.";
+    "The result is checked as `collide` does, with the least clearances as facts. If the head still touches "
+    "something, route ends with 1 and gives the place; with --strict=false it continues with a note. --places lists "
+    "all such places.";
 
 cli::Spec spec(app::route::Options& o) {
     using cli::Option;
@@ -35,8 +36,10 @@ cli::Spec spec(app::route::Options& o) {
                      .within(0, 1000)
                      .numbers(1)
                      .a_limit(),
-                 Option{"tilt", &o.tilt, "DEG", "how far the tool may lean off its normals"}.within(0, 80).a_limit(),
-                 Option{"tilt-rate", &o.tilt_rate, "DEG/MM", "how fast that may change along the path"}
+                 Option{"tilt", &o.tilt, "DEG", "largest angle by which the tool may lean off its normals"}
+                     .within(0, 80)
+                     .a_limit(),
+                 Option{"tilt-rate", &o.tilt_rate, "DEG/MM", "largest change of this angle along the path"}
                      .within(0.1, 90)
                      .when("tilt")
                      .a_limit(),

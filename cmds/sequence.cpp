@@ -29,42 +29,53 @@ cli::Spec spec(Options& o) {
         .name = "sequence",
         .synopsis = "order the regions of all layers so that few strokes print them",
         .description =
-            "A stroke climbs from a region to one above it without stopping wherever 'regions' found that it can. Two "
-            "things hold it back: a region must wait for those that carry it, and the head must not touch what stands "
-            "there already. A region that begins in the air waits for all lower regions of its part. So a column is "
-            "climbed until the head would come too close to its neighbours, then "
-            "another one catches up. To go layer by layer is always possible; the result is never worse than that.\n\n"
+            "Orders all regions of all layers in few strokes. A stroke climbs without a stop from a region to one "
+            "above it, "
+            "where 'regions' found that it can. Two rules restrict it: a region must wait for those that carry it, and "
+            "the "
+            "head must not touch printed regions. A region that begins in the air waits for all lower regions of its "
+            "part. "
+            "So a column is climbed until the head would come too close to its neighbours; then another one catches "
+            "up. "
+            "Layer by layer is always possible, and the result is never worse than that.\n\n"
             "The head is a flat tip, a cone, the carriage as a box around the nozzle and parallel to the axes, and the "
             "gantry, above which nothing may stand. Distances are those of the outlines, edge to edge.\n\n"
-            "Strokes are the climbs without a stop. How few are possible is hard to know in general: orders are "
-            "searched and lower bounds proven in turns until they meet or --budget is used up. The order, the strokes "
-            "and the joins are written into the regions. What is known of them travels with the stream and is printed "
-            "with --report: the planned strokes; the best lower bound, which no order can beat under the same head "
-            "(lower-bound), and what proved it; the gap between the two in percent of the strokes; the least by the "
-            "links alone (path-cover) and layer by layer (layer-floor); how many strokes end for which cause.\n\n"
+            "The smallest number of strokes is hard to compute in general. Orders are searched and lower bounds proven "
+            "in "
+            "turns until they meet or --budget is used up. The order, the strokes and the joins are written into the "
+            "regions. Facts travel with the stream, and --report prints them: the planned strokes; the best lower "
+            "bound, "
+            "which no order can beat under the same head (lower-bound), and what proved it; the gap between both in "
+            "percent "
+            "of the strokes; the minimum by the links alone (path-cover) and layer by layer (layer-floor); and the "
+            "number of "
+            "strokes that end for each cause.\n\n"
             "The causes are: top, no link leads on; taken, the region ahead continues another stroke; support, it also "
-            "rests on a region that is printed later; tip, cone, carriage, gantry, this part of the head would touch a "
-            "region that is printed later; open, the order goes on elsewhere. --ends lists every end with its place, "
-            "the region ahead, the one it waits for, how far that is below and how far aside.",
+            "rests "
+            "on a region that is printed later; tip, cone, carriage, gantry, this part of the head would touch a "
+            "region that "
+            "is printed later; open, the order goes on elsewhere. --ends lists every end with its place, the region "
+            "ahead, "
+            "the region that this one waits for, and their distance in height and aside.",
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
         .memory = "the whole graph",
         .options = cli::with(
             cli::with({cli::Option{"order", &o.order, "ORDER",
-                                   "climb columns, go layer by layer, or do so as in the 2019 paper"}
+                                   "climb columns, go layer by layer, or layer by layer as in the 2019 paper"}
                            .one_of({"columns", "layers", "sun2019"})
                            .a_limit()},
                       cli::head_options(o.head)),
             {cli::Option{"budget", &o.budget, "MILLIONS|SECONDSs",
-                         "steps that may be taken, about 3 ms per million; 10s: as many as take about 10 s"}
+                         "steps of the search, about 3 ms per million; 10s: steps for about 10 s"}
                  .when("order=columns")
                  .a_limit(),
-             cli::Option{"report", &o.report, "", "print strokes and bounds on standard error"}.not_a_setting(),
+             cli::Option{"report", &o.report, "", "prints strokes and bounds on standard error"}.not_a_setting(),
              cli::Option{"pause-at", &o.pause_at, "LAYER|Zmm,...",
-                         "nothing of a layer, counted from 0, or above a height begins before all below is there, for "
-                         "a pause by postproc: 12 or 2.4mm"}
+                         "prints everything below a layer (12, counted from 0) or a height (2.4mm) before it begins "
+                         "anything above, for a pause by postproc"}
                  .a_limit(),
-             cli::Option{"ends", &o.ends, "FILE", "also a line per stroke, why it ends, as TSV"}
+             cli::Option{"ends", &o.ends, "FILE", "writes a line per stroke with the cause of its end, as TSV"}
                  .when("!pause-at")
                  .not_a_setting()}),
         .groups = {cli::head_group()},

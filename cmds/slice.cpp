@@ -11,26 +11,24 @@ using namespace filum;
 using cli::Option;
 
 constexpr const char* kDescription =
-    "Reads a mesh from a file or standard input and cuts it at the mid-height of each layer; a face level "
-    "with that counts as below it. The kind of file is recognised by its content: STL (binary or ASCII), OBJ, PLY "
-    "(ASCII or binary), OFF, 3MF with its unit, components "
-    "and build items, STEP if the build has OpenCASCADE.\n\n"
+    "Reads a mesh from a file or standard input and cuts it at the mid-height of each layer. A face at exactly that "
+    "height counts as below it. The kind of file is recognised by its content: STL (binary or ASCII), OBJ, PLY "
+    "(ASCII or binary), OFF, 3MF with its unit, components and build items, and STEP if the build has OpenCASCADE.\n\n"
     "The part is scaled, turned, moved, centred and set on the bed, in this order. It gets round(height / layer "
-    "height) layers, at least one, half a layer rounded down; a part lower than half a layer is an error.\n\n"
-    "Bodies that overlap, touch or are a hairline apart become one solid; a shell that faces inwards within another "
-    "stays a cavity. Flipped triangles are turned round, gaps in contours closed, contours led straight across holes "
-    "in "
-    "the surface. Whatever was repaired, and every open contour that had to be left out, is noted in the stream with "
-    "its layer and length, and summed up on standard error.\n\n"
-    "The volume of the layers is compared with what the mesh holds: more than 2 % between them is told, as is what an "
-    "open surface leaves undecided, an empty layer between others, and a part of unlikely size. A mesh that leaves "
-    "more undecided than it holds is refused.\n\n"
-    "Several files, or --copies, make a plate: parts are packed on the bed (libnest2d) as far apart as "
-    "the head is wide below the second highest top, so that each can be printed to its top by itself; where there is "
-    "no room for that, so far that the nozzle passes, and they grow together, which is told. 'sequence' then finds the "
-    "order. Parts are turned by quarter turns only if they find no place as they are, which "
-    "is told; what finds none then is refused. All have the layers of the highest; --center and --translate move the "
-    "whole, other options act on each part.\n\n"
+    "height) layers, at least one; half a layer is rounded down. A part lower than half a layer is an error.\n\n"
+    "Bodies that overlap, touch or are a hairline apart become one solid. A shell that faces inwards within another "
+    "stays a cavity. Flipped triangles are turned, gaps in contours are closed, and contours lead straight across "
+    "holes in the surface. Notes in the stream report all repairs, and every open contour that had to be left out, "
+    "with layer and length. Their sum appears on standard error.\n\n"
+    "The volume of the layers is compared with that of the mesh. Notes report a difference of more than 2 %, the "
+    "volume that an open surface leaves undecided, an empty layer between others, and a part of unlikely size. A "
+    "mesh that leaves more undecided than it contains is refused.\n\n"
+    "Several files, or --copies, make a plate. Parts are packed on the bed (libnest2d) as far apart as the head is "
+    "wide below the second highest top, so that each can be printed to its top by itself. If the bed is too small "
+    "for that, the distance is that of the nozzle, and the parts grow together; a note reports it. 'sequence' then "
+    "finds the order. Parts are turned by quarter turns only if they find no other place, with a note; a part "
+    "without a place is refused. All parts have the layers of the highest. --center and --translate move the whole "
+    "plate, and other options act on each part.\n\n"
     "Limits: files up to 4 GiB, coordinates up to 10 km, a million layers; below 3 GB of memory for any file below "
     "100 MB. Contours are on a grid of 0.1 um.";
 
@@ -42,22 +40,22 @@ std::vector<Option> placing(mesh::Placement& p) {
             -1e6, 1e6),
         Option{"rotate", &p.rotate_deg, "X,Y,Z", "degrees to turn about the x axis, then y, then z"}.numbers(3).within(
             -360, 360),
-        Option{"translate", &p.translate, "X,Y,Z", "mm to move by"}.numbers(3).within(-1e7, 1e7),
-        Option{"center", &p.center, "X,Y", "place for the middle of the part's box, mm"}.numbers(2).within(-1e7, 1e7),
-        Option{"on-bed", &p.on_bed, "", "move the part's lowest point to z = 0: done unless --no-on-bed is given"}
+        Option{"translate", &p.translate, "X,Y,Z", "distance to move by, mm"}.numbers(3).within(-1e7, 1e7),
+        Option{"center", &p.center, "X,Y", "place of the middle of the part's box, mm"}.numbers(2).within(-1e7, 1e7),
+        Option{"on-bed", &p.on_bed, "", "moves the part's lowest point to z = 0; on unless --no-on-bed is given"}
             .when("!no-on-bed")
             .a_limit(),
-        Option{"no-on-bed", &p.keep_z, "", "leave the part at its own height"}.a_limit(),
+        Option{"no-on-bed", &p.keep_z, "", "leaves the part at its own height"}.a_limit(),
     };
 }
 
 std::vector<Option> cutting(slice::Options& s) {
     return {
         Option{"layer-height", &s.layer_height, "MM", "thickness of a layer"}.within(0.001, 1000),
-        Option{"first-layer-height", &s.first_layer_height, "MM", "thickness of the first layer, 0: as the others"}
+        Option{"first-layer-height", &s.first_layer_height, "MM", "thickness of the first layer; 0: as the others"}
             .zero_or_at_least(0.001)
             .at_most(1000),
-        {"adaptive", &s.adaptive, "", "choose the thickness of every layer by the slope of the surface"},
+        {"adaptive", &s.adaptive, "", "chooses the thickness of every layer by the slope of the surface"},
         Option{"min-layer-height", &s.min_layer_height, "MM", "least thickness of adaptive layers"}
             .within(0.001, 1000)
             .when("adaptive")
@@ -66,7 +64,7 @@ std::vector<Option> cutting(slice::Options& s) {
             .within(0.001, 1000)
             .when("adaptive")
             .a_limit(),
-        Option{"cusp", &s.cusp, "MM", "how far the steps of adaptive layers may stand off the surface"}
+        Option{"cusp", &s.cusp, "MM", "largest distance of the steps of adaptive layers from the surface"}
             .within(1e-5, 100)
             .when("adaptive")
             .a_limit(),
@@ -74,10 +72,10 @@ std::vector<Option> cutting(slice::Options& s) {
             .within(0, 100)
             .a_limit(),
         Option{"close-openings", &s.close_openings, "SHARE",
-               "close wider openings straight, up to this part of the contour's length; 0: never, nor holes"}
+               "closes wider openings straight, up to this part of the contour's length; 0: never, and no holes either"}
             .within(0, 1)
             .a_limit(),
-        Option{"hairline", &s.hairline, "MM", "heal gaps and slivers between bodies narrower than this"}
+        Option{"hairline", &s.hairline, "MM", "heals gaps and slivers between bodies narrower than this"}
             .within(0, 1)
             .a_limit(),
     };
@@ -86,16 +84,17 @@ std::vector<Option> cutting(slice::Options& s) {
 std::vector<Option> compensating(app::slice::Options& o) {
     return {
         Option{"elephant-foot", &o.compensation.elephant_foot, "MM",
-               "how far the first layer's outline moves inwards; no place loses more than half of its width"}
+               "distance that the first layer's outline moves inwards; no place loses more than half of its width"}
             .within(0, 10),
         Option{"xy-compensation", &o.compensation.xy, "MM",
-               "how far all outlines move outwards, as holes close; negative: inwards"}
+               "distance that all outlines move outwards, so that holes close; negative: inwards"}
             .within(-10, 10),
-        Option{"hole-compensation", &o.compensation.holes, "MM",
-               "how far holes widen in radius, on top of that, and bores where windows open them; negative: close"}
+        Option{
+            "hole-compensation", &o.compensation.holes, "MM",
+            "additional distance that holes widen in radius, and bores where windows open them; negative: they close"}
             .within(-10, 10),
         Option{"shrinkage", &o.shrinkage, "%|X,Y,Z",
-               "what a part loses of its size as it cools, 0.5 if 100 mm become 99.5: it is made so much larger; one "
+               "shrinkage of the part as it cools, 0.5 if 100 mm become 99.5; the part is enlarged to compensate; one "
                "number, or one per axis"}
             .within(-50, 50),
     };
@@ -104,17 +103,17 @@ std::vector<Option> compensating(app::slice::Options& o) {
 std::vector<Option> leaving_out(app::slice::Options& o) {
     return {
         Option{"cut-below", &o.cut_below, "MM",
-               "leave out what lies below this height, to the nearest layer; the rest comes down to the bed"}
+               "leaves out everything below this height, to the nearest layer; the rest comes down to the bed"}
             .numbers(1)
             .within(0, 1e7)
             .a_limit(),
-        Option{"cut-above", &o.cut_above, "MM", "leave out what lies above this height, to the nearest layer"}
+        Option{"cut-above", &o.cut_above, "MM", "leaves out everything above this height, to the nearest layer"}
             .numbers(1)
             .within(0, 1e7)
             .a_limit(),
         Option{"from-layer", &o.from_layer, "N",
-               "leave out the layers before this one, counted from 0; the others keep their height, to go on with a "
-               "print that stopped: look to it that the start codes do not touch that"}
+               "leaves out the layers before this one, counted from 0; the others keep their height, to continue a "
+               "print that stopped; make sure that the start codes do not touch it"}
             .within(0, 1e6),
     };
 }
@@ -125,18 +124,16 @@ cli::Spec spec(app::slice::Options& o) {
     for (Option& option : leaving_out(o)) options.push_back(std::move(option));
     for (Option& option : placing(o.place)) options.push_back(std::move(option));
     for (Option& option : cli::step_options(o.step)) options.push_back(std::move(option));
-    options.push_back(
-        Option{"machine", &o.machine, "NAME|FILE",
-               "a machine profile: refuse what is larger than its bed; several parts stand on it, left out: on that of "
-               "marlin"}
-            .not_a_setting());
+    options.push_back(Option{"machine", &o.machine, "NAME|FILE",
+                             "machine profile; a part larger than its bed is refused, and several parts are placed on "
+                             "its bed (default: marlin's)"}
+                          .not_a_setting());
     options.push_back(Option{"plate", &o.plate, "N", "plate of a slicer's project, counted from 1"}.within(1, 1000));
-    options.push_back(Option{"copies", &o.copies, "N", "how often each part is made"}.within(1, 10000));
-    options.push_back(
-        Option{"apart", &o.apart, "MM", "how far several parts keep from each other; left out: as the head needs it"}
-            .numbers(1)
-            .within(0.1, 1000)
-            .a_limit());
+    options.push_back(Option{"copies", &o.copies, "N", "number of copies of each part"}.within(1, 10000));
+    options.push_back(Option{"apart", &o.apart, "MM", "distance between several parts; default: as the head needs"}
+                          .numbers(1)
+                          .within(0.1, 1000)
+                          .a_limit());
     return {.name = "slice",
             .synopsis = "cut a mesh into layers of closed contours",
             .description = kDescription,

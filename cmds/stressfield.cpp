@@ -26,56 +26,50 @@ struct Options {
 
 constexpr const char* kDescription =
     "Reads stresses from the file of --stress and adds fields to the vertices of the surface, or of each patch of a "
-    "divided one, which keeps all it has: "
-    "stress.CASE.s1, .s2 and .s3, the principal stresses in MPa, and stress.CASE.d1, the unit vector along which the "
-    "greatest one, s1, pulls. A direction and its opposite are the same: the one is taken whose largest component is "
-    "positive. Unknown values are infinite. Without --stress nothing is added.\n\n"
-    "The file is FRD, VTU or CSV, as it is or packed by gzip; its content says which. peek shows what was read of it, "
-    "in "
+    "divided one. stress.CASE.s1, .s2 and .s3 are the principal stresses in MPa. stress.CASE.d1 is the unit vector "
+    "along which the greatest one, s1, pulls. A direction and its opposite are equal; the one with a positive "
+    "largest component is written. Unknown values are infinite. Existing fields stay. Without --stress nothing is "
+    "added.\n\n"
+    "The file is FRD, VTU or CSV, plain or packed by gzip, recognised by its content. peek shows what was read, in "
     "which order and unit.\n\n"
-    "FRD is the result of CalculiX as text. The STRESS of each step becomes a load case of the step's number, that of "
-    "a "
-    "mode STEP-modeN. Of several increments the last one counts; --step STEP-INCREMENT takes another one.\n\n"
-    "VTU is a VTK grid, in any encoding but LZ4 and LZMA. Each array of stresses at the points becomes a load case of "
-    "its "
-    "name: of 6 or 9 numbers, or six arrays of one number. Arrays of strains are left out, and so is an array whose "
-    "name "
-    "does not say stress; --columns names those to take, also vectors. The names of components give their order. Six "
-    "numbers without names are taken in VTK's order, xx yy zz xy yz xz, with a note; --order gives another one: abaqus "
-    "(xx "
-    "yy zz xy xz yz), voigt (xx yy zz yz xz xy), upper (xx xy xz yy yz zz), or names in their order.\n\n"
-    "CSV is a table with a line per point: x,y,z and either the vector of s1, also s1,s2,s3, or the whole tensor. "
-    "Columns "
-    "are known by their names in the header, with their units, or by --columns, which lists in order what they are: "
-    "x,y,z, "
+    "FRD is the result of CalculiX as text. The STRESS of each step becomes a load case with the step's number, that "
+    "of a mode STEP-modeN. Of several increments the last one counts; --step STEP-INCREMENT takes another one.\n\n"
+    "VTU is a VTK grid, in any encoding except LZ4 and LZMA. Each array of stresses at the points becomes a load "
+    "case with its name: of 6 or 9 numbers, or six arrays of one number. Arrays of strains, and arrays whose name "
+    "does not say stress, are left out; --columns names those to take, also vectors. The names of components give "
+    "their order. Six numbers without names are taken in VTK's order, xx yy zz xy yz xz, with a note. --order gives "
+    "another one: abaqus (xx yy zz xy xz yz), voigt (xx yy zz yz xz xy), upper (xx xy xz yy yz zz), or names in "
+    "their order.\n\n"
+    "CSV is a table with a line per point: x,y,z and either the vector of s1, with or without s1,s2,s3, or the whole "
+    "tensor. The header names the columns, with their units. Otherwise --columns lists them in order: x,y,z, "
     "s1x,s1y,s1z, s1,s2,s3, sxx,syy,szz,sxy,syz,szx, and - for others. If no s1 is given, it is the length of the "
     "vector.\n\n"
-    "If there are elements, a vertex takes the stress in the element it lies in, else at the nearest place of their "
-    "outer faces that face its way. Of bare points it takes the three about it on the surface, linearly; those on the "
-    "other side of a thin wall lie off it and do not count. --reach says how far off is too far. "
-    "A direction is unknown where s1 equals s2, or is below the share of --mask. Where a part is pressed, s1 is about "
-    "0 "
-    "and its direction is the surface's normal, of no use on it: how much of the surface that is, is said and kept as "
-    "a fact. --tangent takes the direction of the greatest stress in the tangent plane instead.";
+    "If there are elements, a vertex takes the stress of the element around it, else of the nearest place on their "
+    "outer faces that face its way. Of bare points it takes the three around it on the surface, linearly; points on "
+    "the other side of a thin wall do not count. --reach is the farthest allowed distance. A direction is unknown "
+    "where s1 equals s2, or is below the share of --mask. Where a part is pressed, s1 is about 0 and its direction "
+    "is the surface's normal, which is useless on it. A note and a fact give the area of such places. --tangent "
+    "takes the direction of the greatest stress in the tangent plane instead.";
 
 std::vector<Option> options(Options& o) {
     const std::vector<Option> how = {
-        {"case", &o.read.names, "NAME,...", "names of the load cases in the file, in order; none: its own"},
+        {"case", &o.read.names, "NAME,...", "names for the load cases of the file, in order; none: its own"},
         {"step", &o.read.step, "NAME",
-         "of an FRD, the result to take as a load case: STEP, STEP-INCREMENT, STEP-modeN, all"},
-        {"columns", &o.read.columns, "NAME,...", "what the columns of a CSV are, or arrays of a VTU; none: see above"},
+         "result of an FRD to take as a load case: STEP, STEP-INCREMENT, STEP-modeN, all"},
+        {"columns", &o.read.columns, "NAME,...",
+         "meaning of the columns of a CSV, or the arrays of a VTU; none: see above"},
         {"order", &o.read.order, "ORDER",
-         "of the numbers of a tensor in a VTU: vtk, abaqus, voigt, upper, or their names"},
-        Option{"decimal", &o.read.decimal, "", "decimal mark of a CSV; auto: as its numbers show"}.one_of(
+         "order of the numbers of a tensor in a VTU: vtk, abaqus, voigt, upper, or their names"},
+        Option{"decimal", &o.read.decimal, "", "decimal mark of a CSV; auto: from its numbers"}.one_of(
             {"auto", "point", "comma"}),
-        Option{"unit", &o.read.unit, "", "unit of positions; auto: as the file says, else mm"}.one_of(
+        Option{"unit", &o.read.unit, "", "unit of positions; auto: from the file, else mm"}.one_of(
             {"auto", "mm", "cm", "m", "in"}),
-        Option{"stress-unit", &o.read.stress_unit, "", "unit of stresses; auto: as the file says, else MPa"}.one_of(
+        Option{"stress-unit", &o.read.stress_unit, "", "unit of stresses; auto: from the file, else MPa"}.one_of(
             {"auto", "MPa", "Pa", "kPa", "GPa", "psi", "ksi"}),
-        Option{"reach", &o.place.reach, "MM", "how far off the surface stresses count; 0: by the spacing there"}
+        Option{"reach", &o.place.reach, "MM", "largest distance of stresses from the surface; 0: by the spacing there"}
             .within(0, 1e6)
             .a_limit(),
-        {"tangent", &o.place.tangent, "", "directions in the tangent plane"},
+        {"tangent", &o.place.tangent, "", "takes directions in the tangent plane"},
         Option{"mask", &o.place.mask, "SHARE", "no direction where s1 is below this share of its greatest"}
             .within(0, 1)
             .a_limit()};

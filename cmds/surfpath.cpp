@@ -12,72 +12,73 @@ using app::surfpath::Options;
 using cli::Option;
 
 constexpr const char* kDescription =
-    "Fills a surface with lines one spacing apart, inside its rims, as one stroke where there is a way. What "
-    "they follow is where `geodesic` measured from: fina, rows at equal distances from a line; fexa, rows in "
-    "planes along a plane cut; ortheo, lines straight away from a line; geo-fiso, rings inside the rims, in and out "
-    "again; geo-contour, rings that end on the ridge; geo-spiral, a spiral around a point, then arcs. Two "
-    "need no source: lines of field follow the stress, an angle to a reference direction, as plies are given, a rim, "
-    "or rings about all rims; those of hybrid are rings about holes and along rims that turn into each other where "
-    "they meet, and so cover what a wide turn of a whole ring leaves bare. The fact rings-bound says what share closed "
-    "lines can cover that bend no tighter than --min-radius. Rows are taken some apart, so that turns "
-    "are wide; those that must be tighter than --min-radius are spans of their own, declared as hairpins. What cannot "
-    "be placed is noted. Rings of closed surfaces begin at a seam, which is found and noted, or at the source. The "
-    "fact "
-    "cuts-bound says how few cuts there can be, for whoever covers all and lays no more than --cut-length twice to "
-    "save "
-    "one.\n\n"
-    "Of several surfaces, patches of one part, each is filled in its turn. What `choose` has planned for a surface "
-    "travels with it, and is followed unless an algorithm is named; without any plan it is geo-fiso. A patch without "
-    "a plan among others that have one is left out, and noted. Facts of several patches begin with 'patch.' and their "
-    "names.\n\n"
-    "--method kipping2022 does it as J. Kipping, Z. Kallai, T. Schueppstuhl, 2022, section 3, for comparison: rows "
-    "beside a plane, fina by distance on the surface, fexa by that in space; ortheo, lines across the isocontours of a "
-    "seed curve; rings inside the rims, geo-fiso as one path, geo-contour as spirals; geo-spiral around a seed point. "
-    "The last group of options is for this method only. What the paper does not give: --resample, --savgol-window, "
-    "--savgol-degree, --min-spacing. Smoothing takes the path off the surface.";
+    "Fills a surface with lines one spacing apart, inside its rims, as one stroke if there is a way. Most algorithms "
+    "follow the distances of `geodesic`. fina makes rows at equal distances from a line, and fexa rows in planes "
+    "along a plane cut. ortheo makes lines straight away from a line. geo-fiso makes rings inside the rims, in and "
+    "out again, and geo-contour rings that end on the ridge. geo-spiral makes a spiral around a point, then arcs. "
+    "Two need no source. Lines of field follow the stress, an angle to a reference direction as for plies, a rim, or "
+    "rings about all rims. hybrid makes rings about holes and along rims that turn into each other where they meet. "
+    "So it covers area that a wide turn of a whole ring would leave open.\n\n"
+    "Rows are visited out of order, skipping some each time, so that U-turns can be wide. Turns that must be tighter "
+    "than --min-radius are spans of their own, declared as hairpins. Notes report everything that cannot be placed. "
+    "Rings of closed surfaces begin at a seam, which a note reports, or at the source. The fact rings-bound is the "
+    "share that closed lines can cover that bend no tighter than --min-radius. The fact cuts-bound is a lower bound "
+    "on the cuts of any path that covers the surface and overlaps at most --cut-length of fibre to avoid a cut.\n\n"
+    "Several surfaces, the patches of one part, are filled in turn. A plan of `choose` travels with its surface and "
+    "is followed unless you name an algorithm; without any plan it is geo-fiso. A patch without a plan among others "
+    "that have one is left out, with a note. Facts of several patches begin with 'patch.' and their names.\n\n"
+    "--method kipping2022 follows J. Kipping, Z. Kallai, T. Schueppstuhl, 2022, section 3, for comparison: rows "
+    "beside a plane, fina by distance on the surface, fexa by that in space; ortheo, lines across the isocontours of "
+    "a seed curve; rings inside the rims, geo-fiso as one path, geo-contour as spirals; geo-spiral around a seed "
+    "point. The last group of options is for this method only. The paper does not give --resample, --savgol-window, "
+    "--savgol-degree and --min-spacing. Smoothing takes the path off the surface.";
 
 std::vector<Option> paper_options(Options& o) {
-    return {Option{"plane", &o.plane, "NX,NY,NZ,D", "beside which rows lie; none: that of the sources"}
-                .numbers(4)
-                .within(-1e7, 1e7)
-                .when("algorithm=planned|fina|fexa|ortheo"),
-            Option{"resample", &o.paper.resample, "MM", "between points of the path; 0: spacing / 4"}
-                .zero_or_at_least(0.001)
-                .at_most(1000),
-            Option{"savgol-window", &o.paper.window, "POINTS", "of the Savitzky-Golay filter, odd; 1: none"}.within(
-                1, 9999),
-            Option{"savgol-degree", &o.paper.degree, "", "of its polynomials"}.within(0, 9),
-            Option{"d-iso", &o.paper.iso, "MM", "between isocontours that ortheo steps along; 0: spacing"}
-                .zero_or_at_least(0.001)
-                .at_most(1e4)
-                .when("algorithm=planned|ortheo"),
-            Option{"min-spacing", &o.paper.least_spacing, "MM", "where ortheo ends lines; 0: 0.4 d"}
-                .within(0, 1e4)
-                .when("algorithm=planned|ortheo")
-                .a_limit(),
-            Option{"t-dist", &o.paper.reach, "MM", "farthest that rings are joined across; 0: 1.2 d"}
-                .within(0, 1e4)
-                .when("algorithm=planned|geo-fiso|geo-contour")
-                .a_limit(),
-            Option{"n-thresh", &o.paper.run, "POINTS", "that they are so near for; 0: spacing / resample"}
-                .within(0, 1e6)
-                .when("algorithm=planned|geo-fiso|geo-contour|geo-spiral")
-                .a_limit()};
+    return {
+        Option{"plane", &o.plane, "NX,NY,NZ,D", "plane of the rows; none: that of the sources"}
+            .numbers(4)
+            .within(-1e7, 1e7)
+            .when("algorithm=planned|fina|fexa|ortheo"),
+        Option{"resample", &o.paper.resample, "MM", "distance between points of the path; 0: spacing / 4"}
+            .zero_or_at_least(0.001)
+            .at_most(1000),
+        Option{"savgol-window", &o.paper.window, "POINTS", "window of the Savitzky-Golay filter, odd; 1: none"}.within(
+            1, 9999),
+        Option{"savgol-degree", &o.paper.degree, "", "degree of its polynomials"}.within(0, 9),
+        Option{"d-iso", &o.paper.iso, "MM", "distance between the isocontours of ortheo; 0: spacing"}
+            .zero_or_at_least(0.001)
+            .at_most(1e4)
+            .when("algorithm=planned|ortheo"),
+        Option{"min-spacing", &o.paper.least_spacing, "MM", "distance at which ortheo ends lines; 0: 0.4 d"}
+            .within(0, 1e4)
+            .when("algorithm=planned|ortheo")
+            .a_limit(),
+        Option{"t-dist", &o.paper.reach, "MM", "longest join between rings; 0: 1.2 d"}
+            .within(0, 1e4)
+            .when("algorithm=planned|geo-fiso|geo-contour")
+            .a_limit(),
+        Option{"n-thresh", &o.paper.run, "POINTS",
+               "number of points along which rings must be so near; 0: spacing / resample"}
+            .within(0, 1e6)
+            .when("algorithm=planned|geo-fiso|geo-contour|geo-spiral")
+            .a_limit()};
 }
 
 // What lines of field follow.
 std::vector<Option> field_options(Options& o) {
     return {
-        Option{"follow", &o.follow, "NAME=W,...",
-               "what field follows: direction, stress, angle, rim, rings; none: the first that the surface has"}
+        Option{
+            "follow", &o.follow, "NAME=W,...",
+            "directions that field follows: direction, stress, angle, rim, rings; none: the first that the surface has"}
             .when("!method=kipping2022 algorithm=planned|field"),
-        Option{"angle", &o.angle_deg, "DEG", "of field, from the reference, counter-clockwise"}.within(-360, 360).when(
-            "!method=kipping2022 algorithm=planned|field"),
+        Option{"angle", &o.angle_deg, "DEG", "angle of field from the reference, counter-clockwise"}
+            .within(-360, 360)
+            .when("!method=kipping2022 algorithm=planned|field"),
         Option{"reference", &o.reference, "X|Y|Z|x,y,z", "of the angle: a direction, laid onto the surface"}.when(
             "!method=kipping2022 algorithm=planned|field"),
         Option{"keep", &o.plan.keep, "",
-               "where directions spread, lines of field keep to the spacing, or to the angle by ending more of "
-               "them; usual: the angle if that alone is asked for"}
+               "where directions spread, lines of field keep the spacing, or keep the angle with more births; usual: "
+               "the angle if field follows nothing else"}
             .one_of({"usual", "spacing", "angle"})
             .when("!method=kipping2022 algorithm=planned|field")};
 }
@@ -85,15 +86,15 @@ std::vector<Option> field_options(Options& o) {
 // How rows turn beyond the rims.
 std::vector<Option> outside_options(Options& o) {
     return {Option{"turn-outside", &o.plan.turn_outside, "MM",
-                   "rows turn beyond the rims, so far at most, and are trimmed there; 0: on the part"}
+                   "rows may turn so far beyond the rims, where they are trimmed; 0: they turn on the part"}
                 .zero_or_at_least(0.001)
                 .at_most(1000)
                 .when("!method=kipping2022 algorithm=planned|fina|fexa|ortheo|field")
                 .same_as({"choose.turn-outside"}),
-            Option{"trim-list", &o.trim_list, "FILE", "also where to trim: stroke, mm along it, and the place"}
+            Option{"trim-list", &o.trim_list, "FILE", "writes where to trim: stroke, mm along it, and the place"}
                 .not_a_setting()
                 .when("turn-outside"),
-            Option{"machine", &o.machine, "NAME|FILE", "profile that must allow that, as postproc asks of it later"}
+            Option{"machine", &o.machine, "NAME|FILE", "profile whose limits must allow this, as postproc checks later"}
                 .not_a_setting()
                 .when("turn-outside")};
 }
@@ -107,33 +108,35 @@ cli::Spec spec(Options& o) {
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "the model, and windows of distance",
         .options = cli::with(
-            {Option{"algorithm", &o.algorithm, "", "what lines the path follows; the first word may say it"}.one_of(
+            {Option{"algorithm", &o.algorithm, "", "algorithm; it can also be the first word"}.one_of(
                  {"planned", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral", "field", "hybrid"}),
-             Option{"method", &o.plan.method, "", "ours, or as Kipping et al. 2022"}.one_of({"filum", "kipping2022"}),
+             Option{"method", &o.plan.method, "", "our method, or that of Kipping et al. 2022"}.one_of(
+                 {"filum", "kipping2022"}),
              Option{"spacing", &o.plan.spacing, "MM", "between neighbouring lines"}
                  .within(0.001, 1000)
                  .same_as({"choose.spacing"}),
-             Option{"min-radius", &o.plan.least_radius, "MM", "of turns, where there is room"}.within(0, 1e5).same_as(
-                 {"choose.min-radius"}),
+             Option{"min-radius", &o.plan.least_radius, "MM", "minimum radius of turns, where there is room"}
+                 .within(0, 1e5)
+                 .same_as({"choose.min-radius"}),
              Option{"strict", &o.plan.strict, "", "no path, exit 1, if a turn must be tighter than --min-radius"}
                  .a_limit(),
              Option{"turns", &o.plan.turns, "",
-                    "lines end at the rim, or go on by tight or wide turns; usual: of ortheo none, of field wide"}
+                    "lines end at the rim, or continue by tight or wide turns; usual: none for ortheo, wide for field"}
                  .one_of({"usual", "none", "hairpin", "wide"})
                  .when("!method=kipping2022 algorithm=planned|ortheo|field"),
-             Option{"min-length", &o.plan.min_length, "MM", "of lines of ortheo: shorter ones are left out"}
+             Option{"min-length", &o.plan.min_length, "MM", "lines of ortheo shorter than this are left out"}
                  .within(0, 1e6)
                  .when("!method=kipping2022 algorithm=planned|ortheo")
                  .a_limit(),
              Option{"cut-length", &o.plan.cut_length, "MM",
-                    "of fibre that a cut costs: field and hybrid go no farther along what is laid to save one"}
+                    "length of fibre that a cut costs; field and hybrid overlap no more to avoid one"}
                  .within(0, 1e6)
                  .when("!method=kipping2022 algorithm=planned|field|hybrid")
                  .same_as({"choose.cut-length"})
                  .a_limit(),
-             Option{"layer-height", &o.laying.height, "MM", "of the bead, along the normals"}.within(0.001, 100),
+             Option{"layer-height", &o.laying.height, "MM", "height of the bead, along the normals"}.within(0.001, 100),
              Option{"ply", &o.ply, "N", "number of this ply, its layer in the toolpath"}.within(0, 1e6),
-             Option{"offset", &o.laying.offset, "MM", "along the normals: the plies below"}.within(0, 1e4),
+             Option{"offset", &o.laying.offset, "MM", "height of the plies below, along the normals"}.within(0, 1e4),
              Option{"lift", &o.laying.lift, "MM", "how high the tool travels"}.within(0, 1e4).a_limit()},
             cli::with(cli::with(field_options(o), outside_options(o)),
                       cli::when("method=kipping2022", paper_options(o)))),

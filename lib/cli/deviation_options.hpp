@@ -18,12 +18,12 @@ std::vector<Option> deviation_options(Deviations& to) {
             .at_most(10)
             .numbers(1),
         Option{"axis-tolerance", &to.axis_tolerance, "DEG",
-               "and the tool's axis, on machines with rotary axes; left out: 0.5"}
+               "the same for the tool's axis, on machines with rotary axes; default: 0.5"}
             .at_least(0)
             .at_most(45)
             .numbers(1),
-        {"flatten", &to.flatten, "", "let an upright nozzle follow a path that leans the tool"},
-        Option{"short", &to.short_strokes, "", "fibre strokes below fibre.least_path: error, or drop"}.one_of(
+        {"flatten", &to.flatten, "", "lets an upright nozzle follow a path that leans the tool"},
+        Option{"short", &to.short_strokes, "", "fibre strokes below fibre.least_path are an error, or dropped"}.one_of(
             {"error", "drop"})};
 }
 

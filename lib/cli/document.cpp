@@ -47,7 +47,8 @@ std::vector<Option> common() {
     return {{"output", &output, "FILE", "where to write; a named file appears only when it is complete"},
             {"threads", &threads, "N", "how many threads to use, 0 for all cores; never changes the result"},
             {"quiet", &off, "", "no warnings on standard error"},
-            Option{"notes", &notes, "", "which notes to say: all, also harmless ones; those to look at; what will fail"}
+            Option{"notes", &notes, "",
+                   "which notes to print: all, with harmless ones; those to look at; those that will fail"}
                 .one_of({"all", "look", "will-fail"}),
             {"help", &off, "", "this text"},
             {"version", &off, "", "the version"}};

@@ -10,13 +10,12 @@ namespace filum::cli {
 // Bound to the fields of `to`, a mesh::step::Tessellation.
 template <class Tessellation>
 std::vector<Option> step_options(Tessellation& to) {
-    return {
-        Option{"deflection", &to.deflection, "MM", "STEP: how far triangles may be from the faces they stand for"}
-            .at_least(0.0001)
-            .at_most(1000),
-        Option{"deflection-angle", &to.angle_deg, "DEG", "STEP: and how far one chord of a curve turns from the next"}
-            .at_least(0.1)
-            .at_most(90)};
+    return {Option{"deflection", &to.deflection, "MM", "STEP: largest distance between triangles and CAD faces"}
+                .at_least(0.0001)
+                .at_most(1000),
+            Option{"deflection-angle", &to.angle_deg, "DEG", "STEP: largest angle between two chords of a curve"}
+                .at_least(0.1)
+                .at_most(90)};
 }
 
 // Warns of these options, if given, where there is nothing for them to do.

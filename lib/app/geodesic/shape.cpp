@@ -39,23 +39,24 @@ surface::Surface remeshed(const surface::Surface& s, const Shaping& how, Notes& 
 } // namespace
 
 std::vector<Option> options(Shaping& to) {
-    return {
-        Option{"flip", &to.flip, "", "turn the surface round: what was its back becomes its front"},
-        Option{"cut", &to.cut, "NX,NY,NZ,D", "keep what lies where NX x + NY y + NZ z <= D"}.numbers(4).within(-1e7,
-                                                                                                               1e7),
-        Option{"cut-mesh", &to.cut_mesh, "FILE", "cut by a closed mesh, in a file as the input's"}.not_a_setting(),
-        Option{"keep", &to.keep, "", "what of the surface --cut-mesh leaves"}
-            .one_of({"outside", "inside"})
-            .when("cut-mesh"),
-        Option{"remesh", &to.remesh, "MM|auto",
-               "make all sides about this long, rims and sharp edges kept; auto: by bends; 0: do not"},
-        Option{"longest", &to.longest, "MM", "of sides where the surface is flat: as paths will be apart, or half that"}
-            .within(0.001, 1e6)
-            .when("remesh=auto"),
-        Option{"tolerance", &to.tolerance, "MM", "how far sides may be off the surface where it bends"}
-            .within(1e-4, 1000)
-            .when("remesh=auto")
-            .a_limit()};
+    return {Option{"flip", &to.flip, "", "turns the surface round, so that its back becomes its front"},
+            Option{"cut", &to.cut, "NX,NY,NZ,D", "keeps the side where NX x + NY y + NZ z <= D"}.numbers(4).within(-1e7,
+                                                                                                                   1e7),
+            Option{"cut-mesh", &to.cut_mesh, "FILE", "cuts by a closed mesh; all kinds of files of the input"}
+                .not_a_setting(),
+            Option{"keep", &to.keep, "", "the side of --cut-mesh that remains"}
+                .one_of({"outside", "inside"})
+                .when("cut-mesh"),
+            Option{"remesh", &to.remesh, "MM|auto",
+                   "makes all sides about this long and keeps rims and sharp edges; auto: by bends; 0: off"},
+            Option{"longest", &to.longest, "MM",
+                   "longest side where the surface is flat: the distance between paths, or half of it"}
+                .within(0.001, 1e6)
+                .when("remesh=auto"),
+            Option{"tolerance", &to.tolerance, "MM", "largest distance of the new surface from the given one"}
+                .within(1e-4, 1000)
+                .when("remesh=auto")
+                .a_limit()};
 }
 
 Facts shape(Model& model, const Shaping& how, const mesh::Placement& place, cli::Io& self) {
