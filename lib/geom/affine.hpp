@@ -5,7 +5,7 @@
 
 namespace filum::geom {
 
-// Row vectors, as 3MF has it: p' = p * a + t.
+// Acts on row vectors, as in 3MF: p' = p * a + t.
 struct Affine {
     double a[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     double t[3] = {0, 0, 0};
@@ -15,17 +15,17 @@ struct Affine {
         for (int j = 0; j < 3; ++j) q[j] = p.x * a[0][j] + p.y * a[1][j] + p.z * a[2][j] + t[j];
         return {q[0], q[1], q[2]};
     }
-    // By how much it changes volumes; negative if it turns a right hand into a left one.
+    // Factor by which volumes change; negative if the map mirrors.
     [[nodiscard]] double determinant() const {
         const Vec3 x{a[0][0], a[0][1], a[0][2]}, y{a[1][0], a[1][1], a[1][2]}, z{a[2][0], a[2][1], a[2][2]};
         return dot(cross(x, y), z);
     }
     [[nodiscard]] bool mirrors() const { return determinant() < 0; }
-    // True if it maps all of space to a plane.
+    // Whether it maps all of space into a plane.
     [[nodiscard]] bool flattens() const { return determinant() == 0; }
 };
 
-// First `inner`, then `outer`.
+// The map that applies `inner`, then `outer`.
 inline Affine then(const Affine& inner, const Affine& outer) {
     Affine out;
     for (int i = 0; i < 3; ++i)

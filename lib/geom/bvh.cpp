@@ -7,7 +7,7 @@ namespace filum::geom {
 
 namespace {
 
-constexpr std::uint32_t kLeaf = 4; // boxes, few enough to look at one by one
+constexpr std::uint32_t kLeaf = 4; // most boxes of a leaf, which are tested one by one
 
 } // namespace
 
@@ -21,7 +21,7 @@ Bvh::Bvh(const std::vector<Box3>& boxes) : order_(boxes.size()) {
     for (const std::uint32_t i : order_) boxes_.push_back(boxes[i]);
 }
 
-// `room` is for a middle of every box: sorting asks for each many times.
+// Halves a node. `room` is scratch space for the middles, which sorting needs many times.
 void Bvh::split(const std::vector<Box3>& boxes, std::uint32_t node, std::vector<Middle>& room) {
     const std::uint32_t first = nodes_[node].first, count = nodes_[node].count;
     const auto middle = [&](std::uint32_t i) { return 0.5 * (boxes[i].lo + boxes[i].hi); };

@@ -1,4 +1,4 @@
-// Things in space by their boxes: those that meet a box, and those near a point.
+// Boxes in a tree: finds those that meet a box, and those near a point.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -8,17 +8,17 @@
 
 namespace filum::geom {
 
-// A bounding volume hierarchy over boxes that are numbered in the order they came.  Nodes are halved by number, along
-// the axis in which the middles of their boxes lie farthest apart; equal middles: by number.  n log n to build, as the
-// k-d tree of Bentley 1975; a look-up takes log n and what it finds, if boxes overlap little.
+// A bounding volume hierarchy over boxes, which are numbered in the order given. Nodes are halved by number of boxes
+// along the axis in which the middles are spread most; ties: by number. Takes n log n to build, as the k-d tree of
+// Bentley 1975; a query takes log n plus the boxes found, if boxes overlap little.
 class Bvh {
   public:
     explicit Bvh(const std::vector<Box3>& boxes);
 
-    // Calls f(i) for every box that meets `box`, borders included; in an order that depends on the boxes alone.
+    // Calls f(i) for every box that meets `box`, borders included. The order depends on the boxes only.
     template <class F>
     void visit(const Box3& box, const F& f) const {
-        std::uint32_t stack[64], depth = 0; // one more than levels: nodes are halved, so there are 32 at most
+        std::uint32_t stack[64], depth = 0; // enough, as nodes are halved: at most 32 levels
         if (!nodes_.empty()) stack[depth++] = 0;
         while (depth > 0) {
             const Node& n = nodes_[stack[--depth]];
@@ -31,8 +31,8 @@ class Bvh {
         }
     }
 
-    // Calls bound = f(i) for every box that is not farther from `p` than the bound is then; near ones mostly come
-    // first.  In which order boxes come depends on the boxes alone.
+    // Calls bound = f(i) for every box whose distance from `p` is at most the current bound, usually near ones first.
+    // The order depends on the boxes only.
     template <class F>
     void near(const Vec3& p, double bound, const F& f) const {
         if (!nodes_.empty() && distance(nodes_[0].box, p) <= bound) descend(0, p, bound, f);
@@ -41,10 +41,11 @@ class Bvh {
   private:
     struct Node {
         Box3 box;
-        std::uint32_t first, count; // leaf: boxes order_[first, first + count); else children `first`, `first` + 1
+        // leaf: boxes order_[first, first + count); inner node: children first and first + 1
+        std::uint32_t first, count;
     };
     struct Middle {
-        double at; // along the axis that is halved
+        double at; // coordinate along the axis that is halved
         std::uint32_t box;
     };
     void split(const std::vector<Box3>& boxes, std::uint32_t node, std::vector<Middle>& room);
@@ -67,7 +68,7 @@ class Bvh {
 
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> order_;
-    std::vector<Box3> boxes_; // in that order
+    std::vector<Box3> boxes_; // in the order of order_
 };
 
 } // namespace filum::geom

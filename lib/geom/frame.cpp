@@ -15,7 +15,7 @@ Rotation about(const Vec3& axis, double angle) {
 }
 
 std::array<double, 3> euler_zyx(const Rotation& r) {
-    constexpr double upright = 1e-9; // of a unit vector's level part: only the sum of A and C counts
+    constexpr double upright = 1e-9; // horizontal part of a unit vector below which only A + C or A - C is determined
     const double level = std::hypot(r.x.x, r.x.y);
     const double b = std::atan2(-r.x.z, level);
     if (level < upright) return {std::atan2(-r.y.x, r.y.y), b, 0};
@@ -26,7 +26,7 @@ Rotation from_euler_zyx(double a, double b, double c) {
     return about({0, 0, 1}, a) * about({0, 1, 0}, b) * about({1, 0, 0}, c);
 }
 
-// By the largest of the four parts, so that no difference cancels (Shepperd 1978).
+// Divides by the largest of the four components, so that no difference cancels (Shepperd 1978).
 std::array<double, 4> quaternion(const Rotation& r) {
     const double t = r.x.x + r.y.y + r.z.z;
     const std::array<double, 4> squares{1 + t, 1 + 2 * r.x.x - t, 1 + 2 * r.y.y - t, 1 + 2 * r.z.z - t};

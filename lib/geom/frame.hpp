@@ -1,4 +1,4 @@
-// Turns and rigid frames in space.
+// Rotations and rigid frames in space.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -7,7 +7,7 @@
 
 namespace filum::geom {
 
-// A turn: where the axes come to lie; orthonormal, right-handed.
+// A rotation: the images of the axes, orthonormal and right-handed.
 struct Rotation {
     Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
     friend bool operator==(const Rotation&, const Rotation&) = default;
@@ -19,22 +19,24 @@ constexpr Rotation inverse(const Rotation& r) {
     return {{r.x.x, r.y.x, r.z.x}, {r.x.y, r.y.y, r.z.y}, {r.x.z, r.y.z, r.z.z}};
 }
 
-// `v` turned by `angle` rad about the unit vector `axis` (Rodrigues).
+// `v` rotated by `angle` rad around the unit vector `axis` (Rodrigues).
 Vec3 turned(const Vec3& v, const Vec3& axis, double angle);
 Rotation about(const Vec3& axis, double angle);
 
-// About z, then the new y, then the new x, rad: A, B, C of KRL; the same as about the fixed x, y, z by C, B, A (the
-// roll, pitch and yaw of URDF).  Where B is a right angle only A - C or A + C counts: C is 0 then.
+// Angles of rotations around z, then the new y, then the new x, rad: A, B, C of KRL. They equal rotations around the
+// fixed x, y, z by C, B, A (roll, pitch and yaw of URDF). Where B is a right angle only A - C or A + C is determined,
+// and C is 0.
 std::array<double, 3> euler_zyx(const Rotation& r);
 Rotation from_euler_zyx(double a, double b, double c);
 
 std::array<double, 4> quaternion(const Rotation& r);      // w, x, y, z; w >= 0
-std::array<double, 3> rotation_vector(const Rotation& r); // axis times angle in [0, pi], rad
+std::array<double, 3> rotation_vector(const Rotation& r); // unit axis times angle in [0, pi], rad
 
-// Of any orthogonal pair up to rounding: z along `z`, x as near to `x` as that allows.  Precondition: not parallel.
+// The rotation with its z axis along `z` and its x axis as near to `x` as possible. Precondition: z and x are not
+// parallel.
 Rotation rotation_of(const Vec3& z, const Vec3& x);
 
-// A place and how things are turned there, seen from another frame.
+// A rigid frame: origin and rotation relative to another frame.
 struct Frame {
     Rotation turn;
     Vec3 origin; // mm

@@ -11,7 +11,7 @@ std::vector<Vec2> convex_hull(std::span<const Vec2> points) {
     sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
     if (sorted.size() < 3) return sorted;
     std::vector<Vec2> out;
-    // along the lower side from left to right, then back along the upper one
+    // The lower side from left to right, then the upper side from right to left.
     const auto pass = [&](auto from, auto to) {
         const std::size_t first = out.size();
         for (auto p = from; p != to; ++p) {
@@ -19,7 +19,7 @@ std::vector<Vec2> convex_hull(std::span<const Vec2> points) {
                 out.pop_back();
             out.push_back(*p);
         }
-        out.pop_back(); // the other pass begins with it
+        out.pop_back(); // the other pass begins with this point
     };
     pass(sorted.begin(), sorted.end());
     pass(sorted.rbegin(), sorted.rend());

@@ -12,7 +12,7 @@ constexpr std::uint32_t kLeafPoints = 8;
 int longest_axis(Vec2 size) { return size.x >= size.y ? 0 : 1; }
 double coordinate(Vec2 p, int axis) { return axis == 0 ? p.x : p.y; }
 
-// From the box to p, squared; 0 within.
+// Squared distance from the box to p; 0 inside.
 double off(const Box2& b, Vec2 p) { return distance2(b, p); }
 double off(const Box3& b, Vec3 p) {
     return norm2(Vec3{std::max({0.0, b.lo.x - p.x, p.x - b.hi.x}), std::max({0.0, b.lo.y - p.y, p.y - b.hi.y}),
@@ -30,7 +30,7 @@ NearestPoints<V>::NearestPoints(std::vector<V> points)
     for (std::uint32_t k = 0; k < nodes_.size(); ++k) split(k);
 }
 
-// Halves a node across its longest side until it is a leaf.
+// Halves a node across its longest side, or makes it a leaf.
 template <class V>
 void NearestPoints<V>::split(std::uint32_t node) {
     Node n = nodes_[node];
@@ -70,7 +70,7 @@ void NearestPoints<V>::insert(std::uint32_t i) {
 template <class V>
 void NearestPoints<V>::remove(std::uint32_t i) {
     present_[i] = 0;
-    count(i, ~0U); // one less
+    count(i, ~0U); // adds -1
 }
 
 template <class V>
@@ -97,7 +97,7 @@ std::optional<std::uint32_t> NearestPoints<V>::nearest(V p) const {
         }
         const bool left = off(nodes_[n.below].box, p) <= off(nodes_[n.below + 1].box, p);
         open.push_back(n.below + (left ? 1 : 0));
-        open.push_back(n.below + (left ? 0 : 1)); // the nearer one first
+        open.push_back(n.below + (left ? 0 : 1)); // the nearer child is visited first
     }
     return found;
 }

@@ -1,4 +1,4 @@
-// The nearest of some points that come and go.
+// The nearest of a changing set of points.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -10,32 +10,32 @@
 
 namespace filum::geom {
 
-// A tree over points in the plane (V = Vec2) or in space (V = Vec3) that are all known from the start; each is present
-// or not (Bentley 1975).  Asking takes about the logarithm of their number, coming and going likewise.
+// A k-d tree over points in the plane (V = Vec2) or in space (V = Vec3) that are all known from the start; each is
+// present or absent (Bentley 1975). Queries, insertions and removals take about the logarithm of their number.
 template <class V>
 class NearestPoints {
   public:
-    explicit NearestPoints(std::vector<V> points); // none is present
+    explicit NearestPoints(std::vector<V> points); // all points are absent
 
     void insert(std::uint32_t i); // precondition: not present
     void remove(std::uint32_t i); // precondition: present
     [[nodiscard]] bool empty() const { return nodes_.empty() || nodes_[0].present == 0; }
-    // The number of the present point nearest to p; of several the lowest.  Nothing if none is present.
+    // The number of the present point nearest to p; ties: the lowest. None if no point is present.
     [[nodiscard]] std::optional<std::uint32_t> nearest(V p) const;
 
   private:
     struct Node {
         std::conditional_t<std::is_same_v<V, Vec2>, Box2, Box3> box;
         std::uint32_t first, last; // of order_
-        std::uint32_t below = 0;   // its children are below and below + 1; a leaf if 0
-        std::uint32_t above = 0;   // its parent; that of the root is the root
-        std::uint32_t present = 0; // points
+        std::uint32_t below = 0;   // children are below and below + 1; 0: a leaf
+        std::uint32_t above = 0;   // parent; the root's is the root
+        std::uint32_t present = 0; // number of present points
     };
     void split(std::uint32_t node);
     void count(std::uint32_t i, std::uint32_t change);
 
     std::vector<V> points_;
-    std::vector<std::uint32_t> order_, leaf_; // the leaf of each point
+    std::vector<std::uint32_t> order_, leaf_; // order_; the leaf of each point
     std::vector<char> present_;
     std::vector<Node> nodes_;
 };

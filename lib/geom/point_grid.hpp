@@ -1,4 +1,4 @@
-// Points by the cells of a grid, for looking up what is near.
+// Points in the cells of a grid, to find those near a place.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -10,8 +10,8 @@
 
 namespace filum::geom {
 
-// Points in the plane (V = Vec2) or in space (V = Vec3), in square or cubic cells; memory is that of the points,
-// wherever they lie.
+// Points in the plane (V = Vec2) or in space (V = Vec3) in square or cubic cells. Memory is proportional to the number
+// of points, wherever they are.
 template <class V>
 class PointGrid {
   public:
@@ -24,8 +24,8 @@ class PointGrid {
         });
     }
 
-    // Calls f(i) for every point in the cells up to `cells` away from that of p along each axis: no point within
-    // `cells` times the size is left out.  By cells, x before y before z; in a cell by number.
+    // Calls f(i) for every point in the cells up to `cells` away from the cell of p along each axis; these include all
+    // points within `cells` times the cell size. In the order of cells, x before y before z; within a cell by number.
     template <class F>
     void near(const V& p, std::int64_t cells, const F& f) const {
         Cell low = cell(p), high = low;
@@ -34,14 +34,14 @@ class PointGrid {
         rows(low, high, low, 0, f);
     }
 
-    // Calls f(i) for every point, in that order.
+    // Calls f(i) for every point, in the same order.
     template <class F>
     void each(const F& f) const {
         for (const Entry& e : entries_) f(e.point);
     }
 
   private:
-    static constexpr double kOutermost = 0x1p62; // number of a cell: what lies beyond shares it
+    static constexpr double kOutermost = 0x1p62; // largest number of a cell, which holds everything beyond
     static constexpr std::size_t kAxes = std::is_same_v<V, Vec2> ? 2 : 3;
     using Cell = std::array<std::int64_t, kAxes>;
     struct Entry {
@@ -59,7 +59,8 @@ class PointGrid {
             return {number(p.x), number(p.y), number(p.z)};
     }
 
-    // The cells from `low` to `high` that begin as `at` does up to `axis`: those of the last axis lie in a row.
+    // Visits the cells from `low` to `high` that agree with `at` in the axes before `axis`; cells along the last axis
+    // are consecutive.
     template <class F>
     void rows(const Cell& low, const Cell& high, Cell at, std::size_t axis, const F& f) const {
         if (axis + 1 < kAxes) {

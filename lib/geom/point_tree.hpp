@@ -11,13 +11,13 @@ class PointTree {
   public:
     explicit PointTree(std::vector<Vec3> points) : points_(std::move(points)), tree_(boxes(points_)) {}
 
-    struct Found {
-        std::uint32_t index = ~std::uint32_t{0}; // none
+    struct Nearest {
+        std::uint32_t index = ~std::uint32_t{0}; // ~0: none
         double distance = std::numeric_limits<double>::infinity();
     };
-    // The point nearest to `p`, the first of equals; none if all are farther than `reach` mm.
-    [[nodiscard]] Found nearest(const Vec3& p, double reach = std::numeric_limits<double>::infinity()) const {
-        Found best;
+    // The point nearest to `p`; ties: the first. None if all are farther than `reach` mm.
+    [[nodiscard]] Nearest nearest(const Vec3& p, double reach = std::numeric_limits<double>::infinity()) const {
+        Nearest best;
         tree_.near(p, reach, [&](std::uint32_t i) {
             const double d = distance(points_[i], p);
             if (d <= reach && (d < best.distance || (d == best.distance && i < best.index))) best = {i, d};

@@ -1,4 +1,4 @@
-// Open lines through points: their lengths.
+// Lengths of polylines.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -8,7 +8,7 @@
 
 namespace filum::geom {
 
-// mm from the first point to the last; 0 for fewer than two.
+// Length from the first point to the last, mm; 0 for fewer than two points.
 template <class V>
 double length_of(std::span<const V> line) {
     double sum = 0;
@@ -18,7 +18,7 @@ double length_of(std::span<const V> line) {
 inline double length(std::span<const Vec2> line) { return length_of(line); }
 inline double length(std::span<const Vec3> line) { return length_of(line); }
 
-// Per point mm along the line from its first.
+// Arc length of every point from the first one, mm.
 template <class V>
 std::vector<double> arc_lengths_of(std::span<const V> line) {
     std::vector<double> out(line.size(), 0);

@@ -18,7 +18,7 @@ Axis principal_axis(std::span<const Vec2> points) {
     }
     const double angle = std::atan2(2 * xy, xx - yy) / 2; // in [-90, 90] degrees
     Vec2 direction{std::cos(angle), std::sin(angle)};
-    if (direction.x < 1e-6 && direction.y < 0) direction = -1.0 * direction; // upright, but for rounding
+    if (direction.x < 1e-6 && direction.y < 0) direction = -1.0 * direction; // vertical up to rounding
     return {mean, direction};
 }
 

@@ -1,4 +1,4 @@
-// The direction in which points are spread most, and where it leaves an outline (principal component analysis).
+// The direction in which points are spread most (principal component analysis), and where it leaves an outline.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -10,14 +10,14 @@ namespace filum::geom {
 
 struct Axis {
     Vec2 mean;
-    Vec2 direction; // unit; towards +x, or +y if upright to a millionth
+    Vec2 direction; // unit; towards +x, or towards +y if vertical within 1e-6
 };
 
-// The axis of greatest variance of `points`, at least one; along x where all directions are alike.
+// The axis of greatest variance of at least one point; along x if the variance is equal in all directions.
 Axis principal_axis(std::span<const Vec2> points);
 
-// Of the places where the axis crosses the closed line through `points`, the one farthest along it; nothing if it
-// crosses none.  Tie: the first.
+// The crossing of the axis with the closed line through `points` that is farthest along the axis; none if there is no
+// crossing. Ties: the first.
 std::optional<Vec2> leaves(const Axis& axis, std::span<const Vec2> points);
 
 } // namespace filum::geom

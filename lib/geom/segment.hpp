@@ -7,7 +7,7 @@
 
 namespace filum::geom {
 
-// Parameter in [0, 1] of the point of a -> b nearest to p; 0 for a segment of no length.
+// Parameter in [0, 1] of the point of segment a-b nearest to p; 0 for a segment without length.
 inline double nearest_parameter(Vec2 a, Vec2 b, Vec2 p) {
     const Vec2 d = b - a;
     const double l2 = norm2(d);
@@ -24,13 +24,13 @@ inline Vec2 nearest_point(Vec2 a, Vec2 b, Vec2 p) { return lerp(a, b, nearest_pa
 
 inline double point_segment_distance(Vec2 a, Vec2 b, Vec2 p) { return distance(nearest_point(a, b, p), p); }
 
-// True if the open segments a-b and c-d cross in one point; touching ends and collinear overlap do not count.
+// Whether the open segments a-b and c-d cross in one point; touching ends and collinear overlap do not count.
 inline bool cross_properly(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     const auto apart = [](double s, double t) { return (s > 0 && t < 0) || (s < 0 && t > 0); };
     return apart(orient(a, b, c), orient(a, b, d)) && apart(orient(c, d, a), orient(c, d, b));
 }
 
-// Where the ray from p along d meets the segment a-b: at p + t d = lerp(a, b, u), with t > 0.
+// The intersection of the ray p + t d, t > 0, with the segment lerp(a, b, u).
 struct RayHit {
     double t, u;
 };
@@ -43,7 +43,7 @@ inline std::optional<RayHit> ray_parameters(Vec2 p, Vec2 d, Vec2 a, Vec2 b) {
     return RayHit{t, u};
 }
 
-// Distance between the segments a-b and c-d, 0 if they cross.
+// Distance between the segments a-b and c-d; 0 if they cross.
 inline double segment_distance(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     if (cross_properly(a, b, c, d)) return 0;
     return std::min({point_segment_distance(a, b, c), point_segment_distance(a, b, d), point_segment_distance(c, d, a),

@@ -26,8 +26,9 @@ SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell, double 
     first_.assign(blocks_ * ((rows_ - 1) / kSide + 1), 0);
     start_.assign(kSide * kSide + 1, 0);
 
-    // how many, then where the next cell begins; each item put in moves that to where its own cell begins
-    std::vector<std::uint32_t> only(segments.size()); // the cell of a segment that lies in one; most do
+    // Counts the items of each cell, then sums to the end of each cell; inserting an item moves that down to the
+    // cell's start.
+    std::vector<std::uint32_t> only(segments.size()); // the cell of a segment in one cell, as most are
     for (std::size_t i = 0; i < segments.size(); ++i) {
         std::uint32_t cells = 0;
         cells_of(segments[i], margin, [&](unsigned x, unsigned y) {

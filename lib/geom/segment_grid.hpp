@@ -1,4 +1,4 @@
-// A uniform grid over many short segments: neighbours in constant time.
+// A uniform grid over many short segments, which finds neighbours in constant time.
 #pragma once
 
 #include "geom/segment.hpp"
@@ -13,37 +13,38 @@ struct Segment {
     Vec2 a, b;
 };
 
-// Segment i lies in every cell that it comes nearer to than `margin`, along x and along y.  Cells are kept in blocks of
-// 8 x 8, and only blocks that hold anything, in the order in which the segments come by: who asks along a line finds
-// the next cells near by in memory, and a thin ring in a large box needs no more than its own area.  Cells grow where
-// the box would need more than about eight blocks per segment or 16 million, so memory is bounded whatever the
+// Segment i is in every cell to which its distance along x and along y is less than `margin`. Cells are stored in
+// blocks of 8 x 8, in the order in which segments reach them, and only if a block is not empty. So neighbouring cells
+// along a line are near each other in memory, and a thin ring in a large box needs memory for its own area only. Cells
+// grow if the box would need more than about eight blocks per segment or 16 million, which bounds memory for any
 // coordinates.
 class SegmentGrid {
   public:
     SegmentGrid(std::span<const Segment> segments, double cell, double margin = 0);
 
     [[nodiscard]] std::size_t cells() const { return start_.empty() ? 0 : start_.size() - 1; }
-    // The segments of a cell, ascending; of cells no segment is near the first one stands for many.
+    // The segments of a cell, ascending. All cells without segments may share the first one.
     [[nodiscard]] std::span<const std::uint32_t> in(std::size_t cell) const {
         return {item_.data() + start_[cell], start_[cell + 1] - start_[cell]};
     }
-    [[nodiscard]] std::size_t cell_at(Vec2 p) const { return number(column(p.x), row(p.y)); } // the nearest, outside
+    // for points outside: the nearest cell
+    [[nodiscard]] std::size_t cell_at(Vec2 p) const { return number(column(p.x), row(p.y)); }
 
-    // Calls f(i) for every segment whose cells meet the box; a segment may come up several times.
+    // Calls f(i) for every segment whose cells meet the box, possibly several times.
     template <class F>
     void near(Vec2 lo, Vec2 hi, F&& f) const {
         if (columns_ == 0) return;
         const unsigned x0 = column(lo.x), x1 = column(hi.x), y0 = row(lo.y), y1 = row(hi.y);
         for (unsigned y = y0; y <= y1; ++y)
-            for (unsigned x = x0, last = 0; x <= x1; x = last + 1) { // cells side by side in a block follow each other
+            for (unsigned x = x0, last = 0; x <= x1; x = last + 1) { // cells of a row within a block are consecutive
                 last = std::min(x1, x | (kSide - 1));
                 const std::size_t c = number(x, y), end = start_[c + (last - x) + 1];
                 for (std::size_t k = start_[c]; k < end; ++k) f(item_[k]);
             }
     }
 
-    // Calls f(i) for every segment that has a cell in common with the segment p-q; a segment may come up several times.
-    // A long slanting segment passes few of the cells of its box.
+    // Calls f(i) for every segment that shares a cell with the segment p-q, possibly several times. A long diagonal
+    // segment passes few of the cells of its box.
     template <class F>
     void along(Vec2 p, Vec2 q, F&& f) const {
         if (columns_ == 0) return;
@@ -52,7 +53,7 @@ class SegmentGrid {
         });
     }
 
-    // True if the open segment p-q properly crosses any segment i for which use(i) holds.
+    // Whether the open segment p-q properly crosses any segment i for which use(i) holds.
     template <class Use>
     bool crosses(Vec2 p, Vec2 q, std::span<const Segment> segments, Use&& use) const {
         bool found = false;
@@ -72,31 +73,31 @@ class SegmentGrid {
     static unsigned clamp_to(double v, unsigned n) {
         return static_cast<unsigned>(static_cast<int>(std::clamp(v, 0.0, n - 1.0)));
     }
-    // Calls f(x, y) for the cells that segment s lies in.
+    // Calls f(x, y) for the cells of segment s.
     template <class F>
     void cells_of(const Segment& s, double margin, F&& f) const;
 
     Vec2 origin_;
     double cell_ = 1, per_mm_ = 1; // mm; cells per mm
     unsigned columns_ = 0, rows_ = 0;
-    static constexpr unsigned kSide = 8; // of a block, cells
-    std::size_t blocks_ = 0;             // in a row
-    std::vector<std::uint32_t> first_;   // per block: its first cell; of all empty ones 0
+    static constexpr unsigned kSide = 8; // cells per side of a block
+    std::size_t blocks_ = 0;             // per row of blocks
+    std::vector<std::uint32_t> first_;   // per block: its first cell; 0 for empty blocks
     std::vector<std::uint32_t> start_, item_;
 };
 
 template <class F>
 void SegmentGrid::cells_of(const Segment& s, double margin, F&& f) const {
     const Vec2 a = s.a.y <= s.b.y ? s.a : s.b, b = s.a.y <= s.b.y ? s.b : s.a;
-    const double beside = margin + 1e-9 * cell_; // one cell more on each side where rounding could have gone either way
+    const double beside = margin + 1e-9 * cell_; // adds a cell on each side where rounding could decide
     const unsigned y0 = row(a.y - margin), y1 = row(b.y + margin);
     const auto cells = [&](unsigned y, double xa, double xb) {
         const unsigned x0 = column(std::min(xa, xb) - beside), x1 = column(std::max(xa, xb) + beside);
         for (unsigned x = x0; x <= x1; ++x) f(x, y);
     };
-    if (y0 == y1) return cells(y0, a.x, b.x); // as of most
+    if (y0 == y1) return cells(y0, a.x, b.x); // most segments are in one row
     const double slope = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
-    for (unsigned y = y0; y <= y1; ++y) { // the stretch of the segment within this row of cells
+    for (unsigned y = y0; y <= y1; ++y) { // the part of the segment in this row of cells
         const double bottom = origin_.y + y * cell_ - margin, top = bottom + cell_ + 2 * margin;
         cells(y, y > y0 && bottom > a.y ? a.x + slope * (bottom - a.y) : a.x,
               y < y1 && top < b.y ? a.x + slope * (top - a.y) : b.x);

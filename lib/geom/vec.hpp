@@ -21,9 +21,9 @@ constexpr double norm2(Vec2 a) { return dot(a, a); }
 inline double norm(Vec2 a) { return std::sqrt(norm2(a)); }
 inline double distance(Vec2 a, Vec2 b) { return norm(b - a); }
 constexpr Vec2 lerp(Vec2 a, Vec2 b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
-constexpr Vec2 left_of(Vec2 a) { return {-a.y, a.x}; } // turned by +90 degrees
+constexpr Vec2 left_of(Vec2 a) { return {-a.y, a.x}; } // rotated by +90 degrees
 
-// Twice the signed area of the triangle a b c: positive if c lies left of a -> b.
+// Twice the signed area of the triangle a b c: positive if c is left of a -> b.
 constexpr double orient(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
 
 struct Vec3 {
@@ -40,18 +40,18 @@ constexpr Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x 
 constexpr double norm2(Vec3 a) { return dot(a, a); }
 inline double norm(Vec3 a) { return std::sqrt(norm2(a)); }
 inline double distance(Vec3 a, Vec3 b) { return norm(b - a); }
-// Rad, in [0, pi]; 0 if either has no length.
+// Angle in [0, pi], rad; 0 if a vector has no length.
 inline double angle(Vec3 a, Vec3 b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
-// Of length 1; `otherwise` for no length.
+// The vector scaled to length 1; `otherwise` if it has no length.
 inline Vec3 unit(Vec3 v, Vec3 otherwise) {
     const double l = norm(v);
     return l > 0 ? (1 / l) * v : otherwise;
 }
 constexpr double coordinate(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-// The axis along which `v` reaches farthest, the first of equals; its parts are not below 0.
+// The axis of the largest component, the first of equals. Precondition: components are at least 0.
 constexpr int longest_axis(Vec3 v) { return v.x >= v.y && v.x >= v.z ? 0 : v.y >= v.z ? 1 : 2; }
 
-// Axis-aligned boxes; empty until something is added.
+// An axis-aligned box; empty until something is added.
 struct Box3 {
     Vec3 lo{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
             std::numeric_limits<double>::infinity()};
@@ -73,7 +73,7 @@ Box3 box_of(const Points& points) {
     for (const Vec3& p : points) out.add(p);
     return out;
 }
-// `by` wider on every side.
+// The box enlarged by `by` on every side.
 constexpr Box3 grown(const Box3& b, double by) { return {b.lo - Vec3{by, by, by}, b.hi + Vec3{by, by, by}}; }
 
 constexpr bool meet(const Box3& a, const Box3& b) {
@@ -81,7 +81,7 @@ constexpr bool meet(const Box3& a, const Box3& b) {
            b.lo.z <= a.hi.z;
 }
 
-// From the box to p; 0 within.
+// Distance from the box to p; 0 inside.
 inline double distance(const Box3& b, Vec3 p) {
     return norm(Vec3{std::max({0.0, b.lo.x - p.x, p.x - b.hi.x}), std::max({0.0, b.lo.y - p.y, p.y - b.hi.y}),
                      std::max({0.0, b.lo.z - p.z, p.z - b.hi.z})});
@@ -101,12 +101,12 @@ inline bool meet(const Box2& a, const Box2& b) {
     return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y;
 }
 
-// From the box to p, squared; 0 within.
+// Squared distance from the box to p; 0 inside.
 inline double distance2(const Box2& b, Vec2 p) {
     return norm2(Vec2{std::max({0.0, b.lo.x - p.x, p.x - b.hi.x}), std::max({0.0, b.lo.y - p.y, p.y - b.hi.y})});
 }
 
-// Distance between two boxes, 0 where they touch or overlap.
+// Distance between two boxes; 0 if they touch or overlap.
 inline double distance(const Box2& a, const Box2& b) {
     const double dx = std::max({0.0, a.lo.x - b.hi.x, b.lo.x - a.hi.x});
     const double dy = std::max({0.0, a.lo.y - b.hi.y, b.lo.y - a.hi.y});

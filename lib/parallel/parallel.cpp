@@ -55,8 +55,8 @@ namespace detail {
 
 namespace {
 
-// What travels down the pipeline: an item, or why there is none.  A failure is thrown on by the sink, in its turn, so
-// that what was written before it and which failure is told do not depend on the threads.
+// What passes through the pipeline: an item or an exception. The sink throws the exception when its turn comes, so the
+// items written before, and the exception that is thrown, do not depend on the number of threads.
 struct Slot {
     Item item;
     std::exception_ptr failed;
@@ -83,9 +83,9 @@ void ordered(int threads, const std::function<Item()>& source, const std::functi
         while (Item item = source()) sink(work(std::move(item)));
         return;
     }
-    bool last = false;              // only the source touches it
-    std::atomic<bool> stop = false; // set by the sink; the pipeline then runs dry, since cancelled items would leak
-    std::exception_ptr failed;      // only the sink touches it
+    bool last = false;              // only used by the source
+    std::atomic<bool> stop = false; // set by the sink; the pipeline then runs empty, since cancelled items would leak
+    std::exception_ptr failed;      // only used by the sink
     const auto from_source = [&](tbb::flow_control& flow) -> Slot {
         Slot slot = last || stop ? Slot{} : guarded(source);
         if (slot.failed)

@@ -1,4 +1,4 @@
-// Work on all cores with results that do not depend on how many there are.
+// Parallel loops and pipelines whose results do not depend on the number of threads.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@
 
 namespace filum::parallel {
 
-// Calls body(begin, end) for chunks of fixed size `grain` covering [0, n), on `threads` threads (0: all cores).
-// Chunk borders depend on n and grain alone.  The first exception, by chunk order, is thrown on.  What `body` runs in
-// parallel in its turn takes no more than these threads, all together, if they are a number.
+// Calls body(begin, end) for chunks of size `grain` that cover [0, n), on `threads` threads (0: all cores). Chunks
+// depend on n and grain only. Throws the first exception by the order of chunks. If `threads` is positive, parallel
+// work inside `body` shares these threads.
 void for_chunks(std::size_t n, std::size_t grain, int threads,
                 const std::function<void(std::size_t, std::size_t)>& body);
 
@@ -20,9 +20,9 @@ void ordered(int threads, const std::function<Item()>& source, const std::functi
              const std::function<void(Item)>& sink);
 } // namespace detail
 
-// source -> work -> sink, where work runs on all cores and sink sees the results in the order of the source.
-// `source` returns nullopt at the end; at most a few items per thread are in flight, so memory stays bounded.
-// An exception of source or work is thrown on when its turn comes: the sink has then seen all items before it.
+// Runs source -> work -> sink: work runs on all cores, and sink gets the results in the order of the source. `source`
+// returns nullopt at the end. A few items per thread are in flight at most, which bounds memory.
+// An exception of source or work is thrown when its turn comes, after sink has got all items before it.
 template <class In, class Out>
 void ordered(int threads, const std::function<std::optional<In>()>& source, const std::function<Out(In)>& work,
              const std::function<void(Out)>& sink) {
