@@ -11,20 +11,20 @@ namespace filum::rings {
 
 namespace {
 
-class Thinning {
+class BeadSimplifier {
   public:
-    // `even`: turns are to be even.
-    Thinning(const toolpath::Curve& bead, double tolerance, double least_void, bool even)
+    // `even`: whether to even out the turns.
+    BeadSimplifier(const toolpath::Curve& bead, double tolerance, double least_void, bool even)
         : bead_(bead), n_(bead.points.size()), way_(n_), tolerance_(tolerance), least_(least_void), even_(even) {
         for (std::size_t i = 0; i < n_; ++i)
             way_[i] = geom::distance(bead_.points[(i > 0 ? i : n_) - 1], bead_.points[i]);
     }
 
-    // The points that stay, moved such that beads side by side stay so on average.
+    // The remaining points, moved such that beads side by side keep their distance on average.
     toolpath::Curve run() const {
         std::vector<std::size_t> kept;
         for (std::size_t a = 0; a < n_; a = farthest(a)) kept.push_back(a);
-        if (kept.size() < 3) kept = {0, n_ / 3, 2 * n_ / 3}; // no line there and back
+        if (kept.size() < 3) kept = {0, n_ / 3, 2 * n_ / 3}; // a closed bead keeps at least a triangle
         if (even_) even_out(kept);
         const std::size_t n = kept.size();
         std::vector<Chord> chords;
@@ -37,23 +37,23 @@ class Thinning {
             const Vertex at = vertex(kept, chords, k % n);
             add_tapered(at.point, at.width, least_, out);
         }
-        out.drop_last(); // the first one again
+        out.drop_last(); // equal to the first one
         return out;
     }
 
   private:
-    // What the bead is beside a chord.
+    // The bead along a chord.
     struct Chord {
         double length = 0; // mm
-        double aside = 0;  // mm, to the left: the middle of where it runs
-        double wider = 0;  // mm, on average
+        double aside = 0;  // mm from the chord to the middle of the bead's strip, to the left
+        double wider = 0;  // mm by which the bead is wider than the chord's ends, on average
     };
     struct Vertex {
         Vec2 point;
         double width;
     };
 
-    // A point that the chord from a may run to; beyond it there is none near by.
+    // A point to which the chord from a can lead, although not to the next few points behind it (galloping search).
     [[nodiscard]] std::size_t farthest(std::size_t a) const {
         std::size_t step = 1;
         while (a + 2 * step <= n_ && within(a, a + 2 * step)) step *= 2;
@@ -64,17 +64,17 @@ class Thinning {
         }
         return lo;
     }
-    // Whether the line from a to b runs in a strip along its chord no wider than twice the tolerance, and its width is
-    // near enough to the chord's.
+    // Whether the line from a to b stays in a strip along its chord at most twice the tolerance wide, with a width
+    // near enough to that of the chord.
     [[nodiscard]] bool within(std::size_t a, std::size_t b) const {
         const Vec2 p = bead_.points[a], chord = bead_.points[b % n_] - p;
         const double wa = bead_.width[a], wider_by = bead_.width[b % n_] - wa, l2 = geom::norm2(chord);
         const double by_length2 = l2 > 0 ? 1 / l2 : 0, widest = 2 * tolerance_;
-        const auto along = [&](std::size_t i) { // the share of the chord at which it is the nearest to point i
+        const auto along = [&](std::size_t i) { // parameter of the chord's place nearest to point i
             return std::clamp(by_length2 * dot(bead_.points[i] - p, chord), 0.0, 1.0);
         };
         const auto off2 = [&](std::size_t i, double t) { return geom::norm2(p + t * chord - bead_.points[i]); };
-        const std::size_t middle = a + (b - a) / 2; // most that are too far are so there
+        const std::size_t middle = a + (b - a) / 2; // a quick test: lines too far off are usually too far off there
         if (b > a + 2 && off2(middle, along(middle)) > widest * widest) return false;
         const double strip = widest * toolpath::full_share(wa, l2);
         double laid_aside = 0, left2 = 0, right2 = 0; // mm2
@@ -91,26 +91,26 @@ class Thinning {
         return true;
     }
 
-    // Grows with the square of the turn at q.
+    // Measure of the turn at q, proportional to its square for small turns.
     static double bend(Vec2 p, Vec2 q, Vec2 r) {
         const Vec2 u = q - p, v = r - q;
         const double l = std::sqrt(geom::norm2(u) * geom::norm2(v));
         return l > 0 ? 1 - dot(u, v) / l : 0;
     }
-    // Moves every point between its neighbours as long as that makes the turns more even, as chords may run: a machine
-    // slows down for the sharpest.  Ties: as it was.
+    // Moves every point along the line between its neighbours as long as turns become more even and chords remain
+    // within tolerance. A machine slows down for the sharpest turn. Ties: the point stays.
     void even_out(std::vector<std::size_t>& kept) const {
         const std::size_t n = kept.size();
         if (n < 5) return;
         const auto at = [&](std::size_t k) { return bead_.points[kept[k % n]]; };
         for (std::size_t k = 1; k + 1 < n; ++k) {
             const Vec2 h = at(k + n - 2), a = at(k - 1), c = at(k + 1), d = at(k + 2);
-            const auto bends = [&](Vec2 b, double most) { // as far as they do not exceed `most`
+            const auto bends = [&](Vec2 b, double most) { // the sum, or a partial sum that already reaches `most`
                 const double before = bend(h, a, b);
                 return before >= most ? before : before + bend(a, b, c) + bend(b, c, d);
             };
             double least = bends(at(k), std::numeric_limits<double>::infinity());
-            for (const std::size_t step : {~std::size_t{0}, std::size_t{1}}) // back, then on
+            for (const std::size_t step : {~std::size_t{0}, std::size_t{1}}) // backwards, then forwards
                 for (std::size_t i = kept[k] + step; i != kept[k - 1] && i != kept[k + 1]; i += step) {
                     const double now = bends(bead_.points[i], least);
                     if (now >= least || !within(kept[k - 1], i) || !within(i, kept[k + 1])) break;
@@ -138,17 +138,17 @@ class Thinning {
         if (out.length > 0) out.wider = laid / out.length - (bead_.width[a] + bead_.width[b % n_]) / 2;
         return out;
     }
-    // The k-th point that is kept, moved; as wide as the chords beside it are on average.
+    // The k-th remaining point, moved; its width is such that chords have the right width on average.
     [[nodiscard]] Vertex vertex(const std::vector<std::size_t>& kept, const std::vector<Chord>& chords,
                                 std::size_t k) const {
         const std::size_t n = kept.size(), before = (k + n - 1) % n;
         const Chord &a = chords[before], &b = chords[k];
-        const double l = a.length + b.length, share = l > 0 ? a.length / l : 0.5; // long ones stay
+        const double l = a.length + b.length, share = l > 0 ? a.length / l : 0.5; // long chords keep their width
         return {moved(kept[before], kept[k], kept[(k + 1) % n], a.aside, b.aside),
                 bead_.width[kept[k]] + std::lerp(b.wider, a.wider, share)};
     }
-    // The point at i, between chords from h and to j, moved to where both are as far aside as they are to be: by least
-    // squares, the longer counts for more, and so steadied that chords that hardly bend share what they differ by.
+    // The point at i between the chords from h and to j, moved so that both get their offsets aside: least squares
+    // weighted by length, with a small regularisation so that almost parallel chords share the difference.
     [[nodiscard]] Vec2 moved(std::size_t h, std::size_t i, std::size_t j, double before, double after) const {
         constexpr double kSteady = 0.01;
         const Vec2 p = bead_.points[i], u = p - bead_.points[h], v = bead_.points[j] - p;
@@ -163,8 +163,8 @@ class Thinning {
         return p + std::min(1.0, most / std::max(most, geom::norm(by))) * by;
     }
     const toolpath::Curve& bead_; // closed
-    std::size_t n_;               // points of it
-    std::vector<double> way_;     // per point: mm from the one before it
+    std::size_t n_;               // number of its points
+    std::vector<double> way_;     // per point: mm from the point before
     double tolerance_, least_;
     bool even_;
 };
@@ -185,7 +185,7 @@ void add_tapered(Vec2 p, double width, double least_void, toolpath::Curve& to) {
 }
 
 toolpath::Curve with_fewer_points(const toolpath::Curve& bead, double tolerance, double least_void, bool even) {
-    return Thinning(bead, tolerance, least_void, even).run();
+    return BeadSimplifier(bead, tolerance, least_void, even).run();
 }
 
 } // namespace filum::rings

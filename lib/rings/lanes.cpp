@@ -13,12 +13,12 @@ namespace filum::rings {
 
 namespace {
 
-constexpr double kTips = 10; // voids of a small region that together leave kMostOpen of it
-// Of the tolerance, by which beads are wider than their lanes: half of what opens on average between parallel bends
-// whose chords are not in step (parabolas at random places gape by 4/15 of it).
+constexpr double kTips = 10; // tips of a small region that may together leave kMostOpen of it
+// Tolerances by which beads are wider than their lanes: half of the mean gap between parallel bends whose chords are
+// not in step (parabolas at random places gape by 4/15).
 constexpr double kSeam = 2.0 / 15;
 
-// Of a closed bead, mm2.
+// Area of a closed bead, mm2.
 double area_of(std::span<const Vec2> points, std::span<const double> width) {
     double out = 0;
     for (std::size_t i = 0, n = points.size(); i < n; ++i) {
@@ -38,7 +38,7 @@ FirstLanes first_lanes(const Loops& region, const LaneOptions& o) {
     const double fine = o.tolerance / 4;
     const Beading b = beading(medial_axis(region, o.tolerance / 2, fine, kWallSlope), width, least);
     FirstLanes out;
-    lay_rings(b, o.most, flows, fine, [&](const toolpath::Curve& ring, int lane) {
+    trace_rings(b, o.most, flows, fine, [&](const toolpath::Curve& ring, int lane) {
         out.lanes.add(with_fewer_points(ring, fine / 3, least, false), lane);
     });
     for (double& w : out.lanes.width) w *= wider;

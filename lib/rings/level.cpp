@@ -20,10 +20,11 @@ class LevelLine {
     }
 
   private:
-    // Whether the line passes the ray to node i.
+    // Whether the line crosses the ray to node i.
     [[nodiscard]] bool inside(std::uint32_t i) const { return b_->depth(i, lane_) < b_->axis.radius[i]; }
 
-    // From ray to ray along the outline; where the level lies beyond the axis, over to the other side of that.
+    // Traces one loop, from ray to ray along the outline. Where the axis is below the level, it passes to the axis's
+    // other side.
     void loop(std::uint32_t first) {
         const MedialAxis& axis = b_->axis;
         for (std::uint32_t h = first; !seen_[h];) {

@@ -1,4 +1,4 @@
-// Rays from the outline to the medial axis, and places on them by lane coordinate.  Private to lib/rings.
+// Rays from the outline to the medial axis, and their points by lane coordinate. Private to lib/rings.
 #pragma once
 
 #include "rings/beading.hpp"
@@ -8,7 +8,7 @@
 
 namespace filum::rings {
 
-// The ray to the share t of half-edge h, from its first node, in h's part of the outline.
+// The ray to the point with parameter `t` of half-edge h (0 at its first node), within h's part of the outline.
 struct Ray {
     const Beading* b;
     std::uint32_t i, j; // nodes at both ends of h
@@ -31,7 +31,7 @@ struct Ray {
     }
 };
 
-// The share of h at which the axis has the lane coordinate f; nothing if it does not pass it.
+// The parameter of h at which the axis has lane coordinate f; none if it does not.
 inline std::optional<double> share_at(const Beading& b, std::uint32_t h, double f) {
     const std::uint32_t i = b.axis.from[h], j = b.axis.to(h);
     const double at_i = b.axis.radius[i] - b.depth(i, f), at_j = b.axis.radius[j] - b.depth(j, f);
@@ -39,8 +39,8 @@ inline std::optional<double> share_at(const Beading& b, std::uint32_t h, double 
     return at_i / (at_i - at_j);
 }
 
-// If h is seen from a vertex of the outline: put(point) for points strictly between p and q on the arc about it, so
-// many that chords are off by at most `tolerance` mm.
+// If h belongs to a vertex of the outline: calls put(point) for points strictly between p and q on the arc around that
+// vertex, such that chords deviate by at most `tolerance` mm.
 template <class Put>
 void each_on_arc(const MedialAxis& axis, std::uint32_t h, Vec2 p, Vec2 q, double tolerance, Put&& put) {
     const Vec2 foot = axis.foot[h];

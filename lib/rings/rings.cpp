@@ -8,10 +8,10 @@ namespace filum::rings {
 
 namespace {
 
-class Walk {
+class RingTracer {
   public:
-    Walk(const Beading& beading, double least_void, double tolerance, const Laid& laid)
-        : b_(&beading), least_void_(least_void), tolerance_(tolerance), take_(&laid) {
+    RingTracer(const Beading& beading, double least_void, double tolerance, const RingSink& sink)
+        : b_(&beading), least_void_(least_void), tolerance_(tolerance), sink_(&sink) {
         lanes_.reserve(axis().half_edges());
         for (const std::uint32_t i : axis().from) {
             const double last = beading.profile[i].last;
@@ -54,7 +54,7 @@ class Walk {
         const std::size_t n = ring_.points.size();
         for (std::size_t i = 0; i < n; ++i)
             area += ring_.width[i] * geom::distance(ring_.points[i], ring_.points[i + 1 == n ? 0 : i + 1]);
-        if (n >= 3 && (lane_ == 1 || area >= least_void_)) (*take_)(ring_, lane_);
+        if (n >= 3 && (lane_ == 1 || area >= least_void_)) (*sink_)(ring_, lane_);
     }
 
     // Lane coordinate of the middle of the strip on the ray to node i.
@@ -62,16 +62,17 @@ class Walk {
 
     void put(Vec2 p, double width) { ring_.add(p, std::max(width, kNarrowest * b_->width)); }
 
-    // Adds the point on the ray to the share t of h, where the strip ends at lane coordinate `end`.
+    // Adds the point on the ray with parameter `t` of h; the strip ends at lane coordinate `end` there.
     void ray_point(std::uint32_t h, double t, double end) {
         const Ray ray(*b_, h, t);
         put(ray.point((lane_ - 1 + end) / 2), ray.depth(end) - ray.depth(lane_ - 1));
     }
 
-    // The share of h at which the axis has the lane coordinate f; nothing if it does not pass it.
+    // The parameter of h at which the axis has lane coordinate f; none if it does not.
     [[nodiscard]] std::optional<double> share_at(std::uint32_t h, double f) const { return rings::share_at(*b_, h, f); }
 
-    // In an acute corner the strip narrows from where the axis is `reach` before its end: a point on that ray.
+    // In an acute corner the strip narrows from the ray where the axis is `reach` before the strip's end; adds a point
+    // there.
     bool narrow(std::uint32_t h) {
         const double reach = b_->reach[h / 2];
         if (b_->wall[h / 2] || reach >= 0.5) return false;
@@ -82,19 +83,19 @@ class Walk {
         return t.has_value();
     }
 
-    // From the ray to h's first node, where the lane is laid, to the one on the other side: over the end of the lane.
+    // Turns around the end of the lane: from the ray to h's first node to the one on the other side.
     void turn(std::uint32_t h) {
         const std::uint32_t i = axis().from[h], j = axis().to(h), back = h ^ 1, after = axis().next[back];
         const double ri = axis().radius[i], rj = axis().radius[j], reach = b_->reach[h / 2], end = b_->end(i, lane_);
         if (b_->wall[h / 2]) {
-            if (lane_ > 1 || b_->tip[h / 2] == 0 || ri <= rj) return; // straight across
+            if (lane_ > 1 || b_->tip[h / 2] == 0 || ri <= rj) return; // straight across the wall
             const double t = std::clamp((ri - b_->tip[h / 2]) / (ri - rj), 0.0, 1.0);
             ray_point(h, t, end);
             ray_point(back, 1 - t, end);
             return;
         }
         narrow(h);
-        const double f = std::min(lane_ - 1 + reach, middle(i)); // no deeper than beside the corner
+        const double f = std::min(lane_ - 1 + reach, middle(i)); // no deeper than on the rays beside the corner
         double t = 0;
         if (ri > b_->depth(i, f)) {
             const auto share = share_at(h, f);
@@ -110,7 +111,7 @@ class Walk {
 
     [[nodiscard]] bool about_vertex(std::uint32_t h) const { return axis().last_foot(h) == axis().foot[h]; }
 
-    // If h is seen from a vertex of the outline: points on the arc about that from the last point to p.
+    // If h belongs to a vertex of the outline: adds points on the arc around it, from the last point to p.
     void arc_to(std::uint32_t h, Vec2 p) {
         const double w = ring_.width.back();
         each_on_arc(axis(), h, ring_.points.back(), p, tolerance_, [&](Vec2 q) { put(q, w); });
@@ -119,10 +120,10 @@ class Walk {
     const Beading* b_;
     double least_void_, tolerance_;
     int lane_ = 0;
-    std::vector<int> lanes_; // per half-edge: laid on the ray to its first node
+    std::vector<int> lanes_; // per half-edge: number of lanes on the ray to its first node
     std::vector<int> seen_;  // per half-edge: the last lane that has passed it
-    const Laid* take_;
-    toolpath::Curve ring_{true, {}, {}}; // the one that is being laid
+    const RingSink* sink_;
+    toolpath::Curve ring_{true, {}, {}}; // the current ring
 };
 
 } // namespace
@@ -142,8 +143,8 @@ void Rings::add(const toolpath::Curve& ring, int of_lane) {
     lane.push_back(of_lane);
 }
 
-void lay_rings(const Beading& beading, int most, double least_void, double tolerance, const Laid& laid) {
-    Walk(beading, least_void, tolerance, laid).run(most);
+void trace_rings(const Beading& beading, int most, double least_void, double tolerance, const RingSink& sink) {
+    RingTracer(beading, least_void, tolerance, sink).run(most);
 }
 
 } // namespace filum::rings

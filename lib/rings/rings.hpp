@@ -1,4 +1,4 @@
-// Rings: the lanes of a region as closed lines, each along the middle of its strip.
+// Rings: closed lines along the middle of each lane of a region.
 #pragma once
 
 #include "rings/beading.hpp"
@@ -10,23 +10,23 @@
 
 namespace filum::rings {
 
-// Ring i has the points start[i] .. start[i + 1]; closed, solid on the left, none crossing another or itself.
+// Ring i has the points start[i] to start[i + 1] - 1; closed, the region's material on the left, without crossings.
 struct Rings {
     std::vector<Vec2> points;
-    std::vector<double> width; // mm, per point: of the strip there
+    std::vector<double> width; // mm, per point: of the lane there
     std::vector<std::uint32_t> start{0};
-    std::vector<int> lane; // per ring, counted from 1 along the outline; ascending; 0: no ring but an open line
+    std::vector<int> lane; // per ring, from 1 at the outline, ascending; 0: an open line rather than a ring
 
     [[nodiscard]] std::size_t size() const { return lane.size(); }
     void add(const Rings& more);
     void add(const toolpath::Curve& ring, int of_lane);
 };
 
-// What becomes of a ring, which is not kept: all points of all rings at once would be many.
-using Laid = std::function<void(const toolpath::Curve& ring, int lane)>;
+// Takes over one ring; rings are not collected, as all points of all rings would need much memory.
+using RingSink = std::function<void(const toolpath::Curve& ring, int lane)>;
 
-// Lays the rings of lanes 1 to `most` (all: 0), lane by lane.  Arcs are off by at most `tolerance` mm.  Rings inside
-// others that would lay no more than `least_void` mm2 are left out.
-void lay_rings(const Beading& beading, int most, double least_void, double tolerance, const Laid& laid);
+// Passes the rings of lanes 1 to `most` (0: all) to `sink`, lane by lane. Arcs deviate by at most `tolerance` mm.
+// Inner rings with a bead of at most `least_void` mm2 are left out.
+void trace_rings(const Beading& beading, int most, double least_void, double tolerance, const RingSink& sink);
 
 } // namespace filum::rings

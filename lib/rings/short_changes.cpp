@@ -8,10 +8,11 @@ namespace filum::rings {
 
 namespace {
 
-// Walls with at least so many lanes (sign 1; with at most so many: -1), level by level, in connected stretches.
-class Levels {
+// Connected stretches of walls with at least (sign 1) or at most (sign -1) a number of lanes, level by level.
+class ChangeRemover {
   public:
-    Levels(const MedialAxis& axis, const std::vector<char>& wall, std::vector<int>& lanes, double width, int sign)
+    ChangeRemover(const MedialAxis& axis, const std::vector<char>& wall, std::vector<int>& lanes, double width,
+                  int sign)
         : axis_(&axis), wall_(&wall), lanes_(&lanes), width_(width), sign_(sign), seen_(lanes.size(), 0) {}
 
     void run() {
@@ -23,7 +24,7 @@ class Levels {
         for (std::size_t i = 0; i < order.size() || !here.empty();) {
             const int level = here.empty() ? (*lanes_)[order[i]] : (*lanes_)[here[0]];
             for (; i < order.size() && (*lanes_)[order[i]] == level; ++i) here.push_back(order[i]);
-            std::vector<std::uint32_t> lowered; // they go on with the level below
+            std::vector<std::uint32_t> lowered; // these continue with the level below
             for (const std::uint32_t first : here)
                 if ((*lanes_)[first] == level)
                     for (const std::uint32_t e : short_stretch(first, level)) {
@@ -35,8 +36,8 @@ class Levels {
     }
 
   private:
-    // The pieces of the stretch that ends with `first`, if it is to have a lane less (more): it is short, goes on there
-    // in a wall with fewer (more), and may be.
+    // The stretch that ends with piece `first` if it is to get one lane less (more): it is short, continues there in a
+    // wall with fewer (more) lanes, and its lanes would not become too wide or narrow.
     std::vector<std::uint32_t> short_stretch(std::uint32_t first, int level) {
         std::vector<std::uint32_t> out{first};
         double length = 0, thickest = 0, thinnest = axis_->radius[axis_->from[2 * first]];
@@ -60,10 +61,10 @@ class Levels {
                     out.push_back(other);
                 }
             }
-            if (!ends) return {}; // it is found from its end
+            if (!ends) return {}; // it will be found from its end
         }
         const int to = level - sign_;
-        const double inmost = (sign_ > 0 ? thickest : thinnest) / width_ - (to - 1); // the share of that lane
+        const double inmost = (sign_ > 0 ? thickest : thinnest) / width_ - (to - 1); // widths, of the innermost lane
         if (to < 1 || inmost > kWidest || inmost < 1 / kWidest) return {};
         return out;
     }
@@ -73,7 +74,7 @@ class Levels {
     std::vector<int>* lanes_;
     double width_; // mm
     int sign_;
-    std::vector<std::uint32_t> seen_; // per piece: the last round that has met it
+    std::vector<std::uint32_t> seen_; // per piece: the last search that has met it
     std::uint32_t round_ = 0;
 };
 
@@ -81,7 +82,7 @@ class Levels {
 
 std::vector<int> without_short_changes(const MedialAxis& axis, const std::vector<char>& wall, std::vector<int> lanes,
                                        double width) {
-    for (const int sign : {1, -1}) Levels(axis, wall, lanes, width, sign).run();
+    for (const int sign : {1, -1}) ChangeRemover(axis, wall, lanes, width, sign).run();
     return lanes;
 }
 

@@ -1,4 +1,4 @@
-// Numbers of lanes that change for a short stretch only.  Private to lib/rings.
+// Removes short changes of the number of lanes. Private to lib/rings.
 #pragma once
 
 #include "polygon/medial_axis.hpp"
@@ -9,8 +9,8 @@ namespace filum::rings {
 
 using polygon::MedialAxis;
 
-// `lanes` per piece of the axis (of walls; others do not count), without stretches that have more lanes, or fewer, than
-// all walls next to them, and are shorter than a ramp.  They stay where lanes would become too wide or too narrow.
+// `lanes` per piece of the axis (walls only). Stretches shorter than a ramp with more lanes, or fewer, than all
+// neighbouring walls get the number of these, unless lanes would become too wide or too narrow.
 std::vector<int> without_short_changes(const MedialAxis& axis, const std::vector<char>& wall, std::vector<int> lanes,
                                        double width);
 

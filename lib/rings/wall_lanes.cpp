@@ -13,14 +13,14 @@ namespace filum::rings {
 namespace {
 
 constexpr double kUnset = -std::numeric_limits<double>::infinity();
-constexpr double kApart = 1e-6; // share of a piece: nearer cuts are one
+constexpr double kApart = 1e-6; // share of a piece: cuts nearer than this are merged
 
 int lanes_at(double radius_in_widths) {
     return std::max(1, static_cast<int>(std::floor(0.5 + std::sqrt(0.25 + radius_in_widths * radius_in_widths))));
 }
 
-// Cuts of pieces, gathered piece by piece.
-struct Cuts {
+// Positions at which pieces of the axis are cut, piece by piece.
+struct PieceCuts {
     std::vector<double> at;
     std::vector<std::uint32_t> start{0};
 
@@ -35,7 +35,7 @@ struct Cuts {
     }
 };
 
-// Each piece's value for the pieces that it has been cut into.
+// Repeats the value of each piece for all parts into which it was cut.
 template <class T>
 std::vector<T> spread(const std::vector<T>& of_piece, const std::vector<std::uint32_t>& start) {
     std::vector<T> out;
@@ -49,9 +49,9 @@ std::vector<char> walls(const MedialAxis& axis) {
     return out;
 }
 
-// Where walls pass a radius at which their number of lanes changes.
-Cuts changes(const MedialAxis& axis, const std::vector<char>& wall, double width) {
-    Cuts out;
+// The positions where walls pass a radius at which the number of lanes changes.
+PieceCuts changes(const MedialAxis& axis, const std::vector<char>& wall, double width) {
+    PieceCuts out;
     for (std::uint32_t e = 0; e < wall.size(); ++e) {
         const double a = axis.radius[axis.from[2 * e]] / width, b = axis.radius[axis.to(2 * e)] / width;
         if (wall[e])
@@ -62,17 +62,18 @@ Cuts changes(const MedialAxis& axis, const std::vector<char>& wall, double width
     return out;
 }
 
-// Per piece: whether it lies on a wall, and with how many lanes.
-struct Pieces {
-    MedialAxis axis; // with nodes where that number changes
+// The axis with nodes where the number of lanes changes. Per piece: whether it belongs to a wall, and its number of
+// lanes.
+struct LanePieces {
+    MedialAxis axis;
     std::vector<char> wall;
     std::vector<int> lanes;
 };
 
-Pieces pieces(const MedialAxis& given, double width) {
+LanePieces pieces(const MedialAxis& given, double width) {
     const std::vector<char> wall = walls(given);
-    const Cuts changing = changes(given, wall, width);
-    Pieces out{refined(given, changing.at, changing.start), spread(wall, changing.start), {}};
+    const PieceCuts changing = changes(given, wall, width);
+    LanePieces out{refined(given, changing.at, changing.start), spread(wall, changing.start), {}};
     const MedialAxis& axis = out.axis;
     for (std::uint32_t e = 0; e < out.wall.size(); ++e) {
         const double r = (axis.radius[axis.from[2 * e]] + axis.radius[axis.to(2 * e)]) / 2;
@@ -82,7 +83,7 @@ Pieces pieces(const MedialAxis& given, double width) {
     return out;
 }
 
-// What an envelope falls by along a piece: by one in half a ramp, and across corners by one in half a width.
+// Decrease of an envelope along a piece: 1 per half ramp; across corners 1 per half width of radius.
 double fall(const MedialAxis& axis, std::uint32_t h, bool wall, double width) {
     const double along = 2 * axis.length(h) / (kRamp * width);
     if (wall) return along;
@@ -97,12 +98,12 @@ struct Visit {
     }
 };
 
-// Raises `value` (kUnset where nothing is told) to the least function above it that falls no faster.  Off the walls it
-// is followed only until it has fallen by one: the numbers of walls alike in thickness differ by no more.
-void raise(const Pieces& p, double width, const std::vector<std::uint32_t>& half_at, std::vector<double>& value) {
+// Raises `value` (kUnset where it is undefined) to the least function above it that decreases no faster than fall().
+// Outside of walls it is followed only until it has decreased by 1, as walls of equal thickness do not differ by more.
+void raise(const LanePieces& p, double width, const std::vector<std::uint32_t>& half_at, std::vector<double>& value) {
     const MedialAxis& axis = p.axis;
     std::priority_queue<Visit> queue;
-    std::vector<double> fallen(value.size(), 0); // since the last wall
+    std::vector<double> fallen(value.size(), 0); // decrease since the last wall
     const auto go_on = [&](std::uint32_t i) {
         std::uint32_t h = half_at[i];
         do {
@@ -126,20 +127,20 @@ void raise(const Pieces& p, double width, const std::vector<std::uint32_t>& half
     }
 }
 
-// Per node: the least function above the number of lanes, and the greatest below it, that change no faster than ramps;
-// kUnset where no wall and no top leads to.
+// Per node the least function above the number of lanes, and the greatest below it, that change no faster than ramps;
+// kUnset where no wall or top leads to the node.
 struct Envelopes {
-    std::vector<double> upper, lower; // lower: negative
-    std::vector<char> set;            // the node lies on a wall, or is a top
+    std::vector<double> upper, lower; // `lower` is negative
+    std::vector<char> set;            // per node: it belongs to a wall, or is a top
 };
 
-Envelopes envelopes(const Pieces& p, double width) {
+Envelopes envelopes(const LanePieces& p, double width) {
     const MedialAxis& axis = p.axis;
     std::vector<std::uint32_t> half_at(axis.nodes());
     std::vector<char> top(axis.nodes(), 1);
     Envelopes out;
     for (auto* v : {&out.upper, &out.lower}) v->assign(axis.nodes(), kUnset);
-    const auto tell = [&](std::uint32_t i, double lanes) {
+    const auto limit = [&](std::uint32_t i, double lanes) {
         out.upper[i] = std::max(out.upper[i], lanes);
         out.lower[i] = std::max(out.lower[i], -lanes);
     };
@@ -147,10 +148,10 @@ Envelopes envelopes(const Pieces& p, double width) {
         const std::uint32_t i = axis.from[h];
         half_at[i] = h;
         if (axis.radius[axis.to(h)] > axis.radius[i]) top[i] = 0;
-        if (p.wall[h / 2]) tell(i, p.lanes[h / 2]);
+        if (p.wall[h / 2]) limit(i, p.lanes[h / 2]);
     }
     for (std::uint32_t i = 0; i < axis.nodes(); ++i) {
-        if (top[i] && out.upper[i] == kUnset) tell(i, lanes_at(axis.radius[i] / width));
+        if (top[i] && out.upper[i] == kUnset) limit(i, lanes_at(axis.radius[i] / width));
         out.set.push_back(out.upper[i] != kUnset ? 1 : 0);
     }
     raise(p, width, half_at, out.upper);
@@ -158,9 +159,9 @@ Envelopes envelopes(const Pieces& p, double width) {
     return out;
 }
 
-// The two envelopes on a wall piece with n lanes, by the share t of its length.
+// The two envelopes on a wall piece with n lanes, as functions of the parameter t along it.
 struct Ramp {
-    double n, rise;            // rise: what an envelope changes by along the piece
+    double n, rise;            // rise: change of an envelope along the piece
     double upper[2], lower[2]; // at its ends
 
     [[nodiscard]] double lanes(double t) const {
@@ -170,8 +171,8 @@ struct Ramp {
     }
     [[nodiscard]] bool level() const { return upper[0] == n && upper[1] == n && lower[0] == n && lower[1] == n; }
 
-    // Adds where an envelope bends, where the number is whole, and where a lane begins.
-    void add_cuts(Cuts& out) const {
+    // Adds the positions where an envelope bends, where the number of lanes is whole, and where a lane begins.
+    void add_cuts(PieceCuts& out) const {
         std::vector<double> bends{0, 1};
         for (const auto& [a, b] : {std::pair{upper[0] - n, upper[1] - n}, std::pair{n - lower[0], n - lower[1]}})
             for (const double t : {a / rise, 1 - b / rise, 0.5 + (a - b) / (2 * rise)})
@@ -187,13 +188,13 @@ struct Ramp {
     }
 };
 
-// The envelopes' mean as the number of lanes, with nodes wherever that bends.
-WallLanes with_ramps(const Pieces& p, const Envelopes& between, double width) {
+// The mean of the envelopes as the number of lanes, with nodes wherever it bends.
+WallLanes with_ramps(const LanePieces& p, const Envelopes& between, double width) {
     WallLanes out;
     out.set = between.set;
     for (std::uint32_t i = 0; i < p.axis.nodes(); ++i)
         out.lanes.push_back(out.set[i] ? (between.upper[i] - between.lower[i]) / 2 : 0);
-    Cuts cuts;
+    PieceCuts cuts;
     for (std::uint32_t e = 0; e < p.wall.size(); ++e) {
         const std::uint32_t a = p.axis.from[2 * e], b = p.axis.to(2 * e);
         const Ramp ramp{static_cast<double>(p.lanes[e]),
@@ -213,7 +214,7 @@ WallLanes with_ramps(const Pieces& p, const Envelopes& between, double width) {
 } // namespace
 
 WallLanes wall_lanes(const MedialAxis& axis, double width) {
-    const Pieces p = pieces(axis, width);
+    const LanePieces p = pieces(axis, width);
     return with_ramps(p, envelopes(p, width), width);
 }
 
