@@ -15,11 +15,11 @@ namespace {
 using geom::Frame;
 using geom::Vec3;
 
-constexpr double kParallelSine = 1e-6, kMeeting = 1e-3; // of axes: rad; mm
+constexpr double kParallelSine = 1e-6, kMeeting = 1e-3; // of axes that count as parallel, rad, or as meeting, mm
 
 bool parallel(const Axis& a, const Axis& b) { return norm(cross(a.direction, b.direction)) < kParallelSine; }
 
-// Where two lines meet; nothing if they are parallel or pass each other.
+// The point where two lines meet; none if they are parallel or skew.
 std::optional<Vec3> meeting(const Axis& a, const Axis& b) {
     const Vec3 n = cross(a.direction, b.direction), d = b.point - a.point;
     const double size = dot(n, n);
@@ -42,7 +42,7 @@ void classify(Arm& arm) {
     arm.centre = *last;
 }
 
-// Along z and about x, as a row of the table has it.
+// The transformation of a row of the table along x and about x.
 Frame link(const DhRow& row) { return {geom::about({1, 0, 0}, row.alpha), {row.a, 0, row.d}}; }
 
 Eigen::Matrix<double, 6, 6> jacobian(const Arm& arm, const Posture& q) {
@@ -60,32 +60,33 @@ Eigen::Matrix<double, 6, 6> jacobian(const Arm& arm, const Posture& q) {
     return out;
 }
 
-// From where the arm stands to where it is to: turn, rad, and way in units of the reach.
+// The motion from the arm's actual frame to the wanted one: rotation in rad, translation in units of the reach.
 Eigen::Matrix<double, 6, 1> error(const Arm& arm, const Frame& is, const Frame& wanted) {
     const auto turn = geom::rotation_vector(wanted.turn * geom::inverse(is.turn));
     const Vec3 d = 1 / arm.reach * (wanted.origin - is.origin);
     return {turn[0], turn[1], turn[2], d.x, d.y, d.z};
 }
 
-// What tells ways to stand apart: each changes its sign where two of them are one.  Sines, or shares of the reach.
-struct Signs {
+// Quantities whose signs distinguish configurations; each is 0 where two of these coincide. Sines, or shares of the
+// reach.
+struct ConfigurationSigns {
     double shoulder = 0, elbow = 0, wrist = 0;
 };
 
-Signs signs(const Arm& arm, const Posture& q) {
+ConfigurationSigns signs(const Arm& arm, const Posture& q) {
     const auto& x = arm.axes;
     const auto turned_by = [&](std::size_t k, const Vec3& v) { return geom::turned(v, x[k].direction, q[k]); };
     const bool meets = arm.build == Build::wrist;
-    Vec3 centre = arm.centre; // as axis 1 sees it
+    Vec3 centre = arm.centre; // as seen from axis 1
     for (std::size_t k = meets ? 3 : 4; k-- > 1;) centre = x[k].point + turned_by(k, centre - x[k].point);
     const Vec3 ahead = cross(x[1].direction, x[0].direction);
-    Signs out;
+    ConfigurationSigns out;
     out.shoulder = dot(centre - x[0].point, ahead) / (norm(ahead) * arm.reach);
     const auto level = [&](const Vec3& v) { return v - dot(v, x[1].direction) * x[1].direction; };
     const Vec3 upper = level(x[2].point - x[1].point);
     const Vec3 fore = level(turned_by(2, (meets ? arm.centre : x[3].point) - x[2].point));
     out.elbow = dot(x[1].direction, cross(upper, fore)) / (norm(upper) * norm(fore));
-    // Axis 6 as axis 5 turns it, about which that is positive or negative.
+    // Axis 6 as rotated by axis 5, whose angle is positive or negative.
     const Vec3 hand = turned_by(4, x[5].direction), last = meets ? x[3].direction : x[1].direction;
     out.wrist = dot(x[4].direction, cross(last, hand));
     return out;
@@ -106,7 +107,7 @@ Arm arm(const std::array<Axis, kAxes>& axes, const Frame& flange) {
     return out;
 }
 
-// Row k's frame comes behind axis k, which is its z axis: what comes before it gives the line.
+// The frame of row k is behind axis k, which is its z axis; so the transformation before it gives the axis.
 Arm arm(const std::array<DhRow, kAxes>& rows, const std::array<Axis, kAxes>& limits, const Frame& flange) {
     std::array<Axis, kAxes> axes = limits;
     Frame at;
@@ -133,7 +134,7 @@ Nearness nearness(const Arm& arm, const Posture& q) {
         const Eigen::JacobiSVD<Eigen::Matrix<double, 6, 6>> svd(jacobian(arm, q));
         return {Singular::wrist, std::asin(std::min(1.0, svd.singularValues()(5)))};
     }
-    const Signs s = signs(arm, q);
+    const ConfigurationSigns s = signs(arm, q);
     const auto angle = [](double sine) { return std::asin(std::min(1.0, std::abs(sine))); };
     Nearness out{Singular::shoulder, angle(s.shoulder)};
     if (angle(s.elbow) < out.angle) out = {Singular::elbow, angle(s.elbow)};
@@ -143,7 +144,7 @@ Nearness nearness(const Arm& arm, const Posture& q) {
 
 Configuration configuration(const Arm& arm, const Posture& q) {
     if (arm.build == Build::general) return {};
-    const Signs s = signs(arm, q);
+    const ConfigurationSigns s = signs(arm, q);
     return {s.shoulder * arm.ahead < 0, s.elbow < 0, s.wrist < 0};
 }
 
@@ -157,7 +158,7 @@ std::optional<Posture> refined(const Arm& arm, const Frame& flange, const Postur
         const auto j = jacobian(arm, q);
         const Eigen::Matrix<double, 6, 6> normal = j * j.transpose() + damp * Eigen::Matrix<double, 6, 6>::Identity();
         Eigen::Matrix<double, 6, 1> by = j.transpose() * normal.ldlt().solve(e);
-        constexpr double most = 0.5; // rad a step
+        constexpr double most = 0.5; // rad per step
         const double largest = by.cwiseAbs().maxCoeff();
         if (largest > most) by *= most / largest;
         for (std::size_t k = 0; k < kAxes; ++k) q[k] += by(static_cast<Eigen::Index>(k));

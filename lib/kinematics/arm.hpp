@@ -1,4 +1,4 @@
-// Robots: arms of six turning axes, one carried by the other.
+// Robot arms with six rotary axes in series.
 #pragma once
 
 #include "geom/frame.hpp"
@@ -15,49 +15,48 @@ inline constexpr std::size_t kAxes = 6;
 using Posture = std::array<double, kAxes>; // rad, axis 1 first
 
 struct Axis {
-    geom::Vec3 direction{0, 0, 1}, point; // unit; mm: where it lies in the robot's base while all axes stand at 0
+    geom::Vec3 direction{0, 0, 1}, point; // unit; mm: a point of the axis in the robot's base while all axes are at 0
     double min = 0, max = 0;              // rad
     double speed = 1;                     // rad/s, at most
 };
 
-// How the ways to stand are found.
+// The kinds of arms, by how their inverse kinematics are solved.
 enum class Build : std::uint8_t {
     wrist,    // the last three axes meet in a point, the second and third are parallel: industrial robots
-    parallel, // the second, third and fourth axis are parallel, the last two meet: Universal Robots and their like
-    general,  // any other: by iteration
+    parallel, // the second, third and fourth axis are parallel, the last two meet: Universal Robots and similar arms
+    general,  // any other, by iteration
 };
 
-// By a product of exponentials (Brockett 1984): axis k turns all behind it about its line.
+// An arm as a product of exponentials (Brockett 1984): axis k rotates everything behind it about its line.
 struct Arm {
     std::array<Axis, kAxes> axes;
-    geom::Frame flange; // while all axes stand at 0
+    geom::Frame flange; // while all axes are at 0
     Build build = Build::general;
-    geom::Vec3 centre; // mm, while all axes stand at 0: where the last three axes meet, or the last two
-    double reach = 0;  // mm: no place of the flange is farther from axis 2's point
-    double ahead = 1;  // 1 or -1: on which side of axis 1 the arm is while all axes stand at 0
+    geom::Vec3 centre; // mm, while all axes are at 0: where the last three axes meet, or the last two
+    double reach = 0;  // mm: upper bound on the distance of the flange from axis 2's point
+    double ahead = 1;  // 1 or -1: on which side of axis 1 the arm is while all axes are at 0
 };
 
-// Of axes and a flange, with the rest worked out.
+// The arm with these axes and this flange; the other members are computed.
 Arm arm(const std::array<Axis, kAxes>& axes, const geom::Frame& flange);
 
-// A row of a Denavit-Hartenberg table (1955, each frame behind its axis): turn about z by the axis' angle and `theta`,
-// shift along z by `d`, along x by `a`, turn about x by `alpha`.
+// A row of a Denavit-Hartenberg table (1955, each frame behind its axis): rotation about z by the axis' angle and
+// `theta`, translation along z by `d` and along x by `a`, rotation about x by `alpha`.
 struct DhRow {
     double a = 0, d = 0, alpha = 0, theta = 0; // mm, rad
-    double sign = 1;                           // -1: the axis counts the other way
+    double sign = 1;                           // -1: the axis counts in the opposite direction
 };
 Arm arm(const std::array<DhRow, kAxes>& rows, const std::array<Axis, kAxes>& limits, const geom::Frame& flange);
 
 geom::Frame forward(const Arm& arm, const Posture& posture); // of the flange, in the robot's base
 
-// What a place cannot be stood at for.
+// Why a frame cannot be reached.
 struct Lack {
-    std::size_t axis = 0; // counted from 0: 0 shoulder, 2 elbow, 4 wrist
-    double length = 0;    // mm beyond what it reaches; 0 if nobody knows
+    std::size_t axis = 0; // from 0: 0 shoulder, 2 elbow, 4 wrist
+    double length = 0;    // mm beyond what it reaches; 0 if unknown
 };
 
-// How near an arm is to a singularity: where two ways to stand become one, and an axis would have to turn endlessly
-// fast.
+// Singularities: where two configurations coincide and an axis would need infinite speed.
 enum class Singular : std::uint8_t { shoulder, elbow, wrist };
 inline constexpr std::array<const char*, 3> kSingularNames{"shoulder", "elbow", "wrist"};
 struct Nearness {
@@ -65,34 +64,35 @@ struct Nearness {
     double angle = 0; // rad
 };
 
-// The nearest.  Shoulder: the wrist's centre over axis 1, as the angle under which its distance from there is seen from
-// as far as the arm reaches; elbow: how far the arm is from stretched or folded; wrist: the angle between axes 4 and 6.
-// Of other builds, the arc sine of the Jacobian's least singular value, lengths in units of the reach, as "wrist".
+// The nearest singularity and the arm's angle from it. Shoulder: the wrist's centre is on axis 1; the angle is that
+// under which its distance from the axis is seen at the arm's reach. Elbow: the arm is stretched or folded. Wrist:
+// axes 4 and 6 are parallel; the angle between them. For arms of general geometry it is the arc sine of the Jacobian's
+// least singular value, with lengths in units of the reach, reported as "wrist".
 Nearness nearness(const Arm& arm, const Posture& posture);
 
-// Which of the ways it stands in; of other builds always the same.
+// The configuration of an arm; constant for general geometry.
 struct Configuration {
-    bool behind = false;    // the wrist is behind axis 1, as far as axis 2 looks forward
-    bool bent_down = false; // axis 3 stands on the other side of where the arm is straight
-    bool flipped = false;   // axis 5 is negative; of parallel axes: on the other side of where the wrist is straight
+    bool behind = false;    // the wrist is behind axis 1, seen in the forward direction of axis 2
+    bool bent_down = false; // axis 3 is on the other side of the straight arm
+    bool flipped = false;   // axis 5 is negative; for parallel axes: the wrist is on the other side of straight
     friend bool operator==(const Configuration&, const Configuration&) = default;
 };
 Configuration configuration(const Arm& arm, const Posture& posture);
 
-// All ways to stand with the flange at `flange`: angles in (-pi, pi]; none outside of the arm's reach.  Limits do not
-// count.  At a singularity, where an axis is free, it stays at `near`'s.  Of other builds only what iteration finds
-// from `near` and from fixed other places to begin at.  Each is right to 1e-6 mm and 1e-8 rad.
-// `lack`, if there is none: why.
+// All postures that put the flange at `flange`, with angles in (-pi, pi]; none if it is out of reach. Limits are not
+// checked. At a singularity a free axis stays as in `near`. For general geometry only the solutions that iteration
+// finds from `near` and from a fixed set of starts. Accurate to 1e-6 mm and 1e-8 rad. `lack` is set to the reason if
+// there is none.
 std::vector<Posture> inverse(const Arm& arm, const geom::Frame& flange, const Posture& near, Lack* lack = nullptr);
 
-// The way to stand that iteration leads to from `from`, in at most so many steps; nothing if it does not get there.
-// Angles are not wrapped.
+// The posture to which iteration from `from` converges in at most `steps` steps; none if it does not. Angles are not
+// wrapped.
 std::optional<Posture> refined(const Arm& arm, const geom::Frame& flange, const Posture& from, int steps);
 
-// The angles of `posture` by whole turns as near to `near` as they come.
+// The angles of `posture` plus multiples of 2 pi that bring them nearest to `near`.
 Posture unwrapped(const Posture& posture, const Posture& near);
 
-// How far the axes turn from one to the other, at most; rad.
+// Greatest difference of any axis, rad.
 double apart(const Posture& a, const Posture& b);
 
 } // namespace filum::kinematics

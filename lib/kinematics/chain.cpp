@@ -23,15 +23,15 @@ Vec3 turned_by_tilt(const Chain& c, const Vec3& v, double tilt) { return turned(
 bool turning_table_only(const Chain& c) { return c.carrier == Carrier::head_table || c.carrier == Carrier::polar; }
 bool tilts_tool(const Chain& c) { return turning_table_only(c) || c.carrier == Carrier::head_head; }
 
-// What is along v of the tool at rest, in the frame that the turn axis turns, at a tilt of the tool or the part.
+// What is along v of the tool at rest, in the frame that the turn axis rotates, at a tilt of the tool or the part.
 Vec3 before_turn(const Chain& c, const Vec3& v, double tilt) {
     return turned_by_tilt(c, v, tilts_tool(c) ? tilt : -tilt);
 }
 
-// By which sign the turn acts on that axis to give it in the part's frame.
+// Sign with which the turn acts on such a vector to give it in the part's frame.
 double turn_to_part(const Chain& c) { return c.carrier == Carrier::head_head ? 1 : -1; }
 
-// Where the part's point lies in the machine's frame.
+// Position of the part's point in the machine's frame.
 Vec3 carried(const Chain& c, const Vec3& p, double tilt, double turn) {
     if (c.carrier == Carrier::head_head || !rotary(c)) return p;
     const Vec3 q = c.turn_point + turned_by_turn(c, p - c.turn_point, turn);
@@ -44,7 +44,7 @@ Vec3 carried_back(const Chain& c, const Vec3& r, double tilt, double turn) {
     return c.turn_point + turned_by_turn(c, q - c.turn_point, -turn);
 }
 
-// By how much the rotary axes of the head move the tip away from where it is at rest.
+// Displacement of the tip by the rotary axes of the head.
 Vec3 swing(const Chain& c, double tilt, double turn) {
     if (!tilts_tool(c)) return {};
     const Vec3 tilted = turned_by_tilt(c, c.tip_to_tilt, tilt);
@@ -88,7 +88,7 @@ Joints place(const Chain& c, const Vec3& tip, double tilt, double turn) {
 std::array<Angles, 2> angles(const Chain& c, const Pose& pose) {
     if (!rotary(c)) return {};
     if (c.carrier == Carrier::polar) return polar(c, pose);
-    // Tilting brings the upright axis towards -v: so the level part of the axis must come to lie along v or -v.
+    // Tilting moves the vertical axis towards -v, so the horizontal part of the axis must become parallel to v or -v.
     const Vec3 v = cross(kUp, c.tilt_axis);
     const double level = std::hypot(pose.axis.x, pose.axis.y);
     const double heading = level > 0 ? std::atan2(pose.axis.y, pose.axis.x) : std::atan2(-v.y, -v.x);
@@ -119,7 +119,7 @@ Joints between(const Chain& c, const Vec3& from_tip, const Joints& from, const V
     const double tilt = from.tilt + f * (to.tilt - from.tilt), turn = from.turn + f * (to.turn - from.turn);
     const auto off_axis = [&](const Vec3& p) { return distance(p.xy(), c.turn_point.xy()) >= kOnAxis; };
     if (c.carrier != Carrier::polar || !off_axis(tip)) return place(c, tip, tilt, turn);
-    // The way to stand is that of an end off the axis, the whole turns those of the straight way.
+    // The configuration is that of the end that is off the axis; whole turns are those of the straight way.
     const bool begins = off_axis(from_tip);
     const auto way = [&](const Vec3& p, double turn_there) {
         return std::lround((turn_there - polar(c, {p, kUp})[0].turn) / std::numbers::pi) % 2 != 0;

@@ -11,25 +11,26 @@ namespace filum::kinematics {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kUpright = 1e-9;    // rad: tilts below have no heading at all
+constexpr double kUpright = 1e-9;    // rad: smaller tilts have no heading
 constexpr double kRouteSlack = 1e-9; // rad, mm, beyond limits
 constexpr double kInf = std::numeric_limits<double>::infinity();
-// rad of travel that a break is worth, by Lifting: more than any stroke's axes travel; then by place.
+// Cost of a break in rad of travel, by Lifting: more than the axes of any stroke travel.
 constexpr double kBreak[] = {0, 1e7, 1.01e7, 1.1e7};
 constexpr double kMostTurns = 4000;
 constexpr std::uint16_t kNowhere = 0xffff, kLifted = 0x8000;
 
-// Both ways to stand at one pose.
+// The two configurations at one pose.
 struct PoseStates {
     std::array<double, 2> turn{}, tilt{};
     std::array<bool, 2> able{};
     bool free = false; // the turn is that of the pose before
 };
 
-class Programme {
+// Dynamic programming over the poses of a stroke.
+class ConfigurationSearch {
   public:
-    Programme(const Chain& c, std::span<const Pose> poses, const Joints& before, double lean, const Limits& limits,
-              std::span<const Lifting> lifting, bool bounded)
+    ConfigurationSearch(const Chain& c, std::span<const Pose> poses, const Joints& before, double lean,
+                        const Limits& limits, std::span<const Lifting> lifting, bool bounded)
         : c_(c), poses_(poses), before_(before), lean_(lean), limits_(limits), lifting_(lifting), bounded_(bounded) {
         if (!bounded_) return;
         lowest_ = static_cast<int>(std::floor(limits.turn_min / kTurn)) - 1;
@@ -73,7 +74,7 @@ class Programme {
         PoseStates out;
         if (c_.carrier == Carrier::polar)
             out.free = distance(poses_[i].tip.xy(), c_.turn_point.xy()) < kOnAxis;
-        else // whatever the heading, the lean is allowed
+        else // any heading keeps the lean within its limit
             out.free = level <= kUpright || (bounded_ && poses_[i].axis.z > 0 && level <= std::sin(lean_));
         for (std::size_t k = 0; k < 2; ++k) {
             out.turn[k] = out.free ? before.turn[k] : both[k].turn;
@@ -87,7 +88,7 @@ class Programme {
         return out;
     }
 
-    // With bounds.
+    // The turn of a state, with bounds.
     [[nodiscard]] double turn_of(const PoseStates& stand, std::size_t s) const {
         return stand.turn[s % 2] + kTurn * (static_cast<int>(s / 2) + lowest_);
     }
@@ -97,7 +98,7 @@ class Programme {
         return k + 2 * static_cast<std::size_t>(std::lround((turn - stand.turn[k]) / kTurn) - lowest_);
     }
 
-    // Whether the tool's axis stays near on the way to pose i.
+    // Whether the tool axis stays near the intended ones on the way to pose i.
     [[nodiscard]] bool passes(std::size_t i, const State& from, double turn, double tilt) const {
         if (std::abs(turn - from.turn) < kTurn / 8 || (i == 0 && lifting_.empty())) return true;
         if (!lifting_.empty() && lifting_[i] == Lifting::air && (i == 0 || lifting_[i - 1] == Lifting::air))
@@ -120,7 +121,7 @@ class Programme {
         }
     }
 
-    // The tool comes from the air: any whole turn will do to begin with.
+    // The tool comes from the air, so it can start with any whole turn.
     void begin_anywhere(const PoseStates& stand, std::vector<State>& now) {
         for (std::size_t s = 0; s < now.size(); ++s) {
             const double turn = turn_of(stand, s), tilt = stand.tilt[s % 2];
@@ -135,7 +136,7 @@ class Programme {
         from_[i * now.size() + s] = from;
     }
 
-    // From the cheapest state at pose i to all others there.
+    // Extends the cheapest state at pose i to all other states there by lifting.
     void lift(std::size_t i, const PoseStates& stand, std::vector<State>& now) {
         if (lifting_.empty()) return;
         const auto best = static_cast<std::size_t>(
@@ -183,12 +184,12 @@ class Programme {
     Limits limits_;
     std::span<const Lifting> lifting_;
     bool bounded_;
-    int lowest_ = 0, turns_ = 1; // whole turns counted
+    int lowest_ = 0, turns_ = 1; // whole turns that are counted
     std::vector<PoseStates> stands_;
-    std::vector<std::uint16_t> from_; // per pose and state: the state before, at the same pose if kLifted
+    std::vector<std::uint16_t> from_; // per pose and state: the state before; kLifted: at the same pose
 };
 
-// Whole turns that bring the stops into the limits, if any do and if the tool is where it `may` turn: true then.
+// Adds whole turns that bring the stops into the limits; returns whether that succeeds and the tool `may` turn.
 bool shift(std::vector<Stop>& stops, const Limits& limits, bool may) {
     const auto [lo, hi] =
         std::minmax_element(stops.begin(), stops.end(), [](auto& a, auto& b) { return a.turn < b.turn; });
@@ -204,11 +205,11 @@ bool shift(std::vector<Stop>& stops, const Limits& limits, bool may) {
 
 Configurations configurations(const Chain& chain, std::span<const Pose> poses, const Joints& before, double lean,
                               const Limits& limits, std::span<const Lifting> lifting) {
-    Configurations out = Programme(chain, poses, before, lean, limits, lifting, false).run();
+    Configurations out = ConfigurationSearch(chain, poses, before, lean, limits, lifting, false).run();
     const bool may = lifting.empty() || lifting[0] == Lifting::air;
     if (out.stops.empty() || (out.stuck == poses.size() && shift(out.stops, limits, may))) return out;
     if (!(limits.turn_max - limits.turn_min < kMostTurns * kTurn)) return out;
-    return Programme(chain, poses, before, lean, limits, lifting, true).run();
+    return ConfigurationSearch(chain, poses, before, lean, limits, lifting, true).run();
 }
 
 } // namespace filum::kinematics

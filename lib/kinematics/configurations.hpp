@@ -1,4 +1,4 @@
-// Which of the ways to stand, and which whole turn, at each pose of a stroke.
+// Chooses the configuration and the whole turns at each pose of a stroke.
 #pragma once
 
 #include "kinematics/chain.hpp"
@@ -15,19 +15,19 @@ struct Limits {
     double radius_min = -std::numeric_limits<double>::infinity(); // mm, of a polar machine's x
 };
 
-// What it costs to leave the part at a pose so as to stand another way there.
+// What it costs to lift the tool at a pose in order to change the configuration there.
 enum class Lifting : std::uint8_t {
     air,  // nothing: the tool is off the part anyway
-    join, // a break, where there is no bead
+    join, // a break where there is no bead
     bead, // a break of a bead
-    turn, // a break in a tight turn, where a seam shows most
+    turn, // a break in a tight turn, where a seam is most visible
 };
 
 struct Stop {
     std::size_t pose = 0;
-    int configuration = 0; // of inverse()'s two
+    int configuration = 0; // index of the two solutions of inverse()
     double turn = 0;       // rad, not wrapped
-    bool lifted = false;   // the same pose as the stop before, stood another way: the tool was lifted in between
+    bool lifted = false;   // the same pose as the stop before in another configuration; the tool was lifted in between
 };
 
 struct Configurations {

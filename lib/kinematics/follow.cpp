@@ -17,18 +17,18 @@ using geom::kDegree;
 
 constexpr double kSpinStep = 15 * kDegree;
 constexpr int kSpins = 24;
-constexpr double kKnot = 20;        // mm between places where the spin's rate may change ...
-constexpr double kSwing = 100;      // ... a turn counts as what it moves so far off, mm
-constexpr double kMostKnots = 1000; // of a stroke
-constexpr std::size_t kLooks = 4;   // between two knots, while a spin is sought
+constexpr double kKnot = 20;        // mm between knots, at which the rate of the spin may change
+constexpr double kSwing = 100;      // mm: a rotation counts as the way of a point this far from the axis
+constexpr double kMostKnots = 1000; // most knots of a stroke
+constexpr std::size_t kLooks = 4;   // sample stands between two knots during the search
 constexpr double kNearLimit = 5 * kDegree;
-constexpr double kSlow = 10;      // how much a second more than given counts
-constexpr double kUneasy = 1;     // s, that a look at a limit or a singularity costs
+constexpr double kSlow = 10;      // weight of a second beyond the given time
+constexpr double kUneasy = 1;     // s: cost of a sample near a limit or a singularity
 constexpr double kSpinCost = 0.5; // s per rad of change
 constexpr double kSameWay = 1e-3; // rad
-constexpr int kWindings = 2;      // of the last axis, either way, to begin a stroke at
+constexpr int kWindings = 2;      // whole turns of the last axis, either way, at the start of a stroke
 
-// The whole stroke with a spin for each stand, from a posture at the first one.
+// Follows the whole stroke with a given spin per stand, from a posture at the first one.
 Followed followed(const Carried& c, std::span<const Stand> stands, const Posture& first, std::vector<double> spin) {
     const Follower follower(c);
     Followed out;
@@ -77,8 +77,8 @@ bool easy(const Carried& c, std::span<const Stand> stands, const Followed& f) {
     return true;
 }
 
-// Ways to stand at the first stand, reached as the axes like: the last axis, which winds with the spin, at each whole
-// turn near by that it can stand at, the others at the one nearest to where they are.
+// Postures at the first stand if it may be reached in any way: the last axis, which winds with the spin, at each whole
+// turn nearby that it allows, the others at the turn nearest to their present angle.
 std::vector<Posture> begins(const Carried& c, const Follower& follower, const Frame& tip, const Posture& before,
                             Lack* lack) {
     constexpr double whole = 2 * std::numbers::pi;
@@ -119,19 +119,19 @@ double angle_between(const Frame& a, const Frame& b) {
     return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-// The search for spins and ways over the knots of a stroke.
-class Search {
+// Searches spins and configurations over the knots of a stroke.
+class SpinSearch {
   public:
-    // `keeps`: shoulder and elbow stay as they are before.
-    Search(const Carried& c, std::span<const Stand> stands, const Before& before, bool keeps)
+    // `keeps`: shoulder and elbow keep their configuration.
+    SpinSearch(const Carried& c, std::span<const Stand> stands, const Before& before, bool keeps)
         : c_(c), stands_(stands), before_(before), keeps_(keeps), follower_(c) {
         set_knots();
     }
 
-    // The last stand that any way was seen to reach, if all are hindered: it looks at some of them only.
+    // The last stand that any candidate reached, if all are hindered; only sampled stands are known.
     [[nodiscard]] std::size_t reached() const { return reached_; }
 
-    // What was found; hindered if nothing is.
+    // The best result; hindered if there is none.
     Followed run() {
         begin();
         for (std::size_t k = 1; k < knots_.size() && !states_.back().empty(); ++k) step(k);
@@ -172,7 +172,7 @@ class Search {
             if (i + 1 == stands_.size() || along_[i] - along_[knots_.back()] >= step) knots_.push_back(i);
     }
 
-    // How far stand i is from knot k - 1 to knot k.
+    // Share of the way from knot k - 1 to knot k at stand i.
     [[nodiscard]] double share(std::size_t k, std::size_t i) const {
         const double from = along_[knots_[k - 1]], way = along_[knots_[k]] - from;
         return way > 0 ? (along_[i] - from) / way : 1;
@@ -199,7 +199,7 @@ class Search {
         }
     }
 
-    // Why nothing can stand at the first stand.
+    // Records why no posture is possible at the first stand.
     void refused(const Lack& lack) {
         const auto ways = follower_.ways(spun(stands_[0].tip, before_.spin), before_.posture, nullptr);
         farthest_ = {Trouble::reach, 0, lack.axis, lack.length};
@@ -231,7 +231,7 @@ class Search {
             }
     }
 
-    // Goes from knot k - 1 to k by a few stands; false if it cannot.
+    // Goes from knot k - 1 to k through a few stands; returns false if that is impossible.
     bool edge(std::size_t k, const State& from, State& to) {
         const std::size_t a = knots_[k - 1], b = knots_[k], n = std::min(kLooks, b - a);
         to.cost += kSpinCost * std::abs(to.spin - from.spin);
@@ -259,7 +259,7 @@ class Search {
         return true;
     }
 
-    // Among the states of the last knot; of the same way to stand the cheaper one.
+    // Adds a state of the last knot; of states with the same configuration the cheaper one stays.
     void keep(const State& s) {
         for (State& other : states_.back())
             if (apart(other.posture, s.posture) < kSameWay) {
@@ -274,9 +274,10 @@ class Search {
     const Before& before_;
     const bool keeps_;
     const Follower follower_;
-    double most_spin_ = 2 * std::numbers::pi; // away from where it was: a turn, and what the stands turn themselves
-    std::vector<double> along_;               // mm, per stand
-    std::vector<std::size_t> knots_;          // stands
+    // rad from the initial spin: a turn, and the rotation of the stands themselves
+    double most_spin_ = 2 * std::numbers::pi;
+    std::vector<double> along_;      // mm, per stand
+    std::vector<std::size_t> knots_; // indices of stands
     std::vector<std::vector<State>> states_;
     Hindrance farthest_;
     std::size_t reached_ = 0;
@@ -299,7 +300,7 @@ Followed follow(const Carried& c, std::span<const Stand> stands, const Before& b
     if (stands.empty()) return {};
     Followed best;
     best.hindrance = {Trouble::reach, 0, 0, 0};
-    // As it stands, without a turn of the spin.
+    // As it is, without a change of spin.
     std::vector<Posture> firsts{before.posture};
     if (before.joint) {
         firsts = begins(c, Follower(c), spun(stands[0].tip, before.spin), before.posture, nullptr);
@@ -313,7 +314,7 @@ Followed follow(const Carried& c, std::span<const Stand> stands, const Before& b
     }
     for (const bool keeps : {true, false}) {
         if (!keeps && (!before.joint || best.hindrance.trouble == Trouble::none)) break;
-        Search search(c, stands, before, keeps);
+        SpinSearch search(c, stands, before, keeps);
         Followed found = search.run();
         const bool farther = best.hindrance.trouble != Trouble::none && search.reached() > best.hindrance.stand;
         if (found.hindrance.trouble == Trouble::none || farther || (firsts.empty() && best.hindrance.stand == 0))

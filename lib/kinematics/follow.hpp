@@ -1,4 +1,4 @@
-// The way of an arm's axes along a whole stroke.
+// The path of an arm's axes along a whole stroke.
 #pragma once
 
 #include "kinematics/arm.hpp"
@@ -8,68 +8,69 @@
 
 namespace filum::kinematics {
 
-// A place that the tool comes to: straight from the one before, turning evenly the short way.
+// A frame that the tool passes: straight from the one before, rotating evenly by the shorter way.
 struct Stand {
-    geom::Frame tip;    // in the robot's base: z out of the tool, x where it points at a spin of 0
-    double seconds = 0; // that the move to it is to take
+    geom::Frame tip;    // in the robot's base: z out of the tool, x its direction at spin 0
+    double seconds = 0; // intended time of the move to it
 };
 
 struct Carried {
     Arm arm;
-    geom::Frame tool;    // its tip, seen from the flange
-    bool round = false;  // the tool may be turned about its own axis: any spin will do
-    double singular = 0; // rad: it keeps that far from singularities where it can
+    geom::Frame tool;    // the tip, seen from the flange
+    bool round = false;  // the tool may be rotated about its own axis: any spin is allowed
+    double singular = 0; // rad: preferred least distance from singularities
 };
 
-// Where the axes stand before a stroke.
+// The state of the axes before a stroke.
 struct Before {
     Posture posture{};
-    double spin = 0;    // rad, of the tool about its z axis
-    bool joint = false; // the first stand is gone to as the axes like, so in any way; else the arm stands there
+    double spin = 0; // rad, of the tool about its z axis
+    // the move to the first stand is free, so any posture is allowed there; otherwise the arm is already there
+    bool joint = false;
 };
 
 enum class Trouble : std::uint8_t {
     none,
-    reach, // no way to stand there: `amount` mm short
+    reach, // out of reach: `amount` mm short
     limit, // `axis` would be `amount` rad beyond its limit
-    jump,  // the way leads through a singularity: `axis` would have to turn by `amount` rad at once, or pass over from
-           // one way to stand to the other
+    jump,  // the way leads through a singularity: `axis` would jump by `amount` rad, or the configuration would change
 };
 
 struct Hindrance {
     Trouble trouble = Trouble::none;
-    std::size_t stand = 0; // to which the move leads
+    std::size_t stand = 0; // the end of the move
     std::size_t axis = 0;
     double amount = 0;
 };
 
+// The result of follow(), as far as there is no hindrance.
 struct Followed {
-    std::vector<Posture> postures;  // per stand; as far as there is no hindrance
+    std::vector<Posture> postures;  // per stand
     std::vector<double> spin;       // rad, per stand
-    std::vector<double> needed;     // s, per stand: no axis is faster than it can be if the move to it takes that long
-    std::vector<std::uint8_t> axis; // that needs it
+    std::vector<double> needed;     // s, per stand: least time of the move to it at which no axis exceeds its speed
+    std::vector<std::uint8_t> axis; // the axis that needs it
     Hindrance hindrance;
     Nearness nearest{Singular::wrist, 10}; // to a singularity, anywhere on the way
     std::size_t nearest_at = 0;
-    double room = std::numeric_limits<double>::infinity(); // rad: the least that an axis is from its limit
+    double room = std::numeric_limits<double>::infinity(); // rad: least distance of an axis from its limit
     std::size_t room_axis = 0, room_at = 0;
 
-    // As if the first `n` stands had not been there; what happened at them counts for the one behind.
+    // Removes the first `n` stands; what happened at them is attributed to the next one.
     void forget(std::size_t n);
 };
 
-// Postures for `stands`, continuous on the whole way, in between, too: moves are halved until no axis turns by more
-// than 10 degrees from one look to the next.  The spin stays what it was while that keeps limits and speeds and the
-// distance from singularities; where it does not and the tool is round, or where the first stand may be stood at in any
-// way, a dynamic programme over the stroke looks for a better one, in steps of 15 degrees that change evenly along
-// it: of the ways without hindrance the one of least time of the axes, with what exceeds the seconds given, and what is
-// near limits and singularities, counting more.  Ties: the way found first.  If all are hindered, as far as one comes.
+// Postures for `stands`, continuous along the whole way: moves are halved until no axis turns by more than 10 degrees
+// per step. The spin stays constant while that keeps limits, speeds and the distance from singularities. If it does
+// not and the tool is round, or if the first stand may be reached in any posture, dynamic programming over the stroke
+// searches a better spin in steps of 15 degrees that change evenly: of the ways without hindrance the one of least
+// time of the axes, with penalties for exceeding the given times and for limits and singularities nearby. Ties: the
+// way found first. If all are hindered, the one that gets farthest.
 Followed follow(const Carried& carried, std::span<const Stand> stands, const Before& before);
 
-// The tip's frame turned by `spin` about its z axis.
+// The tip's frame rotated by `spin` about its z axis.
 geom::Frame spun(const geom::Frame& tip, double spin);
 
-// On the way from one frame to another: straight, and turned evenly the short way.
+// The frame at `share` of the way between two frames: straight, and rotating evenly by the shorter way.
 geom::Frame between(const geom::Frame& from, const geom::Frame& to, double share);
 
 } // namespace filum::kinematics

@@ -1,5 +1,5 @@
-// All ways in which an arm can stand, from its geometry: each angle is one at which a turned vector has a given part
-// along another one (the subproblems of Paden 1986, put into one).
+// Solves an arm's inverse kinematics from its geometry: each angle is one at which a rotated vector has a given
+// component along another one (the subproblems of Paden 1986, unified).
 #include "kinematics/arm.hpp"
 
 #include "geom/angle.hpp"
@@ -16,24 +16,24 @@ using geom::Frame;
 using geom::Rotation;
 using geom::Vec3;
 
-constexpr double kFree = 1e-9; // of unit vectors' parts: below that an angle is free
-constexpr double kEdge = 1e-9; // share by which rounding may put a place out of reach
-constexpr double kSame = 1e-6; // rad: ways that are one
-constexpr int kPolish = 8;     // steps, of closed forms for axes that are not quite as they should be
-constexpr int kSeek = 60;      // steps, from places to begin at
+constexpr double kFree = 1e-9; // components of unit vectors: below this an angle is free
+constexpr double kEdge = 1e-9; // share by which rounding may put a frame out of reach
+constexpr double kSame = 1e-6; // rad: solutions nearer than this are the same
+constexpr int kPolish = 8;     // steps that refine closed forms, for axes that are slightly inexact
+constexpr int kSeek = 60;      // steps of iteration from a start
 constexpr std::uint32_t kSeeds = 64;
 
-struct Angles2 {
+struct AnglePair {
     std::array<double, 2> value{};
     std::size_t count = 0;
-    double beyond = 0; // what is lacking, in units of a * b
+    double beyond = 0; // what is missing, in units of a * b
 };
 
-// The angles t at which a . R(w, t) b = v; both are the same on the edge.  If t does not count: `idle`.
-Angles2 parts(const Vec3& a, const Vec3& w, const Vec3& b, double v, double idle) {
+// The angles t at which a . R(w, t) b = v; both are equal at the limit. `idle` if t does not matter.
+AnglePair parts(const Vec3& a, const Vec3& w, const Vec3& b, double v, double idle) {
     const double steady = dot(a, w) * dot(w, b), c = dot(a, b) - steady, s = dot(a, cross(w, b));
     const double size = std::hypot(c, s), rest = v - steady;
-    Angles2 out;
+    AnglePair out;
     if (size <= kFree * norm(a) * norm(b)) {
         if (std::abs(rest) > kFree * norm(a) * norm(b)) return {{}, 0, std::abs(rest)};
         return {{idle, idle}, 1, 0};
@@ -43,16 +43,16 @@ Angles2 parts(const Vec3& a, const Vec3& w, const Vec3& b, double v, double idle
     return {{middle + half, middle - half}, half > 0 && half < std::numbers::pi ? 2U : 1U, 0};
 }
 
-// The angle that turns `from` about `w` to where `to` is; `idle` if `from` lies along w.
+// The angle that rotates `from` about `w` to the direction of `to`; `idle` if `from` is along w.
 double to_angle(const Vec3& w, const Vec3& from, const Vec3& to, double idle) {
     const Vec3 a = from - dot(from, w) * w, b = to - dot(to, w) * w;
     if (norm(a) <= kFree * norm(from) || norm(b) <= kFree * norm(to)) return idle;
     return std::atan2(dot(w, cross(a, b)), dot(a, b));
 }
 
-class Ways {
+class InverseSolver {
   public:
-    Ways(const Arm& arm, const Frame& flange, const Posture& near, Lack* lack)
+    InverseSolver(const Arm& arm, const Frame& flange, const Posture& near, Lack* lack)
         : arm_(arm), x_(arm.axes), to_(flange * geom::inverse(arm.flange)), flange_(flange), near_(near), lack_(lack) {}
 
     std::vector<Posture> find() {
@@ -69,14 +69,14 @@ class Ways {
         return x_[k].point + geom::turned(p - x_[k].point, x_[k].direction, t);
     }
 
-    // Tells what is nearest to enough.
+    // Records the deficit that is nearest to being reachable.
     void lacks(std::size_t axis, double length) {
         if (lack_ != nullptr && (!told_ || axis > lack_->axis || (axis == lack_->axis && length < lack_->length)))
             *lack_ = {axis, length};
         told_ = true;
     }
 
-    // Axis 1: the centre keeps its part along axis 2.
+    // Axis 1: the centre keeps its component along axis 2.
     void shoulder() {
         const Vec3 w2 = x_[1].direction, centre = to_ * arm_.centre;
         const auto ways =
@@ -94,7 +94,7 @@ class Ways {
         }
     }
 
-    // Axes 2 and 3 bring `from`, as it lies at rest, to `to`.
+    // Axes 2 and 3 move `from`, its position at rest, to `to`.
     void elbow(const Vec3& to, const Vec3& from) {
         const Vec3 upper = x_[2].point - x_[1].point, fore = from - x_[2].point, way = to - x_[1].point;
         const auto ways =
@@ -116,7 +116,7 @@ class Ways {
         }
     }
 
-    // Of a wrist whose axes meet.
+    // Solves a wrist whose axes meet.
     void hand() {
         const Rotation turned = geom::inverse(turn(1, q_[1]) * turn(2, q_[2])) * rest_.turn;
         const Vec3 w4 = x_[3].direction, w5 = x_[4].direction, w6 = x_[5].direction;
@@ -132,7 +132,7 @@ class Ways {
         }
     }
 
-    // Axes 5 and 6 of three parallel axes before them, which keep a vector's part along themselves.
+    // Solves axes 5 and 6 behind three parallel axes, which keep a vector's component along themselves.
     void swivel() {
         const Vec3 w2 = x_[1].direction, w5 = x_[4].direction, w6 = x_[5].direction;
         const auto ways = parts(w2, w5, w6, dot(w2, rest_.turn * w6), near_[4]);
@@ -142,13 +142,13 @@ class Ways {
             q_[5] = to_angle(w6, geom::inverse(rest_.turn) * w2, geom::turned(w2, w5, -q_[4]), near_[5]);
             const Rotation hand = turn(4, q_[4]) * turn(5, q_[5]);
             three_ = rest_.turn * geom::inverse(hand);
-            // What axes 5 and 6 do to the point of axis 4, undone.
+            // Undoes the effect of axes 5 and 6 on the point of axis 4.
             const Vec3 p = x_[3].point, back = moved(5, -q_[5], moved(4, -q_[4], p));
             elbow(rest_ * back, p);
         }
     }
 
-    // What of the turn of three parallel axes is left for the last of them.
+    // The part of the rotation of three parallel axes that remains for the last of them.
     [[nodiscard]] double to_angle_of_four() const {
         const Vec3 u = cross(x_[1].direction, x_[4].direction);
         const Rotation left = geom::inverse(turn(1, q_[1]) * turn(2, q_[2])) * three_;
@@ -167,7 +167,7 @@ class Ways {
         out_.push_back(q);
     }
 
-    // From `near`, and from places all over the limits (Halton 1960).
+    // Iterates from `near`, and from starts spread over the limits (Halton 1960).
     void seek() {
         if (const auto q = refined(arm_, flange_, near_, kSeek)) take(*q);
         for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
@@ -189,7 +189,7 @@ class Ways {
 
     const Arm& arm_;
     const std::array<Axis, kAxes>& x_;
-    const Frame to_, flange_; // what the axes do to all that is at rest; where that takes the flange
+    const Frame to_, flange_; // motion of everything that is at rest; the intended frame of the flange
     const Posture& near_;
     Lack* lack_;
     bool told_ = false;
@@ -202,7 +202,7 @@ class Ways {
 } // namespace
 
 std::vector<Posture> inverse(const Arm& arm, const Frame& flange, const Posture& near, Lack* lack) {
-    return Ways(arm, flange, near, lack).find();
+    return InverseSolver(arm, flange, near, lack).find();
 }
 
 } // namespace filum::kinematics

@@ -11,8 +11,8 @@ namespace {
 
 using geom::Frame;
 
-constexpr double kLook = 10 * geom::kDegree; // that an axis turns at most from one look to the next
-constexpr int kFollowHalvings = 7;           // of a move; one that still turns more is a jump
+constexpr double kLook = 10 * geom::kDegree; // largest rotation of an axis from sample to sample
+constexpr int kFollowHalvings = 7;           // most halvings of a move; if an axis still turns more, it is a jump
 
 } // namespace
 
@@ -39,7 +39,7 @@ std::vector<Posture> Follower::ways(const Frame& tip, const Posture& near, Lack*
     return inverse(c_.arm, tip * back_, near, lack);
 }
 
-// The way to stand at `tip` that is nearest to `near`.
+// The posture at `tip` that is nearest to `near`.
 std::optional<Posture> Follower::on(const Frame& tip, const Posture& near, Passing& p) const {
     if (c_.arm.build == Build::general) {
         constexpr int steps = 20;
@@ -57,7 +57,7 @@ std::optional<Posture> Follower::on(const Frame& tip, const Posture& near, Passi
     return best;
 }
 
-// From share `begin`, where the arm stands as p.to, to `end`; false where it cannot go on.
+// Continues from share `begin`, where the posture is p.to, to `end`; false if that is impossible.
 bool Follower::piece(const Frame& a, const Posture from, const Frame& b, double begin, double end, int depth,
                      Passing& p) const {
     const auto to = on(end < 1 ? between(a, b, end) : b, from, p);
@@ -72,7 +72,7 @@ bool Follower::piece(const Frame& a, const Posture from, const Frame& b, double 
             if (std::abs((*to)[k] - from[k]) == turned) p.hindrance = {Trouble::jump, 0, k, turned};
         return false;
     }
-    // A controller keeps the way to stand along a straight move.
+    // A controller keeps the configuration along a straight move.
     if (!(configuration(c_.arm, *to) == configuration(c_.arm, from))) {
         p.nearest = nearness(c_.arm, *to);
         p.hindrance = {Trouble::jump, 0, 2 * static_cast<std::size_t>(p.nearest.which), turned};

@@ -1,29 +1,30 @@
-// One move of an arm, straight from one place to the next.
+// One straight move of an arm.
 #pragma once
 
 #include "kinematics/follow.hpp"
 
 namespace filum::kinematics {
 
-// What happens on the way from one place to the next.
+// The result of a move.
 struct Passing {
     Posture to{};
     double needed = 0; // s
     std::size_t axis = 0;
     Nearness nearest{Singular::wrist, 10};
-    double room = std::numeric_limits<double>::infinity(); // rad, of an axis from its limit; negative: beyond
+    double room = std::numeric_limits<double>::infinity(); // rad from an axis' limit; negative: beyond
     std::size_t room_axis = 0;
     Hindrance hindrance;
 };
 
 class Follower {
   public:
-    explicit Follower(const Carried& carried) : c_(carried), back_(geom::inverse(carried.tool)) {} // it is referred to
+    // it refers to `carried`
+    explicit Follower(const Carried& carried) : c_(carried), back_(geom::inverse(carried.tool)) {}
 
-    // Takes a posture's place among what was passed.
+    // Updates `p` by the distances of a posture from limits and singularities.
     void look(const Posture& q, Passing& p) const;
 
-    // Straight on from `a`, where the arm stands at `from`; `to` is as far as it comes.
+    // Moves straight from `a`, where the posture is `from`, to `b`; `to` of the result is the last posture reached.
     [[nodiscard]] Passing pass(const geom::Frame& a, const Posture& from, const geom::Frame& b) const;
 
     [[nodiscard]] std::vector<Posture> ways(const geom::Frame& tip, const Posture& near, Lack* lack) const;

@@ -9,10 +9,10 @@ namespace filum::kinematics {
 
 namespace {
 
-constexpr double kTrackSlack = 1e-8; // rad beyond limits: what configurations() allows, and a little
-constexpr double kTaut = 0.95;       // share of the tolerance that is used at poses; the rest is for between them
+constexpr double kTrackSlack = 1e-8; // rad beyond limits: slightly more than configurations() allows
+constexpr double kTaut = 0.95;       // share of the tolerance used at poses; the rest is for the way between them
 
-// How far the turn may be off at a pose, rad.
+// Tolerance of the turn at a pose, rad.
 double play(const Pose& p, double allowed) {
     const double tolerance = kTaut * allowed;
     const double tilt = angle(p.axis, {0, 0, 1});
@@ -21,8 +21,8 @@ double play(const Pose& p, double allowed) {
     return tolerance / std::sin(std::min(tilt, 1.5)) * std::clamp((8 * tolerance - tilt) / (4 * tolerance), 0.0, 1.0);
 }
 
-// The shortest line over `at` (ascending) that stays within [low, high] at each; its ends are given by low = high
-// there, or free.  (Taut string, by the funnel of both hulls.)
+// The shortest line over `at` (ascending) within [low, high] everywhere; its ends are fixed by low = high there, or
+// free. (Taut string, by the funnel of both hulls.)
 std::vector<double> taut(std::span<const double> at, std::span<const double> low, std::span<const double> high,
                          double begin) {
     const std::size_t n = at.size();
@@ -31,7 +31,7 @@ std::vector<double> taut(std::span<const double> at, std::span<const double> low
     double y = std::clamp(begin, low[0], high[0]);
     out[0] = y;
     while (i + 1 < n) {
-        // The slopes under which all from i + 1 to j are seen.
+        // The range of slopes at which all from i + 1 to j are visible.
         double least = -std::numeric_limits<double>::infinity(), most = -least;
         std::size_t at_least = i + 1, at_most = i + 1, j = i + 1;
         double slope = 0;
@@ -86,14 +86,15 @@ void loosen(std::span<const Pose> poses, double tolerance, double before, const 
     if (any) std::ranges::copy(taut(at, low, high, before), turn.begin());
 }
 
-// Over the axis of a polar machine the tip stays while the turn axis goes on to where the way leads from there.
+// On the axis of a polar machine the tip stays while the turn axis rotates to the direction in which the way
+// continues.
 void spin_on_axis(std::span<const Pose> poses, const Chain& c, std::span<double> turn) {
     for (std::size_t i = turn.size() - 1; i-- > 1;)
         if (distance(poses[i].tip, poses[i - 1].tip) == 0 && distance(poses[i].tip.xy(), c.turn_point.xy()) < kOnAxis)
             turn[i] = turn[i + 1];
 }
 
-// A tilt that its limits allow.
+// The tilt, limited if it exceeds a limit by the tolerance at most.
 double clipped(double tilt, double tolerance, const Limits& l) {
     if (tilt < l.tilt_min && tilt >= l.tilt_min - tolerance - kTrackSlack) return l.tilt_min;
     if (tilt > l.tilt_max && tilt <= l.tilt_max + tolerance + kTrackSlack) return l.tilt_max;
