@@ -5,7 +5,7 @@
 
 namespace filum::collision {
 
-bool Growth::add(Move move, double width, double height) {
+bool BeadGrowth::add(Move move, double width, double height) {
     const double length = distance(move.from.tip, move.to.tip);
     if (length == 0 && move.from.axis == move.to.axis && move.from.side == move.to.side) return false;
     if (width > 0) fresh_ = width + 2 * heads_.of(move.tool).flat_radius;
@@ -20,7 +20,7 @@ bool Growth::add(Move move, double width, double height) {
     return true;
 }
 
-Stance Walk::stance(const toolpath::Span& span, std::size_t i) const {
+Stance MoveReader::stance(const toolpath::Span& span, std::size_t i) const {
     Stance out{span.points[i], {0, 0, 1}, {1, 0, 0}};
     if (!span.normals.empty()) out.axis = span.normals[i];
     const bool goes_on = !toolpath::extrudes(span.role) && at_.side != Vec3{} && out.axis == Vec3{0, 0, 1};
@@ -28,18 +28,18 @@ Stance Walk::stance(const toolpath::Span& span, std::size_t i) const {
     return out;
 }
 
-void Walk::go(const Stance& to, const toolpath::Span& span, double width, double height) {
+void MoveReader::go(const Stance& to, const toolpath::Span& span, double width, double height) {
     Move move{at_, to, 0, points_, span.layer, span.stroke, !toolpath::extrudes(span.role), span.tool};
     if (move.from.side == Vec3{} || to.side == Vec3{}) move.from.side = move.to.side = {};
     growth.add(move, width, height);
     at_ = to;
 }
 
-void Walk::add(const toolpath::Span& span) {
+void MoveReader::add(const toolpath::Span& span) {
     const bool lays = toolpath::extrudes(span.role);
     if (!started_ && lays) at_ = stance(span, 0);
     started_ = started_ || lays;
-    if (!started_) { // there is nothing to leave yet
+    if (!started_) { // there is no place to leave yet
         points_ += static_cast<std::uint32_t>(span.points.size());
         return;
     }
@@ -55,7 +55,7 @@ void Walk::add(const toolpath::Span& span) {
     ++points_;
 }
 
-void Walk::travel(const toolpath::Span& span) {
+void MoveReader::travel(const toolpath::Span& span) {
     double length = 0, clear = top_;
     for (std::size_t i = 0; i < span.points.size(); ++i) {
         clear = std::max(clear, span.points[i].z);

@@ -1,4 +1,4 @@
-// The moves of a toolpath, and the beads that they leave behind.
+// Converts a toolpath to moves and to the beads that they leave.
 #pragma once
 
 #include "collision/check.hpp"
@@ -10,40 +10,41 @@
 
 namespace filum::collision {
 
-// Moves and the beads they lay.  The bead of the last stretch of the way, as long as it is wide plus the flat's
-// diameter, is shaped by the nozzle itself and does not stand in its way; a bead is there once its move has ended.
-class Growth {
+// Moves and the beads that they deposit. The nozzle itself shapes the last stretch of bead, as long as the bead is
+// wide plus the diameter of the nozzle's flat; that stretch is no obstacle to it. A bead exists once its move has
+// ended.
+class BeadGrowth {
   public:
-    explicit Growth(Heads heads) : heads_(std::move(heads)) {}
-    // Adds the move; its `before` is set here.  A width of 0 lays nothing.  Returns false, and adds nothing, if it
-    // does not move.
+    explicit BeadGrowth(Heads heads) : heads_(std::move(heads)) {}
+    // Adds the move, whose `before` is set here. Width 0: no bead. Returns false, and adds nothing, if it does not
+    // move.
     bool add(Move move, double width, double height);
 
     std::vector<Move> moves;
-    std::vector<Solid> beads; // born in their order
+    std::vector<Solid> beads; // in the order in which they are born
 
   private:
     Heads heads_;
-    double way_ = 0, fresh_ = 0; // mm: gone so far; how long the fresh bead is
-    std::deque<double> ends_;    // of the fresh beads along the way
+    double way_ = 0, fresh_ = 0; // mm: distance so far; length of the fresh bead
+    std::deque<double> ends_;    // arc lengths of the ends of fresh beads
 };
 
 struct Machine {
     Heads head;
-    double lift = 0.6;     // mm, of travels without normals above all that is printed
-    double min_length = 0; // mm; shorter ones stay where they are
-    bool rotary = false;   // the carriage may be turned about the tool axis, nobody knows how
+    double lift = 0.6;     // mm above everything printed, of travels without normals
+    double min_length = 0; // mm; shorter travels are not raised
+    bool rotary = false;   // the carriage may be rotated about the tool axis by an unknown angle
 };
 
-// Spans in their order.  Points with normals are followed as they say; a tool axis that changes between two spans
-// turns where it stands.  A travel without normals rises first, as postproc makes it: above all beads so far and its
-// own points. The carriage's x is the part's on machines with three axes and on spans without normals of no known
-// machine, and on travels from there whose normals are upright; otherwise it is taken as round.
-class Walk {
+// Reads spans in their order. Points with normals are followed as given; where the tool axis changes between two
+// spans, the tool rotates on the spot. A travel without normals rises first, as postproc makes it: above all beads so
+// far and above its own points. The carriage's x is the part's on three-axis machines, on spans without normals of
+// unknown machines, and on travels from there with vertical normals; otherwise the carriage is treated as round.
+class MoveReader {
   public:
-    explicit Walk(const Machine& machine) : growth(machine.head), machine_(machine) {}
+    explicit MoveReader(const Machine& machine) : growth(machine.head), machine_(machine) {}
     void add(const toolpath::Span& span);
-    Growth growth;
+    BeadGrowth growth;
 
   private:
     void go(const Stance& to, const toolpath::Span& span, double width, double height);
@@ -53,7 +54,7 @@ class Walk {
     Machine machine_;
     Stance at_;
     double top_ = 0;
-    std::uint32_t points_ = 0; // read so far
+    std::uint32_t points_ = 0; // number of points read
     bool started_ = false;
 };
 

@@ -11,10 +11,10 @@ namespace filum::collision {
 
 namespace {
 
-constexpr std::size_t kGrain = 2048;  // moves that share what they found
-constexpr std::size_t kTogether = 8;  // moves that may be seen to be clear at once
-constexpr std::size_t kSamples = 512; // of all moves, looked at first
-constexpr double kArc = 1.02;         // no arc of a chord below 0.5 is longer by more
+constexpr std::size_t kGrain = 2048;  // moves per task
+constexpr std::size_t kTogether = 8;  // most moves that are tested together
+constexpr std::size_t kSamples = 512; // sample moves that are checked first, to get a good bound
+constexpr double kArc = 1.02;         // arcs of chords up to 0.5 are longer by no more than this factor
 
 Vec3 any_across(const Vec3& v) {
     const Vec3 other = std::abs(v.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
@@ -22,7 +22,7 @@ Vec3 any_across(const Vec3& v) {
     return (1 / norm(c)) * c;
 }
 
-// Unit vectors; even speed along the great circle.
+// Interpolates between unit vectors at even speed along the great circle.
 Vec3 turned(const Vec3& a, const Vec3& b, double share) {
     const double all = geom::angle(a, b);
     if (all < 1e-9) return share < 0.5 ? a : b;
@@ -38,28 +38,28 @@ struct Search {
     const std::vector<Move>& moves;
     const Options& options;
 
-    // Clearances below this collide: touching does for solid things.
-    [[nodiscard]] double demanded(Against against) const {
-        return against == Against::beads ? options.margin - options.press : std::max(options.margin, kTouch);
+    // Clearances below this are collisions; solid things must not even be touched.
+    [[nodiscard]] double demanded(Obstacle against) const {
+        return against == Obstacle::beads ? options.margin - options.press : std::max(options.margin, kTouch);
     }
 
-    [[nodiscard]] Probe probe(const Stance& stance, const Move& m, Against against, double cutoff) const {
-        return {stance, against == Against::beads ? m.before : 1, options.press, cutoff};
+    [[nodiscard]] Probe probe(const Stance& stance, const Move& m, Obstacle against, double cutoff) const {
+        return {stance, against == Obstacle::beads ? m.before : 1, options.press, cutoff};
     }
 
-    // One move against one kind of thing.
-    struct Course {
+    // One move checked against one kind of obstacle.
+    struct MoveCheck {
         std::size_t move;
-        Against against;
+        Obstacle against;
         Motion motion;
         Place worst;
         bool found = false;
     };
 
-    void look(Course& c, double begin, double end, int depth, double& best) const {
+    void look(MoveCheck& c, double begin, double end, int depth, double& best) const {
         const Move& m = moves[c.move];
         const Tree& tree = scene[static_cast<std::size_t>(c.against)];
-        if (c.found && c.worst.clearance <= -tree.deepest()) return; // it cannot be worse
+        if (c.found && c.worst.clearance <= -tree.deepest()) return; // it cannot get worse
         const double middle = (begin + end) / 2, half = (end - begin) / 2;
         double cutoff = std::max(best, demanded(c.against));
         if (c.found) cutoff = std::min(cutoff, c.worst.clearance);
@@ -68,8 +68,8 @@ struct Search {
         p.turn = half * c.motion.turn;
         p.sink = half * std::abs(dot(c.motion.way, p.stance.axis));
         const auto near = tree.any(shapes.of(m.tool), p, {at(m, begin), at(m, end)}, options.step);
-        if (near == Tree::Near::nothing) return;
-        if (near == Tree::Near::moving && depth < kHalvings) {
+        if (near == Tree::Proximity::nothing) return;
+        if (near == Tree::Proximity::moving && depth < kHalvings) {
             look(c, begin, middle, depth + 1, best);
             look(c, middle, end, depth + 1, best);
             return;
@@ -82,9 +82,9 @@ struct Search {
         best = std::min(best, hit.distance);
     }
 
-    // False if nothing comes nearer than `cutoff` on any of these moves, by how far they are off the way from the first
-    // stance to the last, unless the tool turns far.
-    [[nodiscard]] bool may_meet(std::size_t begin, std::size_t end, Against against, double cutoff) const {
+    // False if nothing comes nearer than `cutoff` on any of these moves, bounded by their deviation from the straight
+    // move from the first stance to the last; true if the tool turns far.
+    [[nodiscard]] bool may_meet(std::size_t begin, std::size_t end, Obstacle against, double cutoff) const {
         const Stance &first = moves[begin].from, &last = moves[end - 1].to;
         Probe p = probe(moves[begin + (end - begin) / 2].from, moves[end - 1], against, cutoff);
         Sweep sweep{first, last};
@@ -112,15 +112,15 @@ struct Search {
         if (round) p.stance.side = sweep.from.side = sweep.to.side = {};
         const double turn = norm(last.axis - first.axis) + (round ? 0 : 2 * norm(last.side - first.side));
         if (p.turn > 0.5 || turn > 0.5 || most > 0.5) return true;
-        // chords into angles, and how far arcs are off their chords
+        // Converts chords to angles, and accounts for the deviation of arcs from their chords.
         sweep.lean = kArc * (sweep.lean + (turn * turn + most * most) / 8);
         p.turn *= kArc;
         return scene[static_cast<std::size_t>(against)].any(shapes.of(moves[begin].tool), p, sweep, 0) !=
-               Tree::Near::nothing;
+               Tree::Proximity::nothing;
     }
 
-    // Looks along moves; `best` is the least clearance so far.
-    void follow(std::size_t begin, std::size_t end, Against against, double& best, Found& out) const {
+    // Checks moves; `best` is the least clearance so far.
+    void follow(std::size_t begin, std::size_t end, Obstacle against, double& best, CheckResult& out) const {
         if (end - begin > 1) {
             if (end - begin <= kTogether && !may_meet(begin, end, against, std::max(best, demanded(against)))) return;
             const std::size_t half = begin + (end - begin) / 2;
@@ -128,7 +128,7 @@ struct Search {
             follow(half, end, against, best, out);
             return;
         }
-        Course c{begin, against, motion(moves[begin]), {}, false};
+        MoveCheck c{begin, against, motion(moves[begin]), {}, false};
         const double before = best;
         look(c, 0, 1, 0, best);
         if (!c.found) return;
@@ -136,22 +136,22 @@ struct Search {
         if (c.worst.clearance < demanded(against)) out.collisions.push_back(c.worst);
     }
 
-    // Looks along moves for all kinds of things, from the least clearances `best` on.
-    void chunk(std::size_t begin, std::size_t end, std::array<double, 4> best, Found& out) const {
+    // Checks moves against all kinds of obstacles, starting with the least clearances `best`.
+    void chunk(std::size_t begin, std::size_t end, std::array<double, 4> best, CheckResult& out) const {
         for (std::size_t k = 0; k < scene.size(); ++k)
-            if (!scene[k].empty()) follow(begin, end, static_cast<Against>(k), best[k], out);
+            if (!scene[k].empty()) follow(begin, end, static_cast<Obstacle>(k), best[k], out);
         auto& all = out.collisions;
         std::stable_sort(all.begin(), all.end(), [](const Place& a, const Place& b) { return a.move < b.move; });
         for (std::size_t i = 0; i < all.size(); ++i) out.moves += i == 0 || all[i].move != all[i - 1].move ? 1 : 0;
     }
 
-    // The least clearance in the middle of some moves, from where to search.
-    [[nodiscard]] Found sample() const {
-        Found out;
+    // The least clearance in the middle of some sample moves, as a start.
+    [[nodiscard]] CheckResult sample() const {
+        CheckResult out;
         const std::size_t stride = std::max<std::size_t>(1, moves.size() / kSamples);
         for (std::size_t i = stride / 2; i < moves.size(); i += stride)
             for (std::size_t k = 0; k < scene.size(); ++k) {
-                const auto against = static_cast<Against>(k);
+                const auto against = static_cast<Obstacle>(k);
                 const double so_far = out.least[k] ? out.least[k]->clearance : std::numeric_limits<double>::infinity();
                 const Stance stance = at(moves[i], 0.5);
                 const auto hit = scene[k].nearest(shapes.of(moves[i].tool), probe(stance, moves[i], against, so_far));
@@ -178,18 +178,18 @@ Motion motion(const Move& m) {
     return {m.to.tip - m.from.tip, distance(m.from.tip, m.to.tip), turn};
 }
 
-Found check(const Scene& scene, const Heads& heads, const std::vector<Move>& moves, const Options& options,
-            int threads) {
+CheckResult check(const Scene& scene, const Heads& heads, const std::vector<Move>& moves, const Options& options,
+                  int threads) {
     const Search search{scene, Shapes(heads), moves, options};
-    Found out = search.sample();
+    CheckResult out = search.sample();
     std::array<double, 4> seed{};
     for (std::size_t k = 0; k < seed.size(); ++k)
         seed[k] = out.least[k] ? out.least[k]->clearance : std::numeric_limits<double>::infinity();
-    std::vector<Found> part((moves.size() + kGrain - 1) / kGrain);
+    std::vector<CheckResult> part((moves.size() + kGrain - 1) / kGrain);
     parallel::for_chunks(moves.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
         search.chunk(begin, end, seed, part[begin / kGrain]);
     });
-    for (const Found& f : part) {
+    for (const CheckResult& f : part) {
         out.collisions.insert(out.collisions.end(), f.collisions.begin(), f.collisions.end());
         out.moves += f.moves;
         for (std::size_t k = 0; k < seed.size(); ++k)

@@ -6,18 +6,18 @@ namespace filum::collision {
 
 namespace {
 
-// The place nearest to the origin of a point, segment or triangle, and which corners span it (C. Ericson, Real-Time
+// The place of a point, segment or triangle nearest to the origin, and the corners that span it (C. Ericson, Real-Time
 // Collision Detection, 2005, section 5.1).
-struct Nearest {
+struct NearestFeature {
     Vec3 at;
     double square = std::numeric_limits<double>::infinity();
     std::array<Vec3, 3> span{};
     std::size_t count = 0;
 };
 
-Nearest of(const Vec3& a) { return {a, dot(a, a), {a}, 1}; }
+NearestFeature of(const Vec3& a) { return {a, dot(a, a), {a}, 1}; }
 
-Nearest of(const Vec3& a, const Vec3& b) {
+NearestFeature of(const Vec3& a, const Vec3& b) {
     const Vec3 d = b - a;
     const double t = -dot(a, d), l2 = dot(d, d);
     if (t <= 0) return of(a);
@@ -26,20 +26,20 @@ Nearest of(const Vec3& a, const Vec3& b) {
     return {at, dot(at, at), {a, b}, 2};
 }
 
-const Nearest& nearer(const Nearest& a, const Nearest& b) { return b.square < a.square ? b : a; }
+const NearestFeature& nearer(const NearestFeature& a, const NearestFeature& b) { return b.square < a.square ? b : a; }
 
-Nearest of(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Nearest edge = nearer(nearer(of(a, b), of(b, c)), of(c, a));
+NearestFeature of(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const NearestFeature edge = nearer(nearer(of(a, b), of(b, c)), of(c, a));
     const Vec3 n = cross(b - a, c - a);
     const double n2 = dot(n, n);
     if (!(n2 > 0)) return edge;
-    // the origin lies over the inside if it is on the inner side of each edge
+    // The origin projects into the triangle if it is on the inner side of each edge.
     if (dot(cross(a, b), n) < 0 || dot(cross(b, c), n) < 0 || dot(cross(c, a), n) < 0) return edge;
     const Vec3 at = (dot(a, n) / n2) * n;
     return nearer(edge, {at, dot(at, at), {a, b, c}, 3});
 }
 
-// Whether the plane of a, b, c parts the origin from d; also if they are nearly in one plane.
+// Whether the plane of a, b, c separates the origin from d; also if all are nearly coplanar.
 bool parts(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     const Vec3 n = cross(b - a, c - a);
     const double origin = -dot(a, n), other = dot(d - a, n);
@@ -57,7 +57,7 @@ bool Simplex::holds(const Vec3& w) const {
 Vec3 Simplex::add(const Vec3& w) {
     point_[count_++] = w;
     const auto& [a, b, c, d] = point_;
-    Nearest best;
+    NearestFeature best;
     if (count_ == 1) best = of(a);
     if (count_ == 2) best = of(a, b);
     if (count_ == 3) best = of(a, b, c);

@@ -20,7 +20,7 @@ using geom::kDegree;
 using kinematics::Joints;
 
 constexpr double kChord = 0.002, kLean = 0.2 * kDegree, kTurn = 2 * kDegree;
-constexpr int kChordHalvings = 16; // of a move at most
+constexpr int kChordHalvings = 16; // most halvings of a move
 
 using Axes = machine::AxisNumbers;
 
@@ -48,13 +48,13 @@ class Reader {
         if (!special(std::string(line.code()))) words(line.code());
     }
 
-    // Nobody knows where X, Y and Z are, but that a polar machine has no Y.
+    // X, Y and Z become unknown; a polar machine has no Y.
     void lose_place() {
         at_[0] = at_[1] = at_[2] = std::numeric_limits<double>::quiet_NaN();
         if (p_.axes.chain.carrier == kinematics::Carrier::polar) at_[1] = p_.axes.chain.turn_point.y;
     }
 
-    // Where the profile takes the axes to stand; their numbers are the axes' own while no code tells of tips.
+    // Sets the joints; the program's numbers are joints as long as no code makes them tips.
     void stand(const Joints& j) {
         const bool tips = p_.axes.numbers == machine::Numbers::tip && p_.axes.tcp_on.empty();
         const Vec3 at = tips ? kinematics::forward(p_.axes.chain, j).tip : j.xyz;
@@ -64,7 +64,7 @@ class Reader {
     Program finish() {
         if (unsized_ > 0 && stroke_ == 0) {
             number_ = unsized_;
-            fail("lays a bead of unknown size; give --bead");
+            fail("extrudes a bead of unknown size; give --bead");
         }
         out_.moves = std::move(growth_.moves);
         out_.beads = std::move(growth_.beads);
@@ -93,7 +93,7 @@ class Reader {
         if (layer >= 0) layer_ = static_cast<std::uint32_t>(layer);
     }
 
-    // Lines that the profile itself gives a meaning.
+    // Handles lines that the profile defines.
     bool special(const std::string& code) {
         const auto is = [&](const std::string& other) { return !other.empty() && code == machine::trimmed(other); };
         const auto& a = p_.axes;
@@ -137,13 +137,13 @@ class Reader {
         return false;
     }
 
-    // Where the tip of another tool is, nobody knows: its codes move it.
+    // Selects a tool. The position of another tool's tip is unknown, as its codes may move.
     void take(std::uint32_t tool) {
         if (tool != tool_) lose_place();
         tool_ = tool;
     }
 
-    // The numbers get another meaning; the tool stays where it is.
+    // Changes the meaning of the numbers; the tool does not move.
     void switch_to(bool tip) {
         if (tip == tip_ || !known(at_)) return void(tip_ = tip);
         const Joints j = joints(at_);
@@ -159,7 +159,7 @@ class Reader {
 
     [[nodiscard]] Joints joints(const Axes& a) const { return machine::joints_of(p_, tool_, a, tip_); }
 
-    // The axes count where tool 0's tip is.
+    // Offset of the tool: axis values refer to the tip of tool 0.
     [[nodiscard]] Vec3 offset() const { return machine::of_tool(p_, tool_).offset; }
 
     [[nodiscard]] Stance stance(const Axes& a) const {
@@ -177,7 +177,7 @@ class Reader {
         Axes to = at_;
         std::optional<double> extruder;
         bool moves = false, says_so = false;
-        Other other = Other::none;
+        LineMeaning other = LineMeaning::none;
         const bool counts = machine::of_tool(p_, tool_).extrusion.feeding != machine::Feeding::valve;
         const bool command = machine::is_command(words_);
         for (const auto& [letter, v, decimals, flag] : words_.words) {
@@ -196,39 +196,39 @@ class Reader {
             else if (counts && letter == p_.extrusion.letter)
                 extruder = v;
         }
-        if (other == Other::offset && moves) fail("moves the zero of an axis with G92");
-        if (other == Other::offset && extruder) extruder_ = *extruder;
-        if (other == Other::home) lose_place();
-        if (moves && (other == Other::none || says_so)) {
+        if (other == LineMeaning::offset && moves) fail("shifts the zero of an axis with G92, which is not supported");
+        if (other == LineMeaning::offset && extruder) extruder_ = *extruder;
+        if (other == LineMeaning::home) lose_place();
+        if (moves && (other == LineMeaning::none || says_so)) {
             if (*words_.fault != 0) fail(words_.fault);
             return go(to, extruder);
         }
-        if (other == Other::none && extruder) pushed(*extruder);
+        if (other == LineMeaning::none && extruder) pushed(*extruder);
         ++out_.ignored;
     }
 
-    // What else a line does, which then owns its words: the greatest counts.
-    enum class Other : std::uint8_t { none, command, home, offset };
+    // What a line does besides moving, which determines its words: the greatest counts.
+    enum class LineMeaning : std::uint8_t { none, command, home, offset };
 
-    Other g(double v) {
-        if (v == 2 || v == 3) fail("is an arc; only straight moves are understood");
-        if (v == 20) fail("asks for inches; only mm are understood");
-        if (v == 91) fail("asks for relative places; only absolute ones are understood");
-        if (v == 53) fail("goes to a place of the machine, which is not known here");
-        if (v == 92) return Other::offset;
-        if (v == 28 || v == 30) return Other::home;
+    LineMeaning g(double v) {
+        if (v == 2 || v == 3) fail("is an arc; only straight moves are supported");
+        if (v == 20) fail("switches to inches; only mm are supported");
+        if (v == 91) fail("switches to relative coordinates; only absolute ones are supported");
+        if (v == 53) fail("moves to machine coordinates, which are unknown here");
+        if (v == 92) return LineMeaning::offset;
+        if (v == 28 || v == 30) return LineMeaning::home;
         const bool modal = (v >= 17 && v <= 21) || (v >= 40 && v <= 49) || (v >= 54 && v <= 64) || v == 80 ||
                            (v >= 90 && v < 92) || (v >= 93 && v <= 99);
-        return modal ? Other::none : Other::command;
+        return modal ? LineMeaning::none : LineMeaning::command;
     }
 
-    Other m(double v) {
+    LineMeaning m(double v) {
         if (v == 82) relative_ = false;
         if (v == 83) relative_ = true;
-        return Other::command;
+        return LineMeaning::command;
     }
 
-    // By how much the extruder goes forward.
+    // Advance of the extruder, mm.
     double pushed(double word) {
         const double by = relative_ ? word : word - extruder_;
         extruder_ = relative_ ? extruder_ + word : word;
@@ -244,7 +244,8 @@ class Reader {
             at_ = to;
             return;
         }
-        // What is pushed out before any size is stated is start code, such as a purge line: followed, but no bead.
+        // Material extruded before any size is stated is start code, such as a purge line: the move is followed,
+        // without a bead.
         const bool purges = lays && !(width_ > 0 && height_ > 0);
         if (purges && unsized_ == 0) unsized_ = number_;
         lays = lays && !purges;
@@ -254,7 +255,7 @@ class Reader {
         at_ = to;
     }
 
-    // Cut in halves until the straight way from stance to stance is that of the axes.
+    // Halves the move until the straight way from stance to stance agrees with that of the axes.
     void part(const Axes& a, const Axes& b, const Stance& from, const Stance& to, bool lays, int depth) {
         Axes middle;
         for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = (a[k] + b[k]) / 2;
@@ -279,12 +280,13 @@ class Reader {
     const machine::Profile& p_;
     const ProgramOptions& o_;
     Program out_;
-    Growth growth_;
-    machine::Words words_; // of the line
+    BeadGrowth growth_;
+    machine::Words words_; // of the current line
     std::map<std::string, std::uint32_t> tools_;
     Axes at_{};
     double width_, height_, extruder_ = 0;
-    std::uint64_t number_ = 0, unsized_ = 0; // lines, from 1; the first that laid what no size was known of, or 0
+    // line numbers, from 1; the first line that extruded without a known size, or 0
+    std::uint64_t number_ = 0, unsized_ = 0;
     std::uint32_t layer_ = 0, stroke_ = 0, tool_ = 0;
     int mode_ = -1;
     bool tip_ = true, open_ = false, laid_ = false;

@@ -7,15 +7,15 @@ namespace filum::collision {
 
 namespace {
 
-const char* name(Against a) { return kAgainstNames[static_cast<std::size_t>(a)]; }
-const char* name(Piece p) { return kPieceNames[static_cast<std::size_t>(p)]; }
+const char* name(Obstacle a) { return kAgainstNames[static_cast<std::size_t>(a)]; }
+const char* name(HeadPiece p) { return kPieceNames[static_cast<std::size_t>(p)]; }
 const char* name(Source s) { return s == Source::line ? "line" : "point"; }
 
 std::string text(const Vec3& p) {
     return "x " + fixed_text(p.x, 3) + ", y " + fixed_text(p.y, 3) + ", z " + fixed_text(p.z, 3);
 }
 
-std::string where(const Answer& a, const Place& p) {
+std::string where(const ReportInput& a, const Place& p) {
     const Move& m = a.moves[p.move];
     std::string out = text(p.tip) + " (";
     if (a.source == Source::point)
@@ -23,13 +23,13 @@ std::string where(const Answer& a, const Place& p) {
     return out + name(a.source) + " " + std::to_string(m.source) + ")";
 }
 
-const char* clearance_name(Against a) {
+const char* clearance_name(Obstacle a) {
     constexpr std::array<const char*, 4> names{"clearance-beads", "clearance-part", "clearance-fixture",
                                                "clearance-bed"};
     return names[static_cast<std::size_t>(a)];
 }
 
-std::size_t sources(const Answer& a) {
+std::size_t sources(const ReportInput& a) {
     std::size_t out = 0;
     for (std::size_t i = 0; i < a.moves.size(); ++i) out += i == 0 || a.moves[i].source != a.moves[i - 1].source;
     return out;
@@ -37,7 +37,7 @@ std::size_t sources(const Answer& a) {
 
 } // namespace
 
-std::size_t colliding(const Answer& a) {
+std::size_t colliding(const ReportInput& a) {
     std::size_t out = 0;
     std::int64_t last = -1;
     for (const Place& p : a.found.collisions) {
@@ -48,17 +48,18 @@ std::size_t colliding(const Answer& a) {
     return out;
 }
 
-std::string complaint(const Answer& a) {
+std::string complaint(const ReportInput& a) {
     const Place& first = a.found.collisions.front();
     const Move& m = a.moves[first.move];
-    return "cannot go this way: the head collides at " + std::to_string(colliding(a)) + " of " +
-           std::to_string(sources(a)) + " " + name(a.source) + "s; first the " + name(first.piece) + " meets the " +
-           name(first.against) + (m.travel ? " on a travel" : "") + ", the tip at " + where(a, first) +
-           "; take a slimmer head, let --strict=false go on, or look: 'collide --places LIST', 'render --collisions "
+    return "the head collides at " + std::to_string(colliding(a)) + " of " + std::to_string(sources(a)) + " " +
+           name(a.source) + "s; first the " + name(first.piece) + " meets the " + name(first.against) +
+           (m.travel ? " on a travel" : "") + ", the tip at " + where(a, first) +
+           "; use a slimmer head, continue with --strict=false, or look at it: 'collide --places LIST', 'render "
+           "--collisions "
            "LIST'";
 }
 
-Notes notes(const Answer& a) {
+Notes notes(const ReportInput& a) {
     constexpr std::array kMeets{NoteCode::head_meets_beads, NoteCode::head_meets_part, NoteCode::head_meets_fixture,
                                 NoteCode::head_meets_bed};
     static_assert(kMeets.size() == kAgainstNames.size());
@@ -83,7 +84,7 @@ Notes notes(const Answer& a) {
     return out;
 }
 
-Facts facts(const Answer& a) {
+Facts facts(const ReportInput& a) {
     Facts out{{"", "moves", static_cast<double>(sources(a)), ""},
               {"", "colliding-moves", static_cast<double>(colliding(a)), ""},
               {"", "step", a.options.step, "mm"}};
@@ -92,7 +93,7 @@ Facts facts(const Answer& a) {
     return out;
 }
 
-metrics::figures::Figures summary(const Answer& a) {
+metrics::figures::Figures summary(const ReportInput& a) {
     metrics::figures::Figures out;
     const auto tell = [&](const std::string& key, decltype(metrics::figures::Figure::value) value,
                           const std::string& of = {}) {
@@ -111,7 +112,7 @@ metrics::figures::Figures summary(const Answer& a) {
     return out;
 }
 
-std::string places(const Answer& a) {
+std::string places(const ReportInput& a) {
     std::string out = std::string(name(a.source)) + "\tlayer\tstroke\tmove\tmeets\twith\tclearance\tx\ty\tz\ti\tj\tk\n";
     for (const Place& p : a.found.collisions) {
         const Move& m = a.moves[p.move];

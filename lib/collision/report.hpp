@@ -1,4 +1,4 @@
-// What was found about collisions, in words and figures.
+// Reports the result of a check as text and figures.
 #pragma once
 
 #include "base/fact.hpp"
@@ -10,33 +10,34 @@
 
 namespace filum::collision {
 
-// What `Move::source` counts: points of a toolpath, or lines of a program.
+// What `Move::source` counts: points of a toolpath or lines of a program.
 enum class Source : std::uint8_t { point, line };
 
-struct Answer {
+// A result with the data that reports need.
+struct ReportInput {
     const std::vector<Move>& moves;
-    const Found& found;
+    const CheckResult& found;
     const Options& options;
     Source source = Source::point;
 };
 
-// How many points or lines collide; one that was cut counts once.
-std::size_t colliding(const Answer& answer);
+// The number of points or lines with collisions; several moves of one count once.
+std::size_t colliding(const ReportInput& answer);
 
-// Where the head first collides, and what can be done: what an Error says.  Precondition: it does.
-std::string complaint(const Answer& answer);
+// The text of an Error: where the head first collides, and what to do. Precondition: there is a collision.
+std::string complaint(const ReportInput& answer);
 
-// How many collisions of each kind there are, with the place and depth of the worst.
-Notes notes(const Answer& answer);
+// The number of collisions of each kind, with place and depth of the worst.
+Notes notes(const ReportInput& answer);
 
-// moves, colliding-moves, step, and clearance-KIND of each kind that rises above the tip somewhere.
-Facts facts(const Answer& answer);
+// Facts: moves, colliding-moves, step, and clearance-KIND of each kind that rises above the tip somewhere.
+Facts facts(const ReportInput& answer);
 
-// The same as figures, with places.
-metrics::figures::Figures summary(const Answer& answer);
+// The same as figures with places.
+metrics::figures::Figures summary(const ReportInput& answer);
 
-// A line per collision: the point or line, layer, stroke, bead or travel, what is met, with which piece of the head,
-// clearance, where the tip is, mm, and the unit vector up the tool.
-std::string places(const Answer& answer);
+// A line per collision: point or line, layer, stroke, bead or travel, kind of obstacle, piece of the head, clearance,
+// position of the tip (mm), and the unit vector up the tool.
+std::string places(const ReportInput& answer);
 
 } // namespace filum::collision

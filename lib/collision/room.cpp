@@ -7,15 +7,15 @@ namespace filum::collision {
 
 namespace {
 
-constexpr double kStep = 0.02; // mm: how far points of the head move in the shortest pieces
+constexpr double kStep = 0.02; // mm: movement of points of the head within the shortest pieces
 
-// The first place between two shares of a move at which stand(share, half) does not see room.
+// The first place between two shares of a move at which stand(share, half) finds no room.
 template <class Look>
 std::optional<double> first(double begin, double end, int depth, const Look& look) {
     const double middle = (begin + end) / 2;
     const auto near = look(middle, (end - begin) / 2);
-    if (near == Tree::Near::nothing) return std::nullopt;
-    if (near == Tree::Near::steady || depth == kHalvings) return middle;
+    if (near == Tree::Proximity::nothing) return std::nullopt;
+    if (near == Tree::Proximity::steady || depth == kHalvings) return middle;
     if (const auto found = first(begin, middle, depth + 1, look)) return found;
     return first(middle, end, depth + 1, look);
 }
@@ -26,14 +26,14 @@ Room::Room(const Scene& scene, const Shape& shape, const Options& options, doubl
     : scene_(&scene), shape_(&shape), options_(&options), more_(more) {}
 
 Probe Room::probe(const Stance& stance, std::uint32_t before, std::size_t kind) const {
-    const bool beads = static_cast<Against>(kind) == Against::beads;
+    const bool beads = static_cast<Obstacle>(kind) == Obstacle::beads;
     const double demanded = beads ? options_->margin - options_->press : std::max(options_->margin + more_, kTouch);
     return {stance, beads ? before : 1, options_->press, demanded};
 }
 
 bool Room::at(const Stance& stance, std::uint32_t before) const {
     for (std::size_t k = 0; k < scene_->size(); ++k)
-        if ((*scene_)[k].any(*shape_, probe(stance, before, k), {stance, stance}, 0) != Tree::Near::nothing)
+        if ((*scene_)[k].any(*shape_, probe(stance, before, k), {stance, stance}, 0) != Tree::Proximity::nothing)
             return false;
     return true;
 }
@@ -50,7 +50,7 @@ std::optional<double> Room::blocked(const Move& m) const {
             p.turn = half * all.turn;
             p.sink = half * std::abs(dot(all.way, p.stance.axis));
             auto near = tree.any(*shape_, p, {collision::at(m, middle - half), collision::at(m, middle + half)}, kStep);
-            if (near != Tree::Near::steady) return near;
+            if (near != Tree::Proximity::steady) return near;
             p.shift = p.turn = p.sink = 0;
             return tree.any(*shape_, p, {p.stance, p.stance}, 0);
         });

@@ -1,4 +1,4 @@
-// Whether the head has room: where it stands, and all along a move.
+// Whether the head has room at a stance and along a move.
 #pragma once
 
 #include "collision/check.hpp"
@@ -7,18 +7,18 @@
 
 namespace filum::collision {
 
-// Asks what check() asks, but stops at the first thing in the way, and for certain: where there is room, check() finds
-// no collision, however it cuts the move.
+// Applies the criteria of check(), but stops at the first obstacle and is conservative: where there is room, check()
+// finds no collision, however it divides the move.
 class Room {
   public:
-    // All three are referred to.  From what is no bead the head stays away by `more` mm than the margin.
+    // The arguments must outlive the object. Except from beads the head keeps `more` mm more than the margin.
     Room(const Scene& scene, const Shape& shape, const Options& options, double more = 0);
 
-    // Whether the head may stand there, among the beads born earlier than `before`.
+    // Whether the head has room at the stance, with the beads born earlier than `before`.
     [[nodiscard]] bool at(const Stance& stance, std::uint32_t before) const;
 
-    // The share of the move, near enough, where something first stands in its way: nothing if nothing does.
-    // What comes nearer to the margin than 0.01 mm while the head moves may count as in the way.
+    // The share of the move at which something first blocks it, approximately; none if nothing does. Obstacles within
+    // 0.01 mm of the margin may count as blocking.
     [[nodiscard]] std::optional<double> blocked(const Move& move) const;
 
   private:
@@ -30,7 +30,7 @@ class Room {
     double more_;
 };
 
-// The same for each tool's head.  All that it is made of is referred to.
+// The rooms of all tools' heads; the references must stay valid.
 struct Rooms {
     const Scene& scene;
     const Shapes& shapes;

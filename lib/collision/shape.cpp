@@ -9,9 +9,9 @@ namespace filum::collision {
 
 namespace {
 
-constexpr double kTop = 1e5; // mm above the tip, where the head ends
+constexpr double kTop = 1e5; // mm above the tip: upper end of the head
 
-// Coordinates are far from where their squares overflow; std::hypot takes half of all time.
+// std::hypot would take half of all time; coordinates are far from overflow.
 double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
 Vec3 farthest(std::span<const Vec3> points, const Vec3& d) {
@@ -21,7 +21,7 @@ Vec3 farthest(std::span<const Vec3> points, const Vec3& d) {
     return *best;
 }
 
-// Of two discs about the axis, the point farthest along d.
+// A disc about the axis, whose support points are needed.
 struct Disc {
     double radius, z;
 };
@@ -42,16 +42,16 @@ Shape::Shape(const machine::Head& head)
       half_x_(head.carriage_x / 2), half_y_(head.carriage_y / 2), half_diagonal_(std::hypot(half_x_, half_y_)),
       gantry_(head.gantry_height), out_(std::cos(head.cone_angle / 2)), down_(std::sin(head.cone_angle / 2)) {}
 
-// Of the nozzle, which is convex, the farthest of its flat, its side and its upright wall as endless planes.
+// For the nozzle, which is convex: the greatest distance from its flat, its side and its vertical wall as planes.
 double Shape::at_least(double r, double z) const {
     const double nozzle = std::max({0.0, -z, (r - flat_) * out_ - z * down_, r - wide_});
     const double column = length(std::max(0.0, r - half_diagonal_), std::max(0.0, height_ - z));
     return std::min({nozzle, column, std::max(0.0, gantry_ - z)});
 }
 
-Shape::Near Shape::nearest(std::span<const Vec3> corners, bool round, double cutoff) const {
-    Near best{cutoff, Piece::nozzle};
-    const auto take = [&](double d, Piece piece) {
+Shape::NearestPiece Shape::nearest(std::span<const Vec3> corners, bool round, double cutoff) const {
+    NearestPiece best{cutoff, HeadPiece::nozzle};
+    const auto take = [&](double d, HeadPiece piece) {
         if (d < best.distance) best = {d, piece};
     };
     double top = corners[0].z;
@@ -62,16 +62,16 @@ Shape::Near Shape::nearest(std::span<const Vec3> corners, bool round, double cut
     const std::array<Disc, 3> nozzle{Disc{flat_, 0}, {wide_, height_}, {wide_, kTop}};
     take(gjk_distance(
              polygon, [&](const Vec3& d) { return farthest(nozzle, d); }, start(0), best.distance),
-         Piece::nozzle);
+         HeadPiece::nozzle);
     if (best.distance > 0 && height_ - top < best.distance && half_x_ > 0 && half_y_ > 0) {
         const std::array<Disc, 2> column{Disc{half_diagonal_, height_}, {half_diagonal_, kTop}};
         const auto box = [&](const Vec3& d) {
             if (round) return farthest(column, d);
             return Vec3{d.x < 0 ? -half_x_ : half_x_, d.y < 0 ? -half_y_ : half_y_, d.z < 0 ? height_ : kTop};
         };
-        take(gjk_distance(polygon, box, start(height_), best.distance), Piece::carriage);
+        take(gjk_distance(polygon, box, start(height_), best.distance), HeadPiece::carriage);
     }
-    take(std::max(0.0, gantry_ - top), Piece::gantry);
+    take(std::max(0.0, gantry_ - top), HeadPiece::gantry);
     return best;
 }
 

@@ -13,14 +13,14 @@ constexpr std::uint32_t kLeaf = 4;
 
 Vec3 centre(const Solid& s) { return 0.25 * (s.corner[0] + s.corner[1] + s.corner[2] + s.corner[3]); }
 
-// How far from its middle a box reaches along the unit vector d.
+// Extent of a box from its middle along the unit vector d.
 double extent(const Vec3& half, const Vec3& d) {
     return half.x * std::abs(d.x) + half.y * std::abs(d.y) + half.z * std::abs(d.z);
 }
 
 Frame frame(const Stance& s) {
     Vec3 x = s.side - dot(s.side, s.axis) * s.axis;
-    if (dot(x, x) < 1e-12) { // any side will do: the carriage is round
+    if (dot(x, x) < 1e-12) { // any side, as the carriage is round
         const Vec3 other = std::abs(s.axis.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
         x = other - dot(other, s.axis) * s.axis;
     }
@@ -62,7 +62,7 @@ void clip(std::span<const Vec3> points, double low, Corners& out) {
     }
 }
 
-// No more than the distance of the polygon from the head.
+// A lower bound on the distance of the polygon from the head.
 double at_least(const Shape& shape, const Corners& polygon) {
     double top = polygon.point[0].z, x0 = polygon.point[0].x, x1 = x0, y0 = polygon.point[0].y, y1 = y0;
     for (const Vec3& p : polygon.all()) {
@@ -103,7 +103,7 @@ Tree::Tree(std::vector<Solid> solids) : solids_(std::move(solids)) {
     build(0, static_cast<std::uint32_t>(solids_.size()));
 }
 
-// What the corners of the solids say about the space they take, once the box is known.
+// Computes the bounds of a node from the corners of its solids, given its box.
 void Tree::bound(Node& node, std::uint32_t first, std::uint32_t last) const {
     Vec3 sum{};
     for (std::uint32_t i = first; i < last; ++i) {
@@ -124,7 +124,7 @@ void Tree::bound(Node& node, std::uint32_t first, std::uint32_t last) const {
     }
 }
 
-// Whether what came later lies above what was there before, or below, by a good part of the whole's thickness.
+// Whether later solids are above or below earlier ones by a considerable part of the total thickness.
 bool Tree::layered(const Node& node, std::uint32_t first, std::uint32_t last) const {
     constexpr double kPart = 0.25;
     double age = 0;
@@ -140,8 +140,8 @@ bool Tree::layered(const Node& node, std::uint32_t first, std::uint32_t last) co
     return std::abs(height[1] / count[1] - height[0] / count[0]) > kPart * 2 * node.thick;
 }
 
-// Halved by number: layers by age, so that what is to come does not rise above what is there; else along the longest
-// side of the box of centres.  Ties: the older first.
+// Halves the solids by number: layers by age, so that solids of the future do not enlarge boxes of present ones;
+// others along the longest side of the box of centres. Ties: the older first.
 std::uint32_t Tree::build(std::uint32_t first, std::uint32_t last) {
     const auto at = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
@@ -177,13 +177,13 @@ std::uint32_t Tree::build(std::uint32_t first, std::uint32_t last) {
     return at;
 }
 
-// How far from its middle a node reaches along the unit vector d.
+// Extent of a node from its middle along the unit vector d.
 double Tree::Node::reach(const Vec3& d) const {
     const double lean = dot(normal, d);
     return std::min(extent(half, d), std::abs(lean) * thick + std::sqrt(std::max(0.0, 1 - lean * lean)) * flat);
 }
 
-// The frame of `to`, turned from `from` the shortest way.
+// The frame of `to`, rotated from `from` by the shortest way.
 Frame carried(const Frame& from, const Stance& to) {
     const Vec3 turn = cross(from.z, to.axis);
     const double c = dot(from.z, to.axis);
@@ -193,9 +193,9 @@ Frame carried(const Frame& from, const Stance& to) {
     return {to.tip, (1 / norm(x)) * x, cross(to.axis, (1 / norm(x)) * x), to.axis};
 }
 
-// What stands there, as seen from a head on its way.  A thing that stands still moves nearly straight before it: beside
-// the line between where it is seen from the ends by no more than an eighth of its acceleration, which is twice the
-// speed of the tip times the turn, and the square of the turn times how far off the thing is.
+// The solids as seen from a head during a sweep. In the head's frame a solid moves almost straight: it deviates from
+// the line between its end positions by at most an eighth of its acceleration, which is twice the tip's speed times
+// the rotation, plus the squared rotation times the solid's distance.
 class Tree::View {
   public:
     View(const Shape& shape, const Probe& probe, const Sweep* sweep)
@@ -205,20 +205,20 @@ class Tree::View {
         moves_ = true;
         a_ = frame(sweep->from);
         b_ = round_ ? carried(a_, sweep->to) : frame(sweep->to);
-        // axis and side turn evenly each for itself: twice as much covers what that leaves to the frame
+        // Axis and side rotate independently; twice the side's angle covers the effect on the frame.
         const double turn = geom::angle(a_.z, b_.z) + (round_ ? 0 : 2 * geom::angle(a_.x, b_.x));
         stray_ = sweep->stray + turn * distance(a_.tip, b_.tip) / 4;
         lean_ = sweep->lean + turn * turn / 8;
         wild_ = turn > 1;
     }
 
-    // How near what a node holds is at least, and how far off its farthest point, mm; by how much the points of the
-    // head that are nearer than the cutoff move.
+    // Bounds for a node: least distance, distance of its farthest point (mm), and movement of points of the head
+    // nearer than the cutoff.
     struct Bounds {
         double least = 0, far = 0, allowance = 0;
     };
 
-    // False if nothing in the node is to be looked at.
+    // False if nothing in the node needs to be checked.
     bool may(const Node& node, double cutoff, Bounds& out) const {
         if (node.born >= p_.before) return false;
         const Vec3 d = node.middle - a_.tip;
@@ -238,14 +238,14 @@ class Tree::View {
         if (p_.turn > 0) out.allowance += p_.turn * (out.far + p_.shift + std::max(0.0, cutoff));
         if (wild_) return true;
         if (top + beside <= p_.press) return false;
-        // the head only widens upwards, so what is lower and farther from the axis is farther from it
+        // The head only widens upwards, so a point that is lower and farther from the axis has a greater distance.
         out.least = shape_.at_least(std::max(0.0, off - node.ball - beside), top + beside);
         return !(out.least > 0 && out.least >= cutoff);
     }
 
-    // The distance to the solid as the probe's stance has it, if that may come nearer than the cutoff on the way; on
-    // the way itself, a lower bound.
-    bool meets(const Solid& s, const Bounds& b, double cutoff, Shape::Near& out) {
+    // Whether the solid may come nearer than the cutoff on the way. `out` is the distance at the probe's stance or,
+    // for sweeps, a lower bound.
+    bool meets(const Solid& s, const Bounds& b, double cutoff, Shape::NearestPiece& out) {
         const bool straight = moves_ && !wild_;
         const double beside = straight ? stray_ + lean_ * b.far : b.allowance, most = cutoff + beside + s.radius;
         if (s.born >= p_.before || most <= 0) return false;
@@ -260,14 +260,14 @@ class Tree::View {
     }
 
   private:
-    // The least distance from the origin to the points between p and q.
+    // Distance from the origin to the segment from p to q.
     static double from_origin(geom::Vec2 p, geom::Vec2 q) {
         const geom::Vec2 way = q - p;
         const double l = norm2(way), share = l > 0 ? std::clamp(-dot(p, way) / l, 0.0, 1.0) : 0;
         return norm(p + share * way);
     }
 
-    // What the solid's polygon passes through above `low`, as both ends see it and straight between.
+    // Sets the region that the solid's polygon sweeps above `low`, between its positions at both ends.
     void along(const Solid& s, double low) {
         const std::size_t n = s.corner[2] == s.corner[3] ? 3 : 4;
         std::array<Vec3, 8> points;
@@ -282,38 +282,39 @@ class Tree::View {
     const Probe& p_;
     const Frame middle_;
     const bool round_;
-    bool moves_ = false, wild_ = false; // wild: turns so far that only the probe's bounds hold
+    bool moves_ = false, wild_ = false; // wild_: it rotates so far that only the probe's bounds hold
     Frame a_, b_;
     double stray_ = 0, lean_ = 0;
     Corners corners_;
 };
 
-// Calls meet(distance, piece, allowance) for whatever may be nearer than `cutoff`, where the allowance is what the
-// probe's bounds can bring it nearer; stops once that is true.  Boxes of which skip(allowance) is true are left out.
+// Calls meet(distance, piece, allowance) for every solid that may be nearer than `cutoff`; the allowance is the
+// movement that the probe's bounds permit. Stops when meet() returns true. Skips nodes for which skip(allowance) is
+// true.
 template <class Skip, class Meet>
 void Tree::visit(View& view, const double& cutoff, const Skip& skip, const Meet& meet) const {
-    struct Waiting {
+    struct PendingNode {
         std::uint32_t node = 0;
         View::Bounds bounds;
     };
-    std::array<Waiting, 64> stack;
+    std::array<PendingNode, 64> stack;
     std::size_t left = 0;
     if (!nodes_.empty() && view.may(nodes_[0], cutoff, stack[0].bounds)) left = 1;
     while (left > 0) {
         const auto [at, bounds] = stack[--left];
-        // the cutoff may have come down
+        // The cutoff may have decreased.
         if (skip(bounds.allowance) || (bounds.least > 0 && bounds.least >= cutoff)) continue;
         const Node& node = nodes_[at];
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            Shape::Near near;
+            Shape::NearestPiece near;
             if (view.meets(solids_[i], bounds, cutoff, near) && meet(near.distance, near.piece, bounds.allowance))
                 return;
         }
         if (node.count > 0) continue;
-        Waiting a{at + 1, {}}, b{node.first, {}};
+        PendingNode a{at + 1, {}}, b{node.first, {}};
         const bool left_one = view.may(nodes_[a.node], cutoff, a.bounds);
         const bool right_one = view.may(nodes_[b.node], cutoff, b.bounds);
-        const bool turned = a.bounds.least > b.bounds.least; // the nearer first
+        const bool turned = a.bounds.least > b.bounds.least; // the nearer child first
         if (left_one && turned) stack[left++] = a;
         if (right_one) stack[left++] = b;
         if (left_one && !turned) stack[left++] = a;
@@ -321,25 +322,25 @@ void Tree::visit(View& view, const double& cutoff, const Skip& skip, const Meet&
 }
 
 Tree::Hit Tree::nearest(const Shape& shape, const Probe& probe) const {
-    Hit hit{probe.cutoff, Piece::nozzle, false};
+    Hit hit{probe.cutoff, HeadPiece::nozzle, false};
     if (shape.none()) return hit;
     View view(shape, probe, nullptr);
     const auto none = [](double) { return false; };
-    visit(view, hit.distance, none, [&](double d, Piece piece, double) {
+    visit(view, hit.distance, none, [&](double d, HeadPiece piece, double) {
         hit = {d, piece, true};
         return d <= -deepest_;
     });
     return hit;
 }
 
-Tree::Near Tree::any(const Shape& shape, const Probe& probe, const Sweep& sweep, double step) const {
-    Near found = Near::nothing;
+Tree::Proximity Tree::any(const Shape& shape, const Probe& probe, const Sweep& sweep, double step) const {
+    Proximity found = Proximity::nothing;
     if (shape.none()) return found;
     View view(shape, probe, &sweep);
-    const auto told = [&](double allowance) { return found == Near::steady && 2 * allowance <= step; };
-    visit(view, probe.cutoff, told, [&](double, Piece, double allowance) {
-        found = 2 * allowance <= step ? Near::steady : Near::moving;
-        return found == Near::moving;
+    const auto told = [&](double allowance) { return found == Proximity::steady && 2 * allowance <= step; };
+    visit(view, probe.cutoff, told, [&](double, HeadPiece, double allowance) {
+        found = 2 * allowance <= step ? Proximity::steady : Proximity::moving;
+        return found == Proximity::moving;
     });
     return found;
 }

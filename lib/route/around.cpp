@@ -12,10 +12,10 @@ namespace filum::route {
 
 namespace {
 
-constexpr double kPlaces = 3000, kLeast = 0.5; // of the grid; mm between two
+constexpr double kPlaces = 3000, kLeast = 0.5; // most places of the grid; mm between two places, at least
 enum class Occupancy : std::uint8_t { unknown, free, blocked };
 
-// Columns across from start to goal, rows aside.
+// The search grid: columns from start to goal, rows to the sides.
 class Grid {
   public:
     Grid(const Fan& fan, double rise, double most) : fan_(fan), rise_(rise), most_(most), chord_(fan.chord()) {
@@ -32,7 +32,7 @@ class Grid {
         done_.assign(n, false);
     }
 
-    // The knots from start to goal; none if there is no way.
+    // The knots from start to goal; empty if there is no way.
     Way search() {
         const std::uint32_t start = index(0, 0), goal = index(columns_between_, 0);
         if (!free(start) || !free(goal)) return {};
@@ -50,10 +50,10 @@ class Grid {
     }
 
   private:
-    struct Open {
-        double sum; // mm: from the start, and straight on to the goal
+    struct OpenNode {
+        double sum; // mm: length from the start plus the straight distance to the goal
         std::uint32_t index;
-        bool operator<(const Open& o) const { return sum != o.sum ? sum > o.sum : index > o.index; }
+        bool operator<(const OpenNode& o) const { return sum != o.sum ? sum > o.sum : index > o.index; }
     };
 
     [[nodiscard]] std::uint32_t index(int column, int row) const {
@@ -99,10 +99,10 @@ class Grid {
     std::vector<double> cost_;
     std::vector<std::uint32_t> from_;
     std::vector<bool> done_;
-    std::priority_queue<Open> open_;
+    std::priority_queue<OpenNode> open_;
 };
 
-// From each knot straight to one as far on as can be seen; nothing if not even the next one is.
+// Skips knots: goes straight from each knot to one as far on as is visible; empty if not even the next one is.
 Way straightened(const Fan& fan, const Way& way) {
     Way out{way.front()};
     for (std::size_t at = 0; at + 1 < way.size();) {

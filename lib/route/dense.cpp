@@ -18,12 +18,12 @@ Vec3 unit_across(const Vec3& v, const Vec3& n) {
 
 Vec3 any_across(const Vec3& n) { return unit_across(std::abs(n.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}, n); }
 
-// Per segment of all spans, in order: whether it is near to a blocked one.
+// Per segment of all spans whether it is within `reach` mm of a blocked one.
 std::vector<std::vector<bool>> reached(const Stroke& stroke, double reach) {
     std::vector<std::vector<bool>> near;
     for (const auto& b : stroke.blocked) near.emplace_back(b.size(), false);
     const auto sweep = [&](bool forward) {
-        double since = reach + 1; // mm from the last blocked segment
+        double since = reach + 1; // mm since the last blocked segment
         for (std::size_t n = stroke.spans.size(), k = 0; k < n; ++k) {
             const std::size_t s = forward ? k : n - 1 - k;
             const auto& points = stroke.spans[s].points;
@@ -40,12 +40,12 @@ std::vector<std::vector<bool>> reached(const Stroke& stroke, double reach) {
     return near;
 }
 
-// The frames go on from one point to the next.
-void carry(std::vector<Point>& points) {
+// Transports the frames from point to point.
+void carry(std::vector<DensePoint>& points) {
     Vec3 along{};
     for (std::size_t i = 1; i < points.size() && along == Vec3{}; ++i)
         along = unit_across(points[i].tip - points[0].tip, points[0].normal);
-    for (Point& p : points) {
+    for (DensePoint& p : points) {
         along = unit_across(along, p.normal);
         if (along == Vec3{}) along = any_across(p.normal);
         p.along = along;
@@ -54,7 +54,7 @@ void carry(std::vector<Point>& points) {
 
 bool varies(const Span& s) { return s.width.size() > 1 || s.height.size() > 1; }
 
-// Width and height of a point between two: the section's area changes evenly, as the height does.
+// Width and height of a point between two others: the area of the section and the height are interpolated.
 std::pair<double, double> section(const Span& s, std::size_t i, double share) {
     const double h0 = s.height_at(i), h1 = s.height_at(i + 1), h = h0 + share * (h1 - h0);
     const double a0 = s.width_at(i) * h0, a1 = s.width_at(i + 1) * h1;
@@ -63,9 +63,9 @@ std::pair<double, double> section(const Span& s, std::size_t i, double share) {
 
 } // namespace
 
-Dense densified(const Stroke& stroke, double reach, double spacing) {
+DenseStroke densified(const Stroke& stroke, double reach, double spacing) {
     const auto near = reached(stroke, reach);
-    Dense out;
+    DenseStroke out;
     double arc = 0;
     for (std::uint32_t s = 0; s < stroke.spans.size(); ++s) {
         const Span& span = stroke.spans[s];
@@ -89,7 +89,7 @@ Dense densified(const Stroke& stroke, double reach, double spacing) {
     return out;
 }
 
-Vec3 leant(const Point& p, const geom::Vec2& tilt) {
+Vec3 tilted(const DensePoint& p, const geom::Vec2& tilt) {
     const double angle = norm(tilt);
     if (angle == 0) return p.normal;
     const Vec3 aside = cross(p.normal, p.along), to = (1 / angle) * (tilt.x * p.along + tilt.y * aside);
@@ -97,8 +97,8 @@ Vec3 leant(const Point& p, const geom::Vec2& tilt) {
     return 1 / norm(out) * out;
 }
 
-Leant put(const Dense& dense, const Stroke& stroke, const std::vector<geom::Vec2>& tilts) {
-    Leant out;
+TiltedStroke with_tilts(const DenseStroke& dense, const Stroke& stroke, const std::vector<geom::Vec2>& tilts) {
+    TiltedStroke out;
     for (const Span& s : stroke.spans) {
         Span span = s;
         span.points.clear();
@@ -112,7 +112,7 @@ Leant put(const Dense& dense, const Stroke& stroke, const std::vector<geom::Vec2
     }
     std::vector<bool> leans(out.spans.size(), false);
     for (std::size_t i = 0; i < dense.points.size(); ++i) {
-        const Point& p = dense.points[i];
+        const DensePoint& p = dense.points[i];
         const Span& from = stroke.spans[p.span];
         Span& to = out.spans[p.span];
         leans[p.span] = leans[p.span] || norm2(tilts[i]) > 0;
@@ -120,7 +120,7 @@ Leant put(const Dense& dense, const Stroke& stroke, const std::vector<geom::Vec2
         const bool given = to.points.empty() || p.share == 1;
         const std::size_t at = p.segment + (to.points.empty() ? 0 : 1);
         to.points.push_back(p.tip);
-        to.normals.push_back(leant(p, tilts[i]));
+        to.normals.push_back(tilted(p, tilts[i]));
         if (!varies(from)) continue;
         const auto [w, h] =
             given ? std::pair{from.width_at(at), from.height_at(at)} : section(from, p.segment, p.share);

@@ -13,13 +13,13 @@ using collision::Move;
 using toolpath::Span;
 using Things = std::array<std::vector<collision::Solid>, 4>;
 
-// Attempts at tilting: how close to look, and how many mm farther than the margin the head stays away from solid
-// things.
-struct Round {
-    Pace pace;
+// Attempts at tilting: density of samples, and mm by which the head keeps farther than the margin from solid
+// obstacles.
+struct TiltAttempt {
+    TestDensity pace;
     double more;
 };
-constexpr std::array<Round, 4> kRounds{
+constexpr std::array<TiltAttempt, 4> kRounds{
     {{{1, false}, 0.05}, {{0.5, true}, 0}, {{0.25, true}, 0.05}, {{0.25, true}, 0.01}}};
 
 bool lays(const Span& s) { return toolpath::extrudes(s.role); }
@@ -32,26 +32,26 @@ double travelled(const std::vector<Move>& moves) {
     return sum;
 }
 
-// A travel, or several on end: spans [first, last), with the stroke before and maybe one behind.
-struct Gap {
+// One or several consecutive travels: spans [first, last), after a stroke and usually before one.
+struct TravelGap {
     std::size_t first, last;
-    std::uint32_t before; // beads that stand there
+    std::uint32_t before; // beads born earlier are obstacles
 };
 
 class Router {
   public:
     Router(std::vector<Span> spans, Things things, const Options& o, int threads)
         : o_(o), shapes_(o.machine.head), threads_(threads), spans_(std::move(spans)) {
-        const collision::Walk walk = walked();
+        const collision::MoveReader walk = walked();
         job_.before = travelled(walk.growth.moves);
-        if (o.bed) things[static_cast<std::size_t>(collision::Against::bed)] = collision::bed(walk.growth.moves);
+        if (o.bed) things[static_cast<std::size_t>(collision::Obstacle::bed)] = collision::bed(walk.growth.moves);
         for (std::size_t k = 0; k < scene_.size(); ++k) scene_[k] = collision::Tree(std::move(things[k]));
     }
 
-    Job run() {
+    RoutedToolpath run() {
         if (o_.tilt.most > 0) tilt();
         route();
-        collision::Walk walk = walked();
+        collision::MoveReader walk = walked();
         set_beads(walk);
         job_.after = travelled(walk.growth.moves);
         job_.found = collision::check(scene_, o_.machine.head, walk.growth.moves, o_.check, threads_);
@@ -61,16 +61,16 @@ class Router {
     }
 
   private:
-    [[nodiscard]] collision::Walk walked() const {
-        collision::Walk walk(o_.machine);
+    [[nodiscard]] collision::MoveReader walked() const {
+        collision::MoveReader walk(o_.machine);
         for (const Span& s : spans_) walk.add(s);
         return walk;
     }
-    void set_beads(collision::Walk& walk) { scene_[0] = collision::Tree(std::move(walk.growth.beads)); }
+    void set_beads(collision::MoveReader& walk) { scene_[0] = collision::Tree(std::move(walk.growth.beads)); }
 
     void route() {
-        std::vector<Gap> gaps;
-        collision::Walk walk(o_.machine);
+        std::vector<TravelGap> gaps;
+        collision::MoveReader walk(o_.machine);
         for (std::size_t i = 0; i < spans_.size(); ++i) {
             if (lays(spans_[i])) {
                 walk.add(spans_[i]);
@@ -81,11 +81,11 @@ class Router {
             }
         }
         set_beads(walk);
-        collision::Options clear = o_.check; // a travel does not sink into beads
+        collision::Options clear = o_.check; // a travel must not sink into beads
         clear.margin += clear.press;
         std::vector<Travel> ways(gaps.size());
         parallel::for_chunks(gaps.size(), 1, threads_, [&](std::size_t begin, std::size_t) {
-            const Gap& gap = gaps[begin];
+            const TravelGap& gap = gaps[begin];
             const auto [from, to] = ends(gap);
             ways[begin] = travel(collision::Room(scene_, shapes_.of(spans_[gap.last - 1].tool), clear), from, to,
                                  gap.before, o_.travel);
@@ -93,8 +93,8 @@ class Router {
         replace(gaps, ways);
     }
 
-    // Where a travel begins and ends; the carriage is as known as a collision::Walk has it.
-    [[nodiscard]] std::pair<Stance, Stance> ends(const Gap& gap) const {
+    // The stances at which a travel begins and ends; the carriage's rotation is known as in collision::MoveReader.
+    [[nodiscard]] std::pair<Stance, Stance> ends(const TravelGap& gap) const {
         const Span &a = spans_[gap.first - 1], &b = spans_[gap.last < spans_.size() ? gap.last : gap.last - 1];
         const std::size_t i = lays(b) ? 0 : b.points.size() - 1;
         const bool known = !o_.machine.rotary && a.normals.empty() && axis(b, i) == Vec3{0, 0, 1};
@@ -102,13 +102,13 @@ class Router {
         return {{a.points.back(), axis(a, a.points.size() - 1), side}, {b.points[i], axis(b, i), side}};
     }
 
-    void replace(const std::vector<Gap>& gaps, const std::vector<Travel>& ways) {
+    void replace(const std::vector<TravelGap>& gaps, const std::vector<Travel>& ways) {
         std::vector<Span> out;
         std::size_t at = 0;
         for (std::size_t i = 0; i < gaps.size(); ++i) {
             for (; at < gaps[i].first; ++at) out.push_back(std::move(spans_[at]));
             Span span = std::move(spans_[at]);
-            span.tool = spans_[gaps[i].last - 1].tool; // of the bead that follows
+            span.tool = spans_[gaps[i].last - 1].tool; // that of the bead that follows
             span.points.clear();
             span.normals.clear();
             for (const Stance& s : ways[i].stances) {
@@ -126,12 +126,12 @@ class Router {
         spans_ = std::move(out);
     }
 
-    // Strokes whose head meets something lean; again while that leaves moves blocked.
+    // Tilts the tool on strokes whose head collides; repeated while moves remain blocked.
     void tilt() {
-        Tilting all(spans_, o_.machine.rotary);
+        StrokeTilter all(spans_, o_.machine.rotary);
         const collision::Rooms rooms{scene_, shapes_, o_.check};
         for (std::size_t round = 0;; ++round) {
-            collision::Walk walk = walked(); // where the tool leans, beads lie a little elsewhere
+            collision::MoveReader walk = walked(); // the tilt displaces beads slightly
             set_beads(walk);
             const auto& moves = walk.growth.moves;
             const auto found = collision::check(scene_, o_.machine.head, moves, o_.check, threads_);
@@ -148,12 +148,12 @@ class Router {
     int threads_;
     std::vector<Span> spans_;
     collision::Scene scene_{collision::Tree({}), collision::Tree({}), collision::Tree({}), collision::Tree({})};
-    Job job_;
+    RoutedToolpath job_;
 };
 
 } // namespace
 
-Job route(std::vector<Span> spans, Things things, const Options& options, int threads) {
+RoutedToolpath route(std::vector<Span> spans, Things things, const Options& options, int threads) {
     return Router(std::move(spans), std::move(things), options, threads).run();
 }
 

@@ -1,4 +1,4 @@
-// A whole toolpath whose travels get a way of their own, and whose tool leans where that frees the head.
+// Routes a whole toolpath: computes ways for travels, and tilts the tool where that avoids collisions.
 #pragma once
 
 #include "collision/beads.hpp"
@@ -15,24 +15,23 @@ struct Options {
     collision::Options check;
     TravelOptions travel;
     TiltOptions tilt;
-    bool bed = false; // z = 0 is there
+    bool bed = false; // whether z = 0 is an obstacle
 };
 
-struct Job {
+struct RoutedToolpath {
     std::vector<toolpath::Span> spans;
-    std::vector<Leaning> leaning;                       // strokes whose tool leans, in order
-    std::array<std::size_t, kKindNames.size()> kinds{}; // travels, by Kind
-    double before = 0, after = 0;                       // mm: of all travels, as they were and as they are
-    // The check of all that comes out, as `collide` has it.
+    std::vector<TiltSummary> leaning;                   // strokes on which the tool is tilted, in order
+    std::array<std::size_t, kKindNames.size()> kinds{}; // number of travels by Kind
+    double before = 0, after = 0;                       // mm: total length of travels in the input and in the result
+    // The check of the result, as by `collide`.
     std::vector<collision::Move> moves;
-    collision::Found found;
+    collision::CheckResult found;
 };
 
-// Takes what stands there from the start (by Against; of beads: none).  Spans stay as they are, but for these:
-// travels between two strokes, as many as there are, become one that carries normals; a stroke in which the head
-// collides may get normals that lean away from the ones it has, and points in between (tilt.hpp).  What goes before the
-// first stroke stays.  Deterministic for any number of threads.
-Job route(std::vector<toolpath::Span> spans, std::array<std::vector<collision::Solid>, 4> things,
-          const Options& options, int threads);
+// `things`: the obstacles present from the start, by Obstacle (no beads). Spans stay as they are, except: all travels
+// between two strokes become one that carries normals; a stroke with collisions may get tilted normals and additional
+// points (tilt.hpp). What precedes the first stroke stays. The result does not depend on the number of threads.
+RoutedToolpath route(std::vector<toolpath::Span> spans, std::array<std::vector<collision::Solid>, 4> things,
+                     const Options& options, int threads);
 
 } // namespace filum::route

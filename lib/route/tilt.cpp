@@ -16,27 +16,27 @@ using geom::Vec2;
 
 using geom::kDegree;
 constexpr double kCoarse = 5 * kDegree, kFine = 0.25 * kDegree; // first and last step of the tilt
-constexpr double kGap = 1.5 * kDegree;                          // room less wide than this may be missed
+constexpr double kGap = 1.5 * kDegree;                          // narrower room may be missed
 constexpr double kStiff = 2;                                    // mm; see lean()
-constexpr double kEase = 3;                                     // of that, where a tilt fades out
-constexpr double kBlocked = 1e4;                                // rad2: what no room costs, more than any tilt
-constexpr double kNothing = 0.01 * kDegree;                     // tilts below are none
+constexpr double kEase = 3;                                     // lengths kStiff over which a tilt fades out
+constexpr double kBlocked = 1e4;            // rad2: cost of missing room, more than that of any tilt
+constexpr double kNothing = 0.01 * kDegree; // smaller tilts are none
 
 struct TiltState {
     Vec2 tilt; // rad
     double cost = 0, sum = 0;
-    std::uint32_t from = 0; // state of the station before
+    std::uint32_t from = 0; // index of the state at the station before
 };
 
-// A place where the head is looked at.
-struct Look {
+// A place at which room is tested.
+struct TestPlace {
     std::size_t point = 0;           // of the dense stroke
-    std::size_t first = 0, last = 0; // points that are nearest to it, or that one alone
+    std::size_t first = 0, last = 0; // points that are nearest to it, or only that one
     double weight = 0;               // mm of path
-    bool stuck = false;              // none of the tilts looked at gives room
+    bool stuck = false;              // none of the tilts tested gives room
 };
 
-// Where a tilt is chosen, for the looks about it.
+// A place at which a tilt is chosen, for the test places around it.
 struct Station {
     std::size_t point = 0; // of the dense stroke
     std::size_t first = 0, last = 0;
@@ -44,9 +44,10 @@ struct Station {
     std::vector<TiltState> states;
 };
 
-class Leaner {
+class TiltSearch {
   public:
-    Leaner(const collision::Room& room, const Dense& dense, const TiltOptions& o, const Pace& pace, int threads)
+    TiltSearch(const collision::Room& room, const DenseStroke& dense, const TiltOptions& o, const TestDensity& pace,
+               int threads)
         : room_(room), points_(dense.points), o_(o), spacing_(pace.spacing), threads_(threads), tilts_(points_.size()) {
         for (std::size_t i = 0; i < points_.size(); ++i)
             if (i == 0 || i + 1 == points_.size() || points_[i].arc - points_[looks_.back().point].arc >= spacing_)
@@ -69,14 +70,14 @@ class Leaner {
         first_ = false;
         while (step > kFine) {
             step /= 2;
-            level(step, stride_ > 1 ? 2 : 1); // what was between two stations may have to go farther
+            level(step, stride_ > 1 ? 2 : 1); // what was between two stations may need more change
         }
         for (Vec2& t : tilts_)
             if (norm(t) < kNothing) t = {};
         return tilts_;
     }
 
-    // Marks the segments from one look before to one behind those without room.
+    // Marks the segments from the test place before to the one behind those without room.
     void mark_stuck(std::vector<std::vector<bool>>& stuck) const {
         for (std::size_t k = 0; k < looks_.size(); ++k) {
             if (!looks_[k].stuck) continue;
@@ -88,8 +89,8 @@ class Leaner {
   private:
     [[nodiscard]] double arc(std::size_t station) const { return points_[stations_[station].point].arc; }
 
-    // Chooses among tilts up to `rings` steps to all sides of those there are.  Stations are as far apart as a tilt
-    // needs to change by a step.
+    // Chooses among tilts up to `rings` steps from the present ones. Stations are as far apart as a tilt needs for a
+    // change by a step.
     void level(double step, int rings) {
         stride_ = static_cast<std::size_t>(std::max(1.0, std::ceil(step / (o_.rate * spacing_))));
         stations_.clear();
@@ -108,7 +109,7 @@ class Leaner {
         spread();
     }
 
-    // Calls f(tilt) for those up to `rings` steps to all sides of the middle.
+    // Calls f(tilt) for tilts up to `rings` steps from the middle.
     template <class F>
     void for_grid(const Vec2& middle, double step, int rings, const F& f) const {
         for (int j = -rings; j <= rings; ++j)
@@ -118,9 +119,9 @@ class Leaner {
             }
     }
 
-    // Room may be a gap between two things that the first grid's tilts miss: finer ones are looked through where none
-    // of them is free, and those that are become states, too.
-    void seek(Station& s, const Look& look, double step, int rings) const {
+    // Room may be a gap between two obstacles that the tilts of the first grid miss: where none is free, finer grids
+    // are tried, and free tilts found become states.
+    void seek(Station& s, const TestPlace& look, double step, int rings) const {
         const auto free = [&](const TiltState& state) { return room_for(state.tilt, look); };
         if (std::any_of(s.states.begin(), s.states.end(), free)) return;
         for (const std::size_t known = s.states.size(); step > kGap && s.states.size() == known;) {
@@ -132,11 +133,11 @@ class Leaner {
         }
     }
 
-    // The states of a station, those nearest to no tilt first.
+    // Adds the states of a station, the least tilts first.
     void offer(Station& s, double step, int rings) {
         const bool near = std::any_of(looks_.begin() + static_cast<std::ptrdiff_t>(s.first),
                                       looks_.begin() + static_cast<std::ptrdiff_t>(s.last),
-                                      [&](const Look& l) { return points_[l.point].near; });
+                                      [&](const TestPlace& l) { return points_[l.point].near; });
         if (!near) {
             s.states.push_back({});
             return;
@@ -157,10 +158,10 @@ class Leaner {
         }
     }
 
-    [[nodiscard]] bool room_for(const Vec2& tilt, const Look& look) const {
+    [[nodiscard]] bool room_for(const Vec2& tilt, const TestPlace& look) const {
         return std::all_of(points_.begin() + static_cast<std::ptrdiff_t>(look.first),
-                           points_.begin() + static_cast<std::ptrdiff_t>(look.last), [&](const Point& p) {
-                               return room_.at({p.tip, leant(p, tilt), {}}, p.before);
+                           points_.begin() + static_cast<std::ptrdiff_t>(look.last), [&](const DensePoint& p) {
+                               return room_.at({p.tip, tilted(p, tilt), {}}, p.before);
                            });
     }
 
@@ -194,7 +195,7 @@ class Leaner {
         to.sum += best;
     }
 
-    // From the stations to all points.
+    // Interpolates the tilts of the stations to all points.
     void spread() {
         tilts_[stations_[0].point] = stations_[0].tilt;
         for (std::size_t k = 0; k + 1 < stations_.size(); ++k) {
@@ -206,19 +207,19 @@ class Leaner {
     }
 
     const collision::Room& room_;
-    const std::vector<Point>& points_;
+    const std::vector<DensePoint>& points_;
     const TiltOptions& o_;
     double spacing_;
     int threads_;
-    std::vector<Vec2> tilts_; // by point
-    bool first_ = true;       // of the levels
-    std::size_t stride_ = 1;  // looks from one station to the next
-    std::vector<Look> looks_;
+    std::vector<Vec2> tilts_; // per point
+    bool first_ = true;       // whether this is the first level
+    std::size_t stride_ = 1;  // test places from one station to the next
+    std::vector<TestPlace> looks_;
     std::vector<Station> stations_;
 };
 
-Leaning report(const Dense& dense, const std::vector<Vec2>& tilts) {
-    Leaning out;
+TiltSummary report(const DenseStroke& dense, const std::vector<Vec2>& tilts) {
+    TiltSummary out;
     out.length = dense.points.back().arc;
     double sum = 0;
     for (std::size_t i = 0; i + 1 < tilts.size(); ++i) {
@@ -236,14 +237,14 @@ Leaning report(const Dense& dense, const std::vector<Vec2>& tilts) {
 
 } // namespace
 
-Leant lean(const collision::Room& room, const Stroke& stroke, const TiltOptions& options, const Pace& pace,
-           int threads) {
-    const Dense dense = densified(stroke, options.most / options.rate + kEase * kStiff, pace.spacing);
-    Leaner leaner(room, dense, options, pace, threads);
+TiltedStroke lean(const collision::Room& room, const Stroke& stroke, const TiltOptions& options,
+                  const TestDensity& pace, int threads) {
+    const DenseStroke dense = densified(stroke, options.most / options.rate + kEase * kStiff, pace.spacing);
+    TiltSearch leaner(room, dense, options, pace, threads);
     const auto tilts = leaner.run();
-    Leant out;
+    TiltedStroke out;
     if (std::any_of(tilts.begin(), tilts.end(), [](const Vec2& t) { return norm2(t) > 0; })) {
-        out = put(dense, stroke, tilts);
+        out = with_tilts(dense, stroke, tilts);
         out.leaning = report(dense, tilts);
     } else {
         out.spans.assign(stroke.spans.begin(), stroke.spans.end());

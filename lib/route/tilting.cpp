@@ -12,7 +12,7 @@ std::size_t segments(const Span& s) { return s.points.size() - 1; }
 
 } // namespace
 
-Tilting::Tilting(const std::vector<Span>& spans, bool rotary)
+StrokeTilter::StrokeTilter(const std::vector<Span>& spans, bool rotary)
     : given_(spans), stroke_of_(spans.size(), -1), rotary_(rotary) {
     for (std::size_t i = 0; i < given_.size(); ++i) {
         if (!toolpath::extrudes(given_[i].role)) continue;
@@ -27,20 +27,20 @@ Tilting::Tilting(const std::vector<Span>& spans, bool rotary)
     for (Attempt& a : strokes_) a.stroke.spans = {given_.data() + a.first, a.last - a.first};
 }
 
-std::uint32_t Tilting::origin(const Attempt& a, std::size_t span, std::uint32_t segment) {
+std::uint32_t StrokeTilter::origin(const Attempt& a, std::size_t span, std::uint32_t segment) {
     return a.now.origin.empty() ? segment : a.now.origin[span - a.first][segment];
 }
 
-collision::Stance Tilting::stance(const Span& span, std::size_t i) const {
+collision::Stance StrokeTilter::stance(const Span& span, std::size_t i) const {
     const Vec3 side = span.normals.empty() && !rotary_ ? Vec3{1, 0, 0} : Vec3{};
     return {span.points[i], span.normals.empty() ? Vec3{0, 0, 1} : span.normals[i], side};
 }
 
-bool Tilting::judge(const std::vector<collision::Move>& moves, const collision::Found& found,
-                    const std::vector<Span>& spans, const collision::Rooms& rooms) {
-    std::vector<std::uint32_t> begin{0}; // points before each span
+bool StrokeTilter::judge(const std::vector<collision::Move>& moves, const collision::CheckResult& found,
+                         const std::vector<Span>& spans, const collision::Rooms& rooms) {
+    std::vector<std::uint32_t> begin{0}; // number of points before each span
     for (const Span& s : spans) begin.push_back(begin.back() + static_cast<std::uint32_t>(s.points.size()));
-    // Calls f(attempt, span within it, segment as given) for the stroke that the move belongs to, if any.
+    // Calls f(attempt, span within it, segment of the input) for the stroke of the move, if there is one.
     const auto locate = [&](const collision::Move& m, const auto& f) {
         const auto span =
             static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), m.source) - begin.begin()) - 1;
@@ -79,8 +79,8 @@ bool Tilting::judge(const std::vector<collision::Move>& moves, const collision::
     return again;
 }
 
-void Tilting::lean(const collision::Rooms& rooms, const TiltOptions& options, const Pace& pace, int threads,
-                   std::vector<Span>& spans) {
+void StrokeTilter::lean(const collision::Rooms& rooms, const TiltOptions& options, const TestDensity& pace, int threads,
+                        std::vector<Span>& spans) {
     for (Attempt& a : strokes_) {
         if (a.hopeful == 0) continue;
         a.now = route::lean(rooms.of(given_[a.first].tool), a.stroke, options, pace, threads);
@@ -88,12 +88,12 @@ void Tilting::lean(const collision::Rooms& rooms, const TiltOptions& options, co
     }
 }
 
-void Tilting::hope() {
+void StrokeTilter::hope() {
     for (Attempt& a : strokes_) a.now.stuck.clear();
 }
 
-std::vector<Leaning> Tilting::best(std::vector<Span>& spans) const {
-    std::vector<Leaning> out;
+std::vector<TiltSummary> StrokeTilter::best(std::vector<Span>& spans) const {
+    std::vector<TiltSummary> out;
     for (const Attempt& a : strokes_) {
         const auto& from = a.best.spans.empty() ? a.stroke.spans : std::span<const Span>(a.best.spans);
         std::copy(from.begin(), from.end(), spans.begin() + static_cast<std::ptrdiff_t>(a.first));

@@ -10,19 +10,20 @@ namespace filum::route {
 
 namespace {
 
-constexpr double kReserve = 0.2;                       // mm above what is just free, at least
-constexpr int kInside = 7;                             // places looked at between two corners
-constexpr std::size_t kCorners = 64;                   // of a way over, at most
-constexpr int kLevels = 4;                             // at which a way around is sought
-constexpr double kWorthLength = 5, kWorthShare = 1.25; // when it is
+constexpr double kReserve = 0.2;     // mm above the least free rise, at least
+constexpr int kInside = 7;           // test places between two corners
+constexpr std::size_t kCorners = 64; // most corners of a way over
+constexpr int kLevels = 4;           // heights at which a way around is searched
+// mm, and factor of the straight length, above which a way around is searched
+constexpr double kWorthLength = 5, kWorthShare = 1.25;
 
 Knot between(const Knot& a, const Knot& b, double t) {
     return {a.share + t * (b.share - a.share), a.aside + t * (b.aside - a.aside), a.rise + t * (b.rise - a.rise)};
 }
 
-class Search {
+class TravelSearch {
   public:
-    Search(const Fan& fan, const TravelOptions& options)
+    TravelSearch(const Fan& fan, const TravelOptions& options)
         : fan_(fan), o_(options), reserve_(std::max(options.lift, kReserve)) {}
 
     Travel run() {
@@ -45,16 +46,16 @@ class Search {
     }
 
   private:
-    // As low as the tool can be above an end.
+    // The lowest knot above an end.
     [[nodiscard]] Knot end(double share) const {
         const double rise = fan_.least_rise({share, 0, o_.lift});
         return {share, 0, rise > o_.lift ? rise + reserve_ : rise};
     }
 
-    // Length with both ends.
+    // Length including the vertical parts at both ends.
     [[nodiscard]] double whole(const Way& way) const { return way.front().rise + length(fan_, way) + way.back().rise; }
 
-    // Appends what leads from a to b, which `out` ends with; false if not all of it is free.
+    // Appends the way from a, at which `out` ends, to b; returns false if not all of it is free.
     bool connect(const Knot& a, const Knot& b, Way& out) {
         const auto blocked = fan_.blocked(a, b);
         if (!blocked || corners_ >= kCorners) {
@@ -67,8 +68,8 @@ class Search {
         return connect(corner, b, out) && first;
     }
 
-    // Above the place between a and b where the least rise is highest above the line between them; above the one where
-    // this line is blocked, if none is.
+    // The knot above the place between a and b where the least rise exceeds the line between them most; above the
+    // place where the line is blocked if none does.
     [[nodiscard]] Knot highest(const Knot& a, const Knot& b, double blocked) const {
         Knot best = between(a, b, blocked);
         double excess = 0;
@@ -85,7 +86,7 @@ class Search {
         return best;
     }
 
-    // Leaves out corners, from the first on and again, as long as what remains is free.
+    // Removes corners in order, repeatedly, while the way remains free.
     void shorten(Way& way) const {
         for (std::size_t i = 1; i + 1 < way.size();) {
             if (fan_.blocked(way[i - 1], way[i + 1])) {
@@ -97,7 +98,7 @@ class Search {
         }
     }
 
-    // The shortest way around that is shorter than `over`, or is there at all if that is not free.
+    // The shortest way around that is shorter than `over`, or any if `over` is not free.
     [[nodiscard]] Way past(const Way& over, bool free) const {
         double top = 0;
         for (const Knot& k : over) top = std::max(top, k.rise);
@@ -144,8 +145,8 @@ Travel travel(const collision::Room& room, const Stance& from, const Stance& to,
               const TravelOptions& options) {
     const bool same = from.tip == to.tip && geom::angle(from.axis, to.axis) < 1e-6;
     const Fan fan(room, from, to, before);
-    Travel out =
-        same ? Travel{.stances = {}, .kind = Kind::straight, .length = 0, .free = true} : Search(fan, options).run();
+    Travel out = same ? Travel{.stances = {}, .kind = Kind::straight, .length = 0, .free = true}
+                      : TravelSearch(fan, options).run();
     out.stances.insert(out.stances.begin(), from);
     out.stances.push_back(to);
     return out;

@@ -42,7 +42,7 @@ mesh::Mesh ground() {
 
 int main(int argc, char** argv) {
     const int threads = argc > 1 ? std::atoi(argv[1]) : 2, lines = argc > 2 ? std::atoi(argv[2]) : 1000;
-    collision::Walk walk(collision::Machine{});
+    collision::MoveReader walk(collision::Machine{});
     for (int j = 0; j < lines; ++j) {
         toolpath::Span span{toolpath::Role::bead, 0, 0, 0, {}, {0.3}, {0.2}, {}};
         for (int i = 0; i <= 1000; ++i) {

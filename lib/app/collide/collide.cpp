@@ -12,12 +12,12 @@ namespace filum::app::collide {
 
 namespace {
 
-using collision::Against;
+using collision::Obstacle;
 using geom::Vec3;
 
-collision::Found check(Things& t, std::vector<collision::Solid> beads, const collision::Heads& head,
-                       const std::vector<collision::Move>& moves, const Options& o, int threads) {
-    if (o.bed) t.solids[static_cast<std::size_t>(Against::bed)] = collision::bed(moves);
+collision::CheckResult check(Things& t, std::vector<collision::Solid> beads, const collision::Heads& head,
+                             const std::vector<collision::Move>& moves, const Options& o, int threads) {
+    if (o.bed) t.solids[static_cast<std::size_t>(Obstacle::bed)] = collision::bed(moves);
     const collision::Scene scene{collision::Tree(std::move(beads)), collision::Tree(std::move(t.solids[1])),
                                  collision::Tree(std::move(t.solids[2])), collision::Tree(std::move(t.solids[3]))};
     return collision::check(scene, head, moves, o.check, threads);
@@ -36,7 +36,7 @@ void program(const Options& o, const machine::Profile& profile, const cli::Io& i
         throw Error(Exit::bad_input, "cannot find a move in the program " + mesh::spoken_name(o.program));
     Things t(o.part, o.fixture);
     const auto found = check(t, std::move(read.beads), heads_of(profile), read.moves, o, io.threads);
-    const collision::Answer answer{read.moves, found, o.check, collision::Source::line};
+    const collision::ReportInput answer{read.moves, found, o.check, collision::Source::line};
     write_places(o.places, answer);
     auto figures = collision::summary(answer);
     for (const auto& [key, count] : {std::pair{"program_lines", read.lines},
@@ -60,7 +60,7 @@ void toolpath(const Options& o, const collision::Machine& machine, const cli::Io
     add_settings(machine.head.common, io);
     stream::Reader reader(io.input, stream::Payload::toolpath);
     stream::Spool spool;
-    collision::Walk walk(machine);
+    collision::MoveReader walk(machine);
     while (auto frame = reader.next()) {
         if (!stream::is_remark(frame->tag)) {
             const auto span = wire::span(*frame);
@@ -73,7 +73,7 @@ void toolpath(const Options& o, const collision::Machine& machine, const cli::Io
     io.settings.insert(io.settings.end(), t.settings.begin(), t.settings.end());
     const auto& moves = walk.growth.moves;
     const auto found = check(t, std::move(walk.growth.beads), machine.head, moves, o, io.threads);
-    const collision::Answer answer{moves, found, o.check, collision::Source::point};
+    const collision::ReportInput answer{moves, found, o.check, collision::Source::point};
     write_places(o.places, answer);
     if (!found.collisions.empty() && o.strict) throw Error(Exit::failure, collision::complaint(answer));
     cli::Output output(io, cli::header(io, stream::Payload::toolpath, {&reader.header()}));

@@ -9,7 +9,7 @@
 
 namespace filum::app::collide {
 
-using collision::Against;
+using collision::Obstacle;
 using geom::Vec3;
 
 void check_place(const Vec3& p, const std::string& what) {
@@ -18,7 +18,7 @@ void check_place(const Vec3& p, const std::string& what) {
         throw Error(Exit::bad_input, "cannot use " + what + ": a coordinate is beyond 10000 m; is its unit mm?");
 }
 
-void Things::meshes(const std::string& files, Against against) {
+void Things::meshes(const std::string& files, Obstacle against) {
     if (!files.empty() && ("," + files + ",").find(",,") != std::string::npos)
         throw Error(Exit::usage, "cannot use '" + files + "' as names of files: one is empty");
     std::uint32_t crc = 0;
@@ -40,8 +40,8 @@ void Things::meshes(const std::string& files, Against against) {
 }
 
 Things::Things(const std::string& part, const std::string& fixture) {
-    meshes(part, Against::part);
-    meshes(fixture, Against::fixture);
+    meshes(part, Obstacle::part);
+    meshes(fixture, Obstacle::fixture);
 }
 
 machine::Profile profile_of(const std::string& name, const std::string& set, const machine::HeadChoice& head) {
@@ -73,7 +73,7 @@ void add_settings(const machine::Head& head, cli::Io& io) {
     for (const auto& [name, value, changed] : machine::settings(head)) io.settings.push_back({name, value, changed});
 }
 
-void write_places(const std::string& file, const collision::Answer& answer) {
+void write_places(const std::string& file, const collision::ReportInput& answer) {
     if (file.empty()) return;
     stream::Sink sink(file, stream::Sink::Content::text);
     sink.write(collision::places(answer));

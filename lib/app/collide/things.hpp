@@ -22,7 +22,7 @@ struct Things {
     std::vector<stream::Setting> settings; // what identifies the files
 
   private:
-    void meshes(const std::string& files, collision::Against against);
+    void meshes(const std::string& files, collision::Obstacle against);
 };
 
 // Throws Error(bad_input) if a coordinate of `what` is beyond 10000 m.
@@ -39,6 +39,6 @@ collision::Machine machine_of(const machine::Profile& profile);
 void add_settings(const machine::Head& head, cli::Io& io);
 
 // The list of collisions, if a file is named.
-void write_places(const std::string& file, const collision::Answer& answer);
+void write_places(const std::string& file, const collision::ReportInput& answer);
 
 } // namespace filum::app::collide

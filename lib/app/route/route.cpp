@@ -14,7 +14,7 @@ namespace {
 
 using geom::kDegree;
 
-void write_leaning(const std::string& file, const std::vector<filum::route::Leaning>& leaning) {
+void write_leaning(const std::string& file, const std::vector<filum::route::TiltSummary>& leaning) {
     if (file.empty()) return;
     std::string text = "stroke\tlayer\tlength\tleaning\tmost\tmean\n";
     for (const auto& l : leaning)
@@ -26,7 +26,7 @@ void write_leaning(const std::string& file, const std::vector<filum::route::Lean
     sink.commit();
 }
 
-Facts facts(const filum::route::Job& job) {
+Facts facts(const filum::route::RoutedToolpath& job) {
     Facts out{{"", "travels", 0, ""}};
     for (std::size_t k = 0; k < job.kinds.size(); ++k) {
         out[0].value += static_cast<double>(job.kinds[k]);
@@ -74,7 +74,7 @@ void run(const Options& o, const cli::Io& given) {
     collide::Things things(o.part, o.fixture);
     io.settings.insert(io.settings.end(), things.settings.begin(), things.settings.end());
     const auto job = filum::route::route(std::move(spans), std::move(things.solids), how, io.threads);
-    const collision::Answer answer{job.moves, job.found, o.check, collision::Source::point};
+    const collision::ReportInput answer{job.moves, job.found, o.check, collision::Source::point};
     collide::write_places(o.places, answer);
     write_leaning(o.leaning, job.leaning);
     if (!job.found.collisions.empty() && o.strict) throw Error(Exit::failure, collision::complaint(answer));

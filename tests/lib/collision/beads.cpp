@@ -28,21 +28,21 @@ std::vector<Span> tower(std::uint32_t layers) {
     return out;
 }
 
-Found run(const std::vector<Span>& spans, std::vector<Move>& moves, const machine::Head& head = {}) {
-    Walk walk(Machine{head});
+CheckResult run(const std::vector<Span>& spans, std::vector<Move>& moves, const machine::Head& head = {}) {
+    MoveReader walk(Machine{head});
     for (const Span& s : spans) walk.add(s);
     moves = walk.growth.moves;
     const Scene s{Tree(walk.growth.beads), Tree({}), Tree({}), Tree({})};
     return check(s, head, moves, {}, 1);
 }
 
-TEST(Growth, ABeadBesideATallOne) {
+TEST(BeadGrowth, ABeadBesideATallOne) {
     auto spans = tower(30); // 6 mm
     const Vec3 end = spans.back().points.back(), aside{5, -5, kLayer};
     spans.push_back(hop(end, aside));
     spans.push_back(line(0, aside, {5, 5, kLayer}));
     std::vector<Move> moves;
-    const Found free = run(spans, moves);
+    const CheckResult free = run(spans, moves);
     EXPECT_EQ(free.moves, 0U);
     // the beads' edge: x 0.2 at half the height of the top one, rounded by 0.1; 5.7 above the tip
     const double across = 5 - 0.1 - (0.2 + 5.7 * std::tan(std::acos(-1) / 6));
@@ -52,20 +52,20 @@ TEST(Growth, ABeadBesideATallOne) {
 
     machine::Head fat;
     fat.cone_height = 5; // the carriage at 5.2 would be in the wall
-    const Found hit = run(spans, moves, fat);
+    const CheckResult hit = run(spans, moves, fat);
     ASSERT_FALSE(hit.collisions.empty());
-    EXPECT_EQ(hit.collisions[0].piece, Piece::carriage);
+    EXPECT_EQ(hit.collisions[0].piece, HeadPiece::carriage);
     EXPECT_TRUE(moves[hit.collisions[0].move].travel); // on the way down
 
     // the other way round there is nothing to meet
     std::vector<Span> first{line(0, aside, {5, 5, kLayer}), hop({5, 5, kLayer}, {0, -5, kLayer})};
     for (const Span& s : tower(30)) first.push_back(s);
-    const Found reversed = run(first, moves, fat);
+    const CheckResult reversed = run(first, moves, fat);
     EXPECT_EQ(reversed.moves, 0U);
     EXPECT_FALSE(reversed.least[0]);
 }
 
-TEST(Growth, TheFreshBeadDoesNotCount) {
+TEST(BeadGrowth, TheFreshBeadDoesNotCount) {
     // Down a slope of 45 degrees with an upright tool: the flat runs into its own bead, which it has just shaped.
     Span down{Role::bead, 0, 0, 0, {}, {0.4}, {kLayer}, {}};
     for (int i = 0; i <= 60; ++i) down.points.push_back({0.1 * i, 0, 10 - 0.1 * i}); // not as deep as the cone is high
@@ -79,8 +79,8 @@ TEST(Growth, TheFreshBeadDoesNotCount) {
     EXPECT_GT(run({down, hop(down.points.back(), beside.points.front()), beside}, more).moves, 30U);
 }
 
-TEST(Growth, TravelsRiseUnlessTheyAreShort) {
-    Walk walk(Machine{{}, 0.6, 2, false});
+TEST(BeadGrowth, TravelsRiseUnlessTheyAreShort) {
+    MoveReader walk(Machine{{}, 0.6, 2, false});
     walk.add(hop({9, 9, 9}, {0, 0, 0.2})); // there is nothing to leave
     EXPECT_TRUE(walk.growth.moves.empty());
     walk.add(line(0, {0, 0, 3}, {10, 0, 3}));
@@ -96,8 +96,8 @@ TEST(Growth, TravelsRiseUnlessTheyAreShort) {
     EXPECT_TRUE(walk.growth.moves[5].travel);
 }
 
-TEST(Growth, AnAxisThatChangesTurnsWhereItStands) {
-    Walk walk(Machine{{}, 0.6, 0, false});
+TEST(BeadGrowth, AnAxisThatChangesTurnsWhereItStands) {
+    MoveReader walk(Machine{{}, 0.6, 0, false});
     Span a = line(0, {0, 0, 1}, {5, 0, 1}), b = line(0, {5, 0, 1}, {9, 0, 1});
     b.normals = {{0.6, 0, 0.8}, {0.6, 0, 0.8}};
     walk.add(a);
@@ -126,7 +126,7 @@ TEST(Bead, IsAsWideAndHighAsItSays) {
 } // namespace
 
 // Tool 1 has a carriage that hangs lower: what tool 0 passes over it meets.
-TEST(Growth, EachToolHasItsOwnHead) {
+TEST(BeadGrowth, EachToolHasItsOwnHead) {
     machine::Head slim, low;
     slim.cone_height = 30;
     slim.carriage_x = slim.carriage_y = 20;
@@ -135,13 +135,13 @@ TEST(Growth, EachToolHasItsOwnHead) {
     Heads heads(slim);
     heads.own.emplace(1, low);
     for (const std::uint32_t tool : {0U, 1U}) {
-        Walk walk(Machine{heads});
+        MoveReader walk(Machine{heads});
         walk.add({toolpath::Role::bead, 0, 0, 0, {{0, 0, 5}, {20, 0, 5}}, {1}, {5}, {}}); // a wall 5 mm high
         walk.add({toolpath::Role::travel, 1, 0, 0, {{20, 0, 5}, {20, 8, 0.2}}, {}, {}, {}, tool});
         walk.add({toolpath::Role::bead, 1, 0, 0, {{20, 8, 0.2}, {0, 8, 0.2}}, {1}, {0.2}, {}, tool});
         const Scene scene{Tree(walk.growth.beads), Tree({}), Tree({}), Tree({})};
-        const Found found = check(scene, heads, walk.growth.moves, {}, 1);
+        const CheckResult found = check(scene, heads, walk.growth.moves, {}, 1);
         EXPECT_EQ(found.collisions.empty(), tool == 0);
-        for (const Place& p : found.collisions) EXPECT_EQ(p.piece, Piece::carriage);
+        for (const Place& p : found.collisions) EXPECT_EQ(p.piece, HeadPiece::carriage);
     }
 }

@@ -26,29 +26,29 @@ Scene scene(std::vector<Solid> part, std::vector<Solid> beads = {}) {
 
 Move move(const Vec3& from, const Vec3& to) { return {{from}, {to}, 0, 0, 0, 0, false}; }
 
-Found run(const Scene& s, const machine::Head& head, const std::vector<Move>& moves, Options o = {}) {
+CheckResult run(const Scene& s, const machine::Head& head, const std::vector<Move>& moves, Options o = {}) {
     return check(s, head, moves, o, 1);
 }
 
-double part_clearance(const Found& f) {
-    const auto& least = f.least[static_cast<std::size_t>(Against::part)];
+double part_clearance(const CheckResult& f) {
+    const auto& least = f.least[static_cast<std::size_t>(Obstacle::part)];
     return least ? least->clearance : std::numeric_limits<double>::infinity();
 }
 
 TEST(Check, AWallBesideThePath) {
     const std::vector<Move> along{move({0, -10, 0}, {0, 10, 0})};
     // Below the carriage: from its top edge across to the cone.
-    const Found low = run(scene(wall(6, 5)), {}, along);
+    const CheckResult low = run(scene(wall(6, 5)), {}, along);
     EXPECT_NEAR(part_clearance(low), (6 - 0.2 - 5 * std::tan(30 * kDegree)) * kCos30, 1e-6);
     EXPECT_TRUE(low.collisions.empty());
-    EXPECT_EQ(low.least[1]->piece, Piece::nozzle);
+    EXPECT_EQ(low.least[1]->piece, HeadPiece::nozzle);
     // Above its underside: to the box.
     EXPECT_NEAR(part_clearance(run(scene(wall(23, 50)), {}, along)), 3, 1e-6);
-    const Found hit = run(scene(wall(19, 50)), {}, along);
+    const CheckResult hit = run(scene(wall(19, 50)), {}, along);
     EXPECT_EQ(hit.moves, 1U);
     ASSERT_EQ(hit.collisions.size(), 1U);
-    EXPECT_EQ(hit.collisions[0].piece, Piece::carriage);
-    EXPECT_EQ(hit.collisions[0].against, Against::part);
+    EXPECT_EQ(hit.collisions[0].piece, HeadPiece::carriage);
+    EXPECT_EQ(hit.collisions[0].against, Obstacle::part);
     // What does not rise above the tip does not count.
     EXPECT_FALSE(run(scene(wall(0.1, 0)), {}, along).least[1]);
     EXPECT_EQ(run(scene(wall(23, 50)), {}, along, {.margin = 3.1}).moves, 1U);
@@ -73,7 +73,7 @@ TEST(Check, ALeaningToolAboveTheBed) {
     for (const double lean : {10.0, 30.0, 50.0}) {
         Move m = move({-5, 0, 1}, {5, 0, 1});
         m.from.axis = m.to.axis = {std::sin(lean * kDegree), 0, std::cos(lean * kDegree)};
-        const Found f = check(s, head, {m}, {.press = 0}, 1);
+        const CheckResult f = check(s, head, {m}, {.press = 0}, 1);
         ASSERT_TRUE(f.least[3]) << lean;
         EXPECT_NEAR(f.least[3]->clearance, (1 / std::sin(lean * kDegree) - 0.2) * kCos30, 1e-6) << lean;
     }
@@ -132,7 +132,7 @@ TEST(Check, RandomMovesAgreeWithSampling) {
         for (int i = 0; i < 10; ++i) {
             Move m{{random.place(20), random.axis(), {}}, {random.place(20), random.axis(), {}}, 25, 0, 0, 0, false};
             const Options o{.step = 0.2};
-            const Found got = run(s, head, {m}, o);
+            const CheckResult got = run(s, head, {m}, o);
             for (const std::size_t k : {0U, 1U}) {
                 double least = 1e9;
                 for (int n = 0; n <= 1000; ++n) {
@@ -161,7 +161,7 @@ TEST(Check, ManyMovesAgreeWithEachAlone) {
             const Vec3 a = random.place(25) + Vec3{0, 0, 22};
             part.push_back(triangle(a, a + random.place(2), a + random.place(2)));
         }
-        Growth growth(head);
+        BeadGrowth growth(head);
         const bool turned = trial % 2 == 1, known = trial >= 4;
         const double tight = random(0.05, 0.3);
         Stance here{random.place(8), {0, 0, 1}, known ? Vec3{1, 0, 0} : Vec3{}};
@@ -175,11 +175,11 @@ TEST(Check, ManyMovesAgreeWithEachAlone) {
         }
         const Scene s = scene(part, growth.beads);
         const Options o{.step = 0.1};
-        const Found together = run(s, head, growth.moves, o);
+        const CheckResult together = run(s, head, growth.moves, o);
         std::array<double, 2> alone{1e9, 1e9};
         std::size_t colliding = 0;
         for (const Move& m : growth.moves) {
-            const Found f = run(s, head, {m}, o);
+            const CheckResult f = run(s, head, {m}, o);
             for (const std::size_t k : {0U, 1U})
                 if (f.least[k]) alone[k] = std::min(alone[k], f.least[k]->clearance);
             colliding += f.moves;
@@ -208,9 +208,9 @@ TEST(Check, TheSameForAnyNumberOfThreads) {
         here = next;
     }
     const Scene s = scene(part);
-    const Found one = check(s, {}, moves, {}, 1);
+    const CheckResult one = check(s, {}, moves, {}, 1);
     for (const int threads : {2, 8}) {
-        const Found other = check(s, {}, moves, {}, threads);
+        const CheckResult other = check(s, {}, moves, {}, threads);
         EXPECT_EQ(places({moves, one, {}}), places({moves, other, {}}));
         EXPECT_EQ(metrics::figures::text(summary({moves, one, {}}), metrics::figures::Format::json),
                   metrics::figures::text(summary({moves, other, {}}), metrics::figures::Format::json));

@@ -10,7 +10,7 @@
 namespace {
 
 using namespace filum;
-using collision::Piece;
+using collision::HeadPiece;
 using collision::Shape;
 using geom::Vec3;
 
@@ -40,9 +40,9 @@ TEST(Shape, NamesThePiece) {
     head.gantry_height = 30;
     const Shape s(head);
     const auto piece = [&](const Vec3& p) { return s.nearest(std::array<Vec3, 1>{p}, false, kInf).piece; };
-    EXPECT_EQ(piece({1, 0, 1}), Piece::nozzle);
-    EXPECT_EQ(piece({15, 0, 7}), Piece::carriage);
-    EXPECT_EQ(piece({500, 0, 29}), Piece::gantry);
+    EXPECT_EQ(piece({1, 0, 1}), HeadPiece::nozzle);
+    EXPECT_EQ(piece({15, 0, 7}), HeadPiece::carriage);
+    EXPECT_EQ(piece({500, 0, 29}), HeadPiece::gantry);
     EXPECT_NEAR(to_point(s, {500, 0, 29}), 1, 1e-9);
     EXPECT_EQ(to_point(s, {500, 0, 31}), 0);
 }

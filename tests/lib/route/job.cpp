@@ -51,9 +51,9 @@ Options options() {
     return o;
 }
 
-TEST(Job, TravelsOverWhatIsPrinted) {
+TEST(RoutedToolpath, TravelsOverWhatIsPrinted) {
     const auto given = both_sides(25); // 5 mm
-    const Job job = route::route(given, {}, options(), 1);
+    const RoutedToolpath job = route::route(given, {}, options(), 1);
     EXPECT_TRUE(job.found.collisions.empty());
     ASSERT_EQ(job.spans.size(), given.size() - 1); // two travels became one
     EXPECT_EQ(job.kinds[0] + job.kinds[1] + job.kinds[2], 2U);
@@ -73,19 +73,19 @@ TEST(Job, TravelsOverWhatIsPrinted) {
         EXPECT_EQ(s.points.back(), job.spans[i + 1].points.front());
         for (const Vec3& n : s.normals) EXPECT_EQ(n, (Vec3{0, 0, 1}));
     }
-    const Job again = route::route(given, {}, options(), 8);
+    const RoutedToolpath again = route::route(given, {}, options(), 8);
     for (std::size_t i = 0; i < job.spans.size(); ++i) EXPECT_EQ(again.spans[i].points, job.spans[i].points);
 }
 
 // The carriage of three axes stands square to the part, and that is known on a routed travel, too: 20 mm to the wall at
 // its nearest, where the round column about it would be in it.
-TEST(Job, ACarriageThatIsKnownStaysKnown) {
+TEST(RoutedToolpath, ACarriageThatIsKnownStaysKnown) {
     std::vector<Span> spans{line(0, {0, 0, kLayer}, {0, 10, kLayer}), hop(1, {0, 10, kLayer}, {0, 30, kLayer}),
                             line(1, {0, 30, kLayer}, {0, 40, kLayer})};
     const Solid wall{{Vec3{22, -50, 0}, {22, 90, 0}, {22, 90, 60}, {22, -50, 60}}, 0, 0};
     Options o;
     o.machine.head.common.cone_angle = 0.3;
-    const Job job = route::route(spans, {{{}, {wall}, {}, {}}}, o, 1);
+    const RoutedToolpath job = route::route(spans, {{{}, {wall}, {}, {}}}, o, 1);
     EXPECT_TRUE(job.found.collisions.empty());
     EXPECT_EQ(job.kinds[0], 1U);
     ASSERT_TRUE(job.found.least[1]);
@@ -94,7 +94,7 @@ TEST(Job, ACarriageThatIsKnownStaysKnown) {
     EXPECT_FALSE(route::route(spans, {{{}, {wall}, {}, {}}}, o, 1).found.collisions.empty());
 }
 
-TEST(Job, TheToolLeansAwayFromAWall) {
+TEST(RoutedToolpath, TheToolLeansAwayFromAWall) {
     std::vector<Span> spans{line(0, {0, 0, kLayer}, {0, 30, kLayer}), hop(1, {0, 30, kLayer}, {-30, 30, kLayer}),
                             line(1, {-30, 30, kLayer}, {-30, 0, kLayer})};
     const Solid wall{{Vec3{3, -9, 0}, {3, 60, 0}, {3, 60, 20}, {3, -9, 20}}, 0, 0};
@@ -104,7 +104,7 @@ TEST(Job, TheToolLeansAwayFromAWall) {
     o.machine.head.common.carriage_x = o.machine.head.common.carriage_y = 0;
     EXPECT_FALSE(route::route(spans, {{{}, {wall}, {}, {}}}, o, 1).found.collisions.empty());
     o.tilt = {0.4, 0.1};
-    const Job job = route::route(spans, {{{}, {wall}, {}, {}}}, o, 1);
+    const RoutedToolpath job = route::route(spans, {{{}, {wall}, {}, {}}}, o, 1);
     EXPECT_TRUE(job.found.collisions.empty());
     ASSERT_EQ(job.leaning.size(), 1U);
     EXPECT_NEAR(job.leaning[0].leaning, 30, 1e-9);
@@ -115,10 +115,10 @@ TEST(Job, TheToolLeansAwayFromAWall) {
     EXPECT_LT(up.x, -0.05);
 }
 
-TEST(Job, NothingToDoAndNothingAtAll) {
+TEST(RoutedToolpath, NothingToDoAndNothingAtAll) {
     EXPECT_TRUE(route::route({}, {}, options(), 1).spans.empty());
     const std::vector<Span> one{hop(0, {9, 9, 9}, {0, 0, kLayer}), line(0, {0, 0, kLayer}, {0, 30, kLayer})};
-    const Job job = route::route(one, {}, options(), 1);
+    const RoutedToolpath job = route::route(one, {}, options(), 1);
     ASSERT_EQ(job.spans.size(), 2U);
     EXPECT_EQ(job.spans[0].points, one[0].points);
     EXPECT_TRUE(job.spans[0].normals.empty());

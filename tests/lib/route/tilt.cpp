@@ -58,7 +58,7 @@ Span line(double y0, double y1, std::size_t parts) {
 struct Leans {
     std::vector<Span> spans;
     Scene scene;
-    Leant leant;
+    TiltedStroke tilted;
     Leans(std::vector<Span> s, Scene w, const TiltOptions& o, const std::vector<bool>& blocked)
         : spans(std::move(s)), scene(std::move(w)) {
         const Shape shape(cone());
@@ -68,7 +68,7 @@ struct Leans {
             stroke.before.emplace_back(span.points.size() - 1, 0);
             stroke.blocked.push_back(blocked);
         }
-        leant = lean(Room(scene, shape, options), stroke, o, {}, 1);
+        tilted = lean(Room(scene, shape, options), stroke, o, {}, 1);
     }
 };
 
@@ -76,7 +76,7 @@ TEST(Tilt, TheLeastThatPassesAWall) {
     const Leans run({line(-20, 20, 1)}, wall(-500, 500), {30 * kDegree, 5 * kDegree}, {true});
     const double want = least_lean();
     ASSERT_GT(want, 6 * kDegree);
-    const Span& got = run.leant.spans[0];
+    const Span& got = run.tilted.spans[0];
     EXPECT_EQ(got.points.size(), 41U);
     for (const Vec3& n : got.normals) {
         EXPECT_NEAR(norm(n), 1, 1e-12);
@@ -84,10 +84,10 @@ TEST(Tilt, TheLeastThatPassesAWall) {
         EXPECT_GE(std::asin(-n.x), want - 1e-6);
         EXPECT_LE(std::asin(-n.x), want + 0.35 * kDegree);
     }
-    EXPECT_NEAR(run.leant.leaning.length, 40, 1e-9);
-    EXPECT_NEAR(run.leant.leaning.leaning, 40, 1e-9);
-    EXPECT_GE(run.leant.leaning.most, want - 1e-6);
-    EXPECT_EQ(run.leant.leaning.stroke, 3U);
+    EXPECT_NEAR(run.tilted.leaning.length, 40, 1e-9);
+    EXPECT_NEAR(run.tilted.leaning.leaning, 40, 1e-9);
+    EXPECT_GE(run.tilted.leaning.most, want - 1e-6);
+    EXPECT_EQ(run.tilted.leaning.stroke, 3U);
     // the places are on the line, widths and heights stay
     for (const Vec3& p : got.points) EXPECT_EQ(p.x, 0);
     for (std::size_t i = 0; i < got.points.size(); ++i) EXPECT_DOUBLE_EQ(got.width_at(i) * got.height_at(i), 0.08);
@@ -98,7 +98,7 @@ TEST(Tilt, FadesOutNoFasterThanItMay) {
     for (std::size_t i = 45; i < 75; ++i) blocked[i] = true;
     for (const double rate : {1.0, 5.0}) {
         const Leans run({line(-60, 60, 120)}, wall(-10, 10), {20 * kDegree, rate * kDegree}, blocked);
-        const Span& got = run.leant.spans[0];
+        const Span& got = run.tilted.spans[0];
         ASSERT_EQ(got.points.size(), 121U);
         ASSERT_EQ(got.normals.size(), 121U);
         EXPECT_EQ(got.normals.front(), (Vec3{0, 0, 1}));
@@ -115,22 +115,22 @@ TEST(Tilt, FadesOutNoFasterThanItMay) {
 // On a slope the tilt is off its normal, and away from a wall that leans likewise.
 TEST(Tilt, NothingIfNoTiltIsEnough) {
     const Leans run({line(-20, 20, 4)}, wall(-500, 500), {3 * kDegree, 5 * kDegree}, {true, true, true, true});
-    EXPECT_EQ(run.leant.spans[0].points.size(), 5U);
-    EXPECT_TRUE(run.leant.spans[0].normals.empty());
-    EXPECT_EQ(run.leant.leaning.leaning, 0);
-    EXPECT_EQ(run.leant.stuck[0], (std::vector<bool>{true, true, true, true}));
+    EXPECT_EQ(run.tilted.spans[0].points.size(), 5U);
+    EXPECT_TRUE(run.tilted.spans[0].normals.empty());
+    EXPECT_EQ(run.tilted.leaning.leaning, 0);
+    EXPECT_EQ(run.tilted.stuck[0], (std::vector<bool>{true, true, true, true}));
 }
 
 TEST(Tilt, SpansOfAStrokeGoOnFromEachOther) {
     Span second = line(0, 20, 2);
     second.role = Role::hairpin;
     const Leans run({line(-20, 0, 2), second}, wall(-500, 500), {30 * kDegree, 5 * kDegree}, {true, true});
-    ASSERT_EQ(run.leant.spans.size(), 2U);
-    EXPECT_EQ(run.leant.spans[0].normals.back(), run.leant.spans[1].normals.front());
-    EXPECT_EQ(run.leant.spans[1].role, Role::hairpin);
-    EXPECT_EQ(run.leant.origin[0].size(), run.leant.spans[0].points.size() - 1);
-    EXPECT_EQ(run.leant.origin[0].front(), 0U);
-    EXPECT_EQ(run.leant.origin[0].back(), 1U);
+    ASSERT_EQ(run.tilted.spans.size(), 2U);
+    EXPECT_EQ(run.tilted.spans[0].normals.back(), run.tilted.spans[1].normals.front());
+    EXPECT_EQ(run.tilted.spans[1].role, Role::hairpin);
+    EXPECT_EQ(run.tilted.origin[0].size(), run.tilted.spans[0].points.size() - 1);
+    EXPECT_EQ(run.tilted.origin[0].front(), 0U);
+    EXPECT_EQ(run.tilted.origin[0].back(), 1U);
 }
 
 } // namespace
