@@ -23,7 +23,7 @@ Ring sampled(std::span<const Vec2> loop, double step) {
     return out;
 }
 
-struct Sample {
+struct ContourSample {
     int ring;
     std::uint32_t vertex;
 };
@@ -47,7 +47,7 @@ std::vector<Ring> contours(const polygon::Loops& region, const SpiralOptions& o)
 }
 
 std::vector<Edge> adjacency(const std::vector<Ring>& rings, double reach) {
-    std::vector<Sample> samples;
+    std::vector<ContourSample> samples;
     std::vector<Vec2> points;
     for (std::size_t i = 0; i < rings.size(); ++i)
         for (std::size_t k = 0; k < rings[i].size(); ++k) {

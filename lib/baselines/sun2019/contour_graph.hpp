@@ -1,4 +1,4 @@
-// The contour graph of the 2019 paper: contours, their adjacency, and the tree left of it (Figures 3 and 4).
+// The contour graph of the 2019 paper: contours, their adjacency, and the remaining tree (Figures 3 and 4).
 #pragma once
 
 #include "baselines/sun2019/spiral.hpp"
@@ -27,13 +27,13 @@ struct Node {
     std::vector<int> children; // ascending
 };
 
-// The edges that the Reverse-delete algorithm leaves of `edges`, which come in the order of adjacency(): the last one
-// first, each goes unless its ends would fall apart.  All weigh the same: elements of the paper's matrix are 0 or 1.
-// Cost: edges * (contours + edges), as every edge asks anew whether its ends are connected; `steps` counts the edges
-// looked at.
+// The edges that the reverse-delete algorithm keeps of `edges`, which are in the order of adjacency(): from the last
+// one on, each is removed unless that disconnects its ends. All weights are equal, as elements of the paper's matrix
+// are 0 or 1. Cost: edges * (contours + edges), since the connection is searched anew for every edge; `steps` counts
+// the edges visited.
 std::vector<Edge> reverse_delete(std::size_t contours, std::vector<Edge> edges, std::size_t* steps = nullptr);
 
-// Each piece of the graph rid of loops and hung up at its first contour.
+// The spanning tree of each piece of the graph, rooted at its first contour.
 std::vector<Node> tree(std::size_t contours, const std::vector<Edge>& edges);
 
 } // namespace filum::baselines::sun2019

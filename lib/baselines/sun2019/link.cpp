@@ -15,7 +15,7 @@ using toolpath::Role;
 
 namespace {
 
-constexpr double kMargin = 2; // bead widths, of a connector from the box
+constexpr double kMargin = 2; // bead widths between a connector and the box
 
 // The place `shift` mm behind `place` along the closed curve.
 Place moved(const toolpath::Curve& curve, Place place, double shift) {
@@ -64,7 +64,7 @@ void Linker::finish(const link3d::Linker::Emit& emit, Notes& /*none*/) {
     }
 }
 
-// Gets the nozzle to the start of a curve of r, the region's first or another.
+// Leads the nozzle to the start of a curve of r, the region's first or a later one.
 void Linker::reach(const toolpath::RegionPaths& r, bool first, Vec2 start, const link3d::Linker::Emit& emit) {
     const Vec3 to{start.x, start.y, r.z};
     if (!at_) {

@@ -1,8 +1,8 @@
 // The links of S. Sun, Y. Yao, Y. Jiang, "A 3D Continuous Path Generation Method and Evaluation for Fused Deposition
-// Manufacturing in Tissue Engineering", 2019, section 3.3, as it stands there; kept to be compared against.  Nothing is
-// checked: links may cross beads, connectors pass through the part, material is laid twice where they do.
+// Manufacturing in Tissue Engineering", 2019, section 3.3, exactly as described there, for comparison.  Nothing is
+// checked: links may cross beads, and connectors pass through the part, where material overlaps.
 //
-// The text leaves room; each reading taken here:
+// Where the text leaves room, these readings are used:
 //  - "find starting point at or near the intersection of the out contour" (Figure 6): a closed curve begins where the
 //    axis of greatest variance of its points leaves it, towards +x (+y if upright), and ends in the same point.  An
 //    open one is printed from its first point to its last.
@@ -24,7 +24,7 @@ struct LinkOptions {
     double start_shift = 0; // mm per layer
 };
 
-// Takes the regions in processing order; gives the spans in printing order, at the end, when the box is known.
+// Takes the regions in processing order; emits the spans in printing order at the end, when the box is known.
 class Linker {
   public:
     explicit Linker(const LinkOptions& options) : options_(options) {}
@@ -48,8 +48,8 @@ class Linker {
     std::uint32_t stroke_ = 0;
 };
 
-// The closed curve as an open line from where the axis of its points leaves it, moved on by `shift` mm, around to the
-// same point; a bead's width for each point.
+// The closed curve as an open line that starts where the axis of its points leaves it, moved on by `shift` mm, and
+// ends at the same point; one bead's width per point.
 link3d::Bead from_axis(const toolpath::Curve& curve, double shift);
 
 } // namespace filum::baselines::sun2019

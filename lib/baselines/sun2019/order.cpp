@@ -15,15 +15,15 @@ sequence::Order order(std::span<const polygon::Region> regions) {
     Outline last;
     for (std::size_t first = 0, end = 0; first < regions.size(); first = end) {
         while (end < regions.size() && regions[end].layer == regions[first].layer) ++end;
-        struct Left {
+        struct PendingRegion {
             Index id;
             Outline outline;
         };
-        std::vector<Left> left;
+        std::vector<PendingRegion> left;
         for (std::size_t i = first; i < end; ++i)
             left.push_back({static_cast<Index>(i), sequence::outline(regions[i].loops)});
         while (!left.empty()) {
-            const auto rank = [&](const Left& l) { // the lowest comes next
+            const auto rank = [&](const PendingRegion& l) { // the lowest comes next
                 const double away = out.empty() ? 0 : distance(last, l.outline);
                 return std::tuple(away, -regions[l.id].area, l.id);
             };

@@ -1,10 +1,10 @@
 // The processing sequence of S. Sun, Y. Yao, Y. Jiang, "A 3D Continuous Path Generation Method and Evaluation for Fused
-// Deposition Manufacturing in Tissue Engineering", 2019, section 3.1, as it stands there; kept to be compared against.
+// Deposition Manufacturing in Tissue Engineering", 2019, section 3.1, exactly as described there, for comparison.
 //
 // "Starting from the largest area of the first slice, each layer is visited sequentially.  The next connected region is
-// selected sequentially by region area, distance and collision detection relationship."  The reading taken here: layer
-// by layer; first the largest region of the first layer, then always the region of the layer that is nearest to the one
-// before, which on a new layer is the one above it.  Regions as high as everything printed cannot collide with it, so
+// selected sequentially by region area, distance and collision detection relationship."  The reading used here: layer
+// by layer; first the largest region of the first layer, then always the region of the layer nearest to the one before,
+// which on a new layer is the one above it.  Regions at the height of everything printed cannot collide with it, so
 // there is nothing to detect.
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace filum::baselines::sun2019 {
 
-// The ids of `regions`, which come layer by layer with ids from 0 without gaps.  The distance is that of the areas,
-// seen from above.  Ties: the larger area, then the lower id.
+// The ids of `regions`, which are sorted by layers and have consecutive ids from 0. Distances are those of the areas
+// in top view. Ties: the larger area, then the lower id.
 sequence::Order order(std::span<const polygon::Region> regions);
 
 } // namespace filum::baselines::sun2019

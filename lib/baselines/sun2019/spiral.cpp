@@ -14,7 +14,7 @@ using geom::Vec2;
 
 namespace {
 
-// A place on a ring: `along` mm beyond vertex `vertex`, which may reach past the edge.
+// The place on a ring `along` mm behind vertex `vertex`, which may be beyond the edge.
 Vec2 walk(const Ring& ring, std::size_t vertex, double along, std::size_t* stop = nullptr) {
     for (std::size_t guard = 0; guard <= ring.size(); ++guard, ++vertex) {
         const Vec2 a = ring[vertex % ring.size()], b = ring[(vertex + 1) % ring.size()];
@@ -26,7 +26,7 @@ Vec2 walk(const Ring& ring, std::size_t vertex, double along, std::size_t* stop 
     return ring[vertex % ring.size()];
 }
 
-// The ring as an open line, counter-clockwise, that leaves out `gap` mm around its vertex `at`.
+// The ring as an open line, counter-clockwise, without `gap` mm around its vertex `at`.
 Ring opened(const Ring& ring, std::size_t at, double gap) {
     const double length = polygon::perimeter(ring);
     gap = std::min(gap, length / 3);
@@ -60,7 +60,7 @@ Ring chain_path(const std::vector<const Ring*>& chain, std::size_t start, double
     return path;
 }
 
-// Puts the child's path into the parent's, between two neighbouring vertices.
+// Inserts the child's path into the parent's, between two neighbouring vertices.
 void insert(Ring& parent, const Ring& child) {
     const Vec2 a = child.front(), b = child.back();
     const std::size_t near = nearest_vertex(parent, geom::lerp(a, b, 0.5));
@@ -84,7 +84,7 @@ void insert(Ring& parent, const Ring& child) {
         parent.insert(place, child.begin(), child.end());
 }
 
-// The chain that begins at `node`: contours with one child each, and the one that ends it.
+// The chain that starts at `node`: contours with one child each, and the one that ends it.
 std::vector<int> chain_from(const std::vector<Node>& nodes, int node) {
     std::vector<int> chain{node};
     while (nodes[static_cast<std::size_t>(chain.back())].children.size() == 1)
@@ -92,13 +92,13 @@ std::vector<int> chain_from(const std::vector<Node>& nodes, int node) {
     return chain;
 }
 
-// The path of a chain and of everything below it; children first.  Chains nest as deep as the tree branches, so the
-// walk keeps its own stack.
+// The path of a chain and of everything below it; children first. An explicit stack is used, since chains nest as
+// deeply as the tree branches.
 Ring path_below(const std::vector<Ring>& rings, const std::vector<Node>& nodes, int root, std::size_t start,
                 double gap) {
     struct Visit {
         std::vector<int> chain;
-        std::size_t next = 0; // child to be inserted
+        std::size_t next = 0; // index of the child to be inserted
         Ring path;
     };
     std::vector<Visit> stack;
@@ -125,7 +125,7 @@ Ring path_below(const std::vector<Ring>& rings, const std::vector<Node>& nodes, 
     }
 }
 
-// Where the axis of greatest variance of all samples leaves the outer contour (Figure 6): the nearest vertex.
+// The vertex nearest to where the axis of greatest variance of all samples leaves the outer contour (Figure 6).
 std::size_t pca_start(const std::vector<Ring>& rings) {
     Ring all;
     for (const Ring& ring : rings) all.insert(all.end(), ring.begin(), ring.end());

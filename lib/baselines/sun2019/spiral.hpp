@@ -1,9 +1,9 @@
 // The planar construction of S. Sun, Y. Yao, Y. Jiang, "A 3D Continuous Path Generation Method and Evaluation for Fused
-// Deposition Manufacturing in Tissue Engineering", 2019, section 3.2, as it stands there; kept to be compared against.
-// Nothing is repaired: beads leave voids or overlap at the medial axis, necks narrower than a bead split the region,
+// Deposition Manufacturing in Tissue Engineering", 2019, section 3.2, exactly as described there, for comparison.
+// Nothing is improved: beads leave voids or overlap at the medial axis, necks narrower than a bead split the region,
 // links may cross, and where the contour graph falls apart there are several curves.
 //
-// The text leaves room; each reading taken here:
+// Where the text leaves room, these readings are used:
 //  - "each contour is sampled equidistantly": corners are kept, and each edge is divided evenly into the fewest steps
 //    of at most `sample` offsets.
 //  - "internal filling contour is generated from outer contour R, d(r_n, r_n+1) = w": the first contour lies `first`
@@ -46,7 +46,7 @@ struct SpiralOptions {
 // Parts narrower than a bead carry no contour; they become a note.
 std::vector<toolpath::Curve> spiral(const polygon::Loops& region, const SpiralOptions& options, Notes& notes);
 
-// Fills regions by it; their starts move on by `start_shift` from layer to layer.
+// A filler for regions with it; starts move on by `start_shift` from layer to layer.
 fill::Reuse filler(const SpiralOptions& options);
 
 } // namespace filum::baselines::sun2019
