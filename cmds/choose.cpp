@@ -103,7 +103,7 @@ void run(const Options& o, const cli::Io& io) {
     constexpr double kParts = 100; // of a surface, in progress
     cli::Progress progress(io, static_cast<std::uint64_t>(kParts) * sheets.size());
     for (std::size_t k = 0; k < sheets.size(); ++k) {
-        const std::string name = surfpath::spoken(sheets, k);
+        const std::string name = surfpath::label(sheets, k);
         Notes own;
         how.far = [&](double share) {
             progress.reach(static_cast<std::uint64_t>(kParts * (static_cast<double>(k) + share)));

@@ -14,13 +14,13 @@ namespace {
 using surfpath::Algorithm;
 
 constexpr int kDirections = 8;       // over 180 degrees
-constexpr double kAlike = 0.9962;    // cosine of 5 degrees: nearer directions are one
+constexpr double kAlike = 0.9962;    // cosine of 5 degrees: nearer directions are the same
 constexpr double kUpright = 0.99985; // cosine of a degree
-constexpr double kFlat = 0.3;        // of the mean normal: below, the patch faces all ways
-constexpr std::size_t kSides = 6;    // of the rims
+constexpr double kFlat = 0.3;        // length of the mean normal below which the patch faces all directions
+constexpr std::size_t kSides = 6;    // most sides of rims
 
-struct Frame {
-    Vec3 centre, normal, axis; // axis: the longest in the plane across the normal
+struct PatchFrame {
+    Vec3 centre, normal, axis; // axis: of the greatest extent in the plane perpendicular to the normal
     Vec3 pull;                 // in that plane; 0: none
 };
 
@@ -28,14 +28,14 @@ Vec3 unit(const Vec3& v) { return geom::unit(v, v); }
 Vec3 of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 Eigen::Vector3d eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-// Of the two ways of a direction the one whose greatest component is above 0.
+// The one of the two signs of a direction with a positive greatest component.
 Vec3 signed_way(const Vec3& d) {
     const double most = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
     const double lead = std::abs(d.x) > 0.999 * most ? d.x : std::abs(d.y) > 0.999 * most ? d.y : d.z;
     return lead < 0 ? -1 * d : d;
 }
 
-// The main axis of a symmetric matrix in the plane across `n`.
+// The principal axis of a symmetric matrix in the plane perpendicular to `n`.
 Vec3 main_axis(const Eigen::Matrix3d& m, const Vec3& n) {
     const Eigen::Matrix3d flat = Eigen::Matrix3d::Identity() - eigen(n) * eigen(n).transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solved(flat * m * flat);
@@ -43,7 +43,7 @@ Vec3 main_axis(const Eigen::Matrix3d& m, const Vec3& n) {
     return clear ? signed_way(of(solved.eigenvectors().col(2))) : Vec3{};
 }
 
-Frame frame(const Sheet& sheet, const std::vector<Vec3>& pull) {
+PatchFrame frame(const Sheet& sheet, const std::vector<Vec3>& pull) {
     const Surface& s = sheet.surface;
     Vec3 centre{}, normal{};
     double area = 0;
@@ -54,7 +54,7 @@ Frame frame(const Sheet& sheet, const std::vector<Vec3>& pull) {
         normal = normal + n;
         area += norm(n);
     }
-    Frame out{1 / area * centre, {}, {}, {}};
+    PatchFrame out{1 / area * centre, {}, {}, {}};
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero(), pulled = Eigen::Matrix3d::Zero();
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t)
         for (const std::uint32_t v : s.triangles[t]) {
@@ -69,7 +69,7 @@ Frame frame(const Sheet& sheet, const std::vector<Vec3>& pull) {
     else
         out.normal = of(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0));
     out.axis = main_axis(spread, out.normal);
-    if (!(norm(out.axis) > 0)) { // a disc: any
+    if (!(norm(out.axis) > 0)) { // a disc: any direction
         const Vec3 any = std::abs(out.normal.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
         out.axis = unit(any - dot(any, out.normal) * out.normal);
     }
@@ -77,7 +77,7 @@ Frame frame(const Sheet& sheet, const std::vector<Vec3>& pull) {
     return out;
 }
 
-std::vector<Vec3> directions(const Frame& f) {
+std::vector<Vec3> directions(const PatchFrame& f) {
     std::vector<Vec3> out;
     const auto add = [&](const Vec3& d) {
         const bool there =
@@ -94,8 +94,9 @@ std::vector<Vec3> directions(const Frame& f) {
     return out;
 }
 
-// The plane across `normal` at this part of the patch's extent; through the centre at 0.  Upright on an axis that is
-// within a degree, at a thousandth of the extent: by what a part is symmetric about.
+// The plane perpendicular to `normal` at this fraction of the patch's extent; 0 is the centre. It is aligned with a
+// coordinate axis within a degree, and with a round position within a thousandth of the extent, as parts are often
+// symmetric about such planes.
 Seed plane(const Surface& s, const Vec3& centre, const Vec3& normal, double part) {
     Seed out;
     out.kind = Seed::Kind::plane;
@@ -145,7 +146,7 @@ std::vector<Vec3> places(const Sheet& sheet, const Vec3& centre) {
 
 std::vector<Candidate> candidates(const Sheet& sheet, const std::vector<Vec3>& pull) {
     const Surface& s = sheet.surface;
-    const Frame f = frame(sheet, pull);
+    const PatchFrame f = frame(sheet, pull);
     std::vector<Candidate> out;
     add_given(sheet, out);
     if (!pull.empty()) out.push_back({Algorithm::field, {Seed::Kind::stress, {}, {}, {}}});

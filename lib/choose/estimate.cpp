@@ -6,15 +6,15 @@ namespace filum::choose {
 
 namespace {
 
-// The slope of what is linear between the values at the corners.
+// Gradient of the linear function with these values at the corners.
 Vec3 slope(const Surface& s, std::uint32_t t, const std::vector<double>& value) {
     const auto [a, b, c] = s.triangles[t];
     const Vec3 u = s.vertices[b] - s.vertices[a], v = s.vertices[c] - s.vertices[a], n = cross(u, v);
     return 1 / dot(n, n) * cross((value[b] - value[a]) * v - (value[c] - value[a]) * u, n);
 }
 
-// Where field would go at a vertex, on a triangle of the normal `n`, of any length.
-Vec3 laid(const Seed& seed, const std::vector<Vec3>& pull, std::uint32_t v, const Vec3& n) {
+// Direction that field would follow at a vertex, on a triangle of normal `n`, of any length.
+Vec3 followed_direction(const Seed& seed, const std::vector<Vec3>& pull, std::uint32_t v, const Vec3& n) {
     const Vec3 d = seed.kind == Seed::Kind::stress ? pull[v] : seed.a;
     return d - dot(d, n) / dot(n, n) * n;
 }
@@ -36,7 +36,7 @@ double estimate(const Sheet& sheet, const std::vector<Vec3>& pull, const Candida
         const Vec3 n = cross(s.vertices[corners[1]] - a, s.vertices[corners[2]] - a);
         const Vec3 up = by_field ? Vec3{} : planes ? candidate.seed.plane.normal : slope(s, t, distance);
         for (const std::uint32_t v : corners) {
-            const Vec3 way = by_field                                             ? laid(candidate.seed, pull, v, n)
+            const Vec3 way = by_field ? followed_direction(candidate.seed, pull, v, n)
                              : candidate.algorithm == surfpath::Algorithm::ortheo ? up
                                                                                   : cross(n, up);
             if (!(norm(way) > 0) || !std::isfinite(norm(way))) continue;

@@ -7,10 +7,10 @@ namespace filum::choose {
 namespace {
 
 constexpr double kTurn = 0.866;     // cosine of 30 degrees
-constexpr double kReach = 1.0 / 40; // of the rim
+constexpr double kReach = 1.0 / 40; // of the rim's length
 
-// A rim as points and ways along it.
-struct Loop {
+// A rim as points with arc lengths.
+struct RimLine {
     std::vector<Vec3> points;
     std::vector<double> ways; // one more than points
 
@@ -24,8 +24,8 @@ struct Loop {
     }
 };
 
-Loop loop(const Surface& s, const surface::Rim& rim) {
-    Loop out{{}, {0}};
+RimLine loop(const Surface& s, const surface::Rim& rim) {
+    RimLine out{{}, {0}};
     for (const std::uint32_t h : rim.sides) {
         out.points.push_back(s.vertices[s.tail(h)]);
         out.ways.push_back(out.ways.back() + surface::side_length(s, h));
@@ -34,7 +34,7 @@ Loop loop(const Surface& s, const surface::Rim& rim) {
 }
 
 // The points where the rim turns more than anywhere within reach.
-std::vector<std::size_t> corners(const Loop& rim) {
+std::vector<std::size_t> corners(const RimLine& rim) {
     const double all = rim.ways.back(), reach = kReach * all;
     const std::size_t n = rim.points.size();
     std::vector<double> straight(n); // cosine of the turn
@@ -60,7 +60,7 @@ std::vector<std::size_t> corners(const Loop& rim) {
 std::vector<RimSide> longest_sides(const Surface& s, std::size_t most) {
     std::vector<RimSide> out;
     for (const auto& rim : s.rims) {
-        const Loop way = loop(s, rim);
+        const RimLine way = loop(s, rim);
         auto at = corners(way);
         if (at.empty()) at.push_back(0);
         for (std::size_t k = 0; k < at.size(); ++k) {

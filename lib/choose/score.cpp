@@ -23,7 +23,7 @@ double& named(Weights& w, std::string_view name) {
     if (name == "cuts") return w.cuts;
     if (name == "overlap") return w.overlap;
     throw Error(Exit::usage,
-                "cannot weigh '" + std::string(name) + "'; --weights knows coverage, load, angle, cuts and overlap");
+                "unknown weight '" + std::string(name) + "'; --weights takes coverage, load, angle, cuts and overlap");
 }
 
 } // namespace
@@ -32,12 +32,12 @@ Weights weights(std::string_view words) {
     Weights out;
     for (const auto& [name, weight] : parse_weights(words, "--weights")) named(out, name) = weight;
     if (!(out.coverage + out.load + out.angle + out.cuts + out.overlap > 0))
-        throw Error(Exit::usage, "cannot use --weights that are all 0");
+        throw Error(Exit::usage, "at least one of --weights must be above 0");
     return out;
 }
 
 Criteria measure(const metrics::surface::Fibres& fibres, const surface::Sheet& sheet, double spacing, double stable) {
-    if (fibres.chains.empty()) throw Error(Exit::failure, "nothing is laid");
+    if (fibres.chains.empty()) throw Error(Exit::failure, "the path is empty");
     const metrics::surface::Ground ground(sheet.surface, spacing);
     auto samples = metrics::surface::samples(fibres, ground, spacing / 4, 1);
     std::erase_if(samples, [](const metrics::surface::Sample& s) { return s.beside; });

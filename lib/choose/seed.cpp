@@ -13,21 +13,22 @@ namespace {
 using surface::curve::Line;
 using surface::curve::Place;
 
-constexpr double kPart = 0.5;   // of a mean edge: a step along the pull
-constexpr double kClear = 1e-6; // by how much of itself the pull must be greater one way than across
-constexpr double kLongest = 4;  // of the patch's box: how long a line along the pull may become
+constexpr double kPart = 0.5; // mean edges: step along the tension
+// relative difference of the tension along and across above which its direction is defined
+constexpr double kClear = 1e-6;
+constexpr double kLongest = 4; // longest line along the tension, in box diagonals of the patch
 constexpr int kDecimals = 3;
 
 std::string words(const Vec3& p) {
     return fixed_text(p.x, kDecimals) + "," + fixed_text(p.y, kDecimals) + "," + fixed_text(p.z, kDecimals);
 }
 
-// The rim and the place in it of the rim vertex nearest to `p`; the first of equals.
-struct OnRim {
+// The rim vertex nearest to `p`, as rim and side; ties: the first.
+struct RimVertex {
     std::size_t rim = 0, side = 0;
 };
-OnRim nearest_on_rims(const Surface& s, const Vec3& p) {
-    OnRim out;
+RimVertex nearest_on_rims(const Surface& s, const Vec3& p) {
+    RimVertex out;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t r = 0; r < s.rims.size(); ++r)
         for (std::size_t k = 0; k < s.rims[r].sides.size(); ++k)
@@ -40,8 +41,8 @@ OnRim nearest_on_rims(const Surface& s, const Vec3& p) {
 
 surface::Sources rim_side(const Surface& s, const Seed& seed) {
     surface::Sources out;
-    if (s.rims.empty()) throw Error(Exit::failure, "the surface has no rim");
-    const OnRim from = nearest_on_rims(s, seed.a), to = nearest_on_rims(s, seed.b);
+    if (s.rims.empty()) throw Error(Exit::failure, "the surface is closed");
+    const RimVertex from = nearest_on_rims(s, seed.a), to = nearest_on_rims(s, seed.b);
     if (from.rim != to.rim) throw Error(Exit::failure, "the side's ends lie on different rims");
     const auto& sides = s.rims[from.rim].sides;
     std::size_t k = from.side;
@@ -65,25 +66,25 @@ Vec3 pull_at(const Surface& s, const std::vector<Vec3>& pull, const Place& at, c
     return geom::unit(sum, sum);
 }
 
-// From `from` along the pull, at first to the side that `heading` points to, up to a rim.
+// The line from `from` along the tension up to a rim; it starts towards `heading`.
 Line half(const Surface& s, const std::vector<Vec3>& pull, const Place& from, Vec3 heading, bool across, double step,
           double longest) {
     Line out{{from}, false};
     for (double way = 0; way < longest; way += step) {
-        // The direction half a step ahead (midpoint rule), so that a line round something does not drift outwards.
+        // The direction half a step ahead (midpoint rule), so that a line around something does not drift outwards.
         const Place before = out.places.back();
         const Vec3 here = pull_at(s, pull, before, heading, across);
         const Vec3 d = pull_at(s, pull, surface::curve::step(s, before, step / 2 * here), here, across);
-        if (!(norm(d) > 0)) throw Error(Exit::failure, "the pull ends within the surface");
+        if (!(norm(d) > 0)) throw Error(Exit::failure, "the tension vanishes inside the surface");
         const Place after = surface::curve::step(s, before, step * d, &out);
         if (distance(before.point, after.point) < step / 10) return out;
         heading = d;
     }
-    throw Error(Exit::failure, "the line along the pull comes to no rim");
+    throw Error(Exit::failure, "the line along the tension does not reach a rim");
 }
 
 surface::Sources stress_line(const Sheet& sheet, const std::vector<Vec3>& pull, const Seed& seed) {
-    if (pull.empty()) throw Error(Exit::failure, "the surface carries no stress");
+    if (pull.empty()) throw Error(Exit::failure, "the surface has no stress; run stressfield first");
     const Surface& s = sheet.surface;
     const bool across = seed.kind == Seed::Kind::across;
     const auto spot = surface::nearest(s, seed.a);
@@ -149,7 +150,7 @@ std::vector<Vec3> pulls(const Sheet& sheet) {
             xy += s * a * b;
             yy += s * b * b;
         }
-        // Of a symmetric matrix: the main axis lies at half the angle of (xx - yy, 2 xy).
+        // The principal axis of a symmetric matrix is at half the angle of (xx - yy, 2 xy).
         const double size = std::hypot(xx - yy, 2 * xy), angle = std::atan2(2 * xy, xx - yy) / 2;
         const bool clear = size > kClear * (xx + yy);
         out.push_back(clear ? std::cos(angle) * x + std::sin(angle) * y : Vec3{});
@@ -163,7 +164,7 @@ surface::Sources sources(const Sheet& sheet, const std::vector<Vec3>& pull, cons
     switch (seed.kind) {
     case Seed::Kind::rims:
         out = surface::rim_sources(s);
-        if (out.empty()) throw Error(Exit::failure, "the surface has no rim");
+        if (out.empty()) throw Error(Exit::failure, "the surface is closed");
         break;
     case Seed::Kind::side:
         return rim_side(s, seed);

@@ -6,7 +6,7 @@ namespace filum::geodesic {
 
 namespace {
 
-// Length of the gradient of values that are linear in the triangle, and the triangle's area.
+// The gradient's length of a function that is linear on the triangle, and the triangle's area.
 struct Slope {
     double size, area;
 };
@@ -57,7 +57,7 @@ double excess(const Surface& s, std::span<const double> distance) {
 }
 
 DistanceError distance_error(std::span<const double> truth, std::span<const double> distance) {
-    constexpr double kNearest = 0.02; // of the farthest: nearer ones would be divided by next to nothing
+    constexpr double kNearest = 0.02; // share of the farthest: the relative error of nearer vertices is not meaningful
     DistanceError out;
     for (const double d : truth)
         if (std::isfinite(d)) out.known = std::max(out.known, d);

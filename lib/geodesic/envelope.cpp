@@ -1,4 +1,4 @@
-// The lists of windows: each the lower envelope of what came to its half-edge.
+// The lists of windows: each is the lower envelope of all windows that reached its half-edge.
 #include "base/error.hpp"
 #include "geodesic/propagation.hpp"
 
@@ -6,33 +6,32 @@ namespace filum::geodesic {
 
 namespace {
 
-constexpr double kNarrow = 1e-9;      // of the edge, and rad, as seen from its source: a window not wider is dropped
-constexpr double kRounding = 1e-15;   // of the edge: no window is as narrow, no difference as small
-constexpr double kLevelSlope = 1e-12; // slope: lines that run flatter never cross
+constexpr double kNarrow = 1e-9;      // edges, and rad as seen from the source: narrower windows are dropped
+constexpr double kRounding = 1e-15;   // edges: below the width of any window and any real difference
+constexpr double kLevelSlope = 1e-12; // slope: flatter lines never cross an edge
 constexpr std::uint32_t kNew = 0;
 
-// True if both continue each other in [b0, b1]: the same source, or the same line, but for rounding.
+// Whether both windows have the same source on [b0, b1], or the same linear distance, up to rounding.
 bool same_source(const Window& a, const Window& b, double b0, double b1, double slack) {
     if (a.is_line() != b.is_line() || a.pending != b.pending) return false;
     if (a.is_line()) return std::abs(a.at(b0) - b.at(b0)) <= slack && std::abs(a.at(b1) - b.at(b1)) <= slack;
     return std::abs(a.sigma - b.sigma) <= slack && std::abs(a.sx - b.sx) <= slack && std::abs(a.sy - b.sy) <= slack;
 }
 
-// Whether the piece [b0, b1] of a window is kept.  Next to its source it may be narrow, but spreads.  False for what is
-// no number.
+// Whether the part [b0, b1] of a window is kept. Near its source it may be narrow, because it widens. False for NaN.
 bool wide(const Window& w, double b0, double b1, double length) {
     const double width = b1 - b0;
-    if (width > kNarrow * length) return true;                      // mostly, and without a root
-    if (!(width > kRounding * length) || w.is_line()) return false; // a line's source is as far as the edge is long
+    if (width > kNarrow * length) return true;                      // the usual case, without a square root
+    if (!(width > kRounding * length) || w.is_line()) return false; // a line source is about as far as the edge is long
     const double x = (b0 + b1) / 2 - w.sx;
-    if (width < kNarrow * 0.9 * std::max(std::abs(x), std::abs(w.sy))) return false; // without a root
+    if (width < kNarrow * 0.9 * std::max(std::abs(x), std::abs(w.sy))) return false; // decided without a square root
     return width > kNarrow * std::hypot(x, w.sy);
 }
 
 } // namespace
 
-// mm: differences between distances of about this size that count as none.  Next to sources even the least decides
-// which way windows lead on.
+// mm: differences of distances of about this size that count as equal. Near sources even the smallest differences
+// decide which windows survive.
 double Propagation::slack(double distance, double length) const {
     return std::min(slack_, kSlack * distance) + kRounding * length;
 }
@@ -54,7 +53,7 @@ void Propagation::add_piece(std::uint32_t owner, double b0, double b1, double le
     const bool kept = wide(owners_[owner], b0, b1, length);
     changed_ = changed_ || (owner == kNew && kept);
     if (!pieces_.empty()) {
-        Piece& last = pieces_.back();
+        EnvelopePiece& last = pieces_.back();
         if (b0 - last.b1 <= kNarrow * length &&
             (last.owner == owner || same_source(owners_[last.owner], owners_[owner], last.b0, b1,
                                                 10 * slack(owners_[owner].at(b1), length)))) {
@@ -65,14 +64,14 @@ void Propagation::add_piece(std::uint32_t owner, double b0, double b1, double le
     if (kept) pieces_.push_back({owner, b0, b1});
 }
 
-// Where the new window and an old one overlap, each has what it is nearer to; the old one also what is equal.
+// Splits the overlap of the new window with an old one: each gets where it is nearer; ties go to the old one.
 void Propagation::add_overlap(std::uint32_t old, double lo, double hi, double length) {
     const Window &w = owners_[kNew], &o = owners_[old];
     const double ahead_lo = o.at(lo) - w.at(lo), ahead_hi = o.at(hi) - w.at(hi);
     const double least = slack(std::min(w.at(lo), w.at(hi)), length);
     const bool better_lo = ahead_lo > least, better_hi = ahead_hi > least;
-    // They can be equal in two places within, but not if they differ by more than their slopes allow, nor, with the
-    // same sigma, in more than one.
+    // They may be equal at two places inside, except if they differ by more than their slopes allow; with equal sigma,
+    // at one place.
     const bool far = std::abs(ahead_lo) + std::abs(ahead_hi) > 2 * (hi - lo);
     if (better_lo == better_hi && (far || (w.sigma == o.sigma && !w.is_line() && !o.is_line()))) {
         add_piece(better_lo ? kNew : old, lo, hi, length);
@@ -87,15 +86,15 @@ void Propagation::add_overlap(std::uint32_t old, double lo, double hi, double le
     }
 }
 
-// Makes the list the lower envelope of itself and `w`.
-void Propagation::insert(Side& exit, const Window& w) {
+// Replaces the list by the lower envelope of itself and `w`.
+void Propagation::insert(ExitSide& exit, const Window& w) {
     const Windows& windows = field_.windows;
     const double length = exit.length;
-    // Windows from different sources may come in another order than they left.
+    // Windows from different sources may arrive in another order than along the edge.
     std::uint32_t before = exit.cursor;
     if (before != kNone && windows[before].b1 > w.b0) before = kNone;
     std::uint32_t first = before == kNone ? field_.first[exit.list] : windows[before].next;
-    const auto continued = [&](const Window& o) { // by w
+    const auto continued = [&](const Window& o) { // whether `w` continues `o`
         return o.b1 >= w.b0 - kNarrow * length && same_source(o, w, w.b0, w.b1, 10 * slack(w.at(w.b0), length));
     };
     while (first != kNone && windows[first].b1 <= w.b0 && !continued(windows[first])) {
@@ -106,7 +105,7 @@ void Propagation::insert(Side& exit, const Window& w) {
     owners_.assign(1, w);
     pieces_.clear();
     changed_ = false;
-    double x = w.b0; // all before it is decided
+    double x = w.b0; // everything before this is decided
     std::uint32_t o = first;
     for (; o != kNone && windows[o].b0 < w.b1; o = windows[o].next) {
         const auto old = static_cast<std::uint32_t>(owners_.size());
@@ -125,10 +124,10 @@ void Propagation::insert(Side& exit, const Window& w) {
     if (changed_) rewrite(exit, before, first, o);
 }
 
-// Puts the pieces in place of the windows from `first` to before `after`.
-void Propagation::rewrite(Side& exit, std::uint32_t before, std::uint32_t first, std::uint32_t after) {
+// Replaces the windows from `first` up to, but not including, `after` by the pieces.
+void Propagation::rewrite(ExitSide& exit, std::uint32_t before, std::uint32_t first, std::uint32_t after) {
     std::uint32_t spare = first;
-    for (const Piece& p : pieces_) {
+    for (const EnvelopePiece& p : pieces_) {
         std::uint32_t node = spare;
         if (node != after)
             spare = field_.windows[node].next;
@@ -152,14 +151,14 @@ void Propagation::rewrite(Side& exit, std::uint32_t before, std::uint32_t first,
     }
 }
 
-// A window that comes to an exit; the source is a line's direction if `line`.
-void Propagation::offer(Side& exit, double b0, double b1, double sx, double sy, double sigma, bool line) {
+// Offers a window to an exit. If `line`, (sx, sy) is the direction of a line source.
+void Propagation::offer(ExitSide& exit, double b0, double b1, double sx, double sy, double sigma, bool line) {
     if (line && sy < kLevelSlope) return;
     if (!line) sy = std::min(sy, 0.0);
     Window w{b0, b1, sx, sy, sigma, kNone, exit.list < surface_.twin.size()};
-    if (!wide(w, b0, b1, exit.length)) return; // or no number: the source lies on the exit's line
+    if (!wide(w, b0, b1, exit.length)) return; // also if it is NaN: the source lies on the exit's line
     const double at0 = w.at(b0), at1 = w.at(b1);
-    // A path over a corner that is shorter to the window's far end beats all of it (Xin, Wang 2009).
+    // If a path via a corner is shorter at the window's far end, it is shorter on the whole window (Xin, Wang 2009).
     const auto& d = field_.distance;
     const double least = slack(std::min(at0, at1), exit.length);
     if (d[exit.tail] + b1 < at1 - least || d[exit.head] + (exit.length - b0) < at0 - least) return;
@@ -169,7 +168,7 @@ void Propagation::offer(Side& exit, double b0, double b1, double sx, double sy, 
     }
     ++field_.propagated;
     insert(exit, w);
-    const bool foot = !line && sx > b0 && sx < b1; // nearest there, else at an end
+    const bool foot = !line && sx > b0 && sx < b1; // whether the least distance is inside the window, not at an end
     if (w.pending) queue_.push(exit.list, foot ? sigma - sy : std::min(at0, at1));
 }
 

@@ -9,11 +9,12 @@ namespace filum::geodesic {
 
 namespace {
 
-constexpr double kFlatAngle = 1e-9; // rad: less excess makes no saddle
-constexpr double kInLine = 1e-12;   // of the edge: sources nearer to its line cannot be seen across it
-constexpr double kTouch = 1e-6;     // of the edge: windows that end nearer to a corner reach it
+constexpr double kFlatAngle = 1e-9; // rad: a smaller excess angle makes no saddle vertex
+constexpr double kInLine = 1e-12;   // edges: a source nearer to the line of the edge cannot be seen across it
+constexpr double kTouch = 1e-6;     // edges: windows that end nearer to a corner reach it
 
-// Vertices that shortest paths may bend at: the angle around them is more than full, or at a rim more than half.
+// Saddle vertices, at which shortest paths may bend: the angle around them exceeds a full turn, or half a turn at a
+// rim.
 std::vector<char> saddles(const Surface& s, const std::vector<Frame>& frame) {
     std::vector<double> angle(s.vertices.size(), 0);
     for (std::uint32_t h = 0; h < frame.size(); ++h) angle[s.tail(h)] += std::atan2(frame[h].cy, frame[h].cx);
@@ -46,40 +47,41 @@ geom::Vec2 flatten(const Surface& s, const Frame& f, std::uint32_t h, const Vec3
 
 namespace {
 
-std::shared_ptr<const Ground> ground_of(const Surface& s) {
-    Ground out;
+std::shared_ptr<const Unfolding> unfold(const Surface& s) {
+    Unfolding out;
     out.frame = frames(s);
     out.across = s.twin;
     out.lists = static_cast<std::uint32_t>(s.twin.size());
     for (auto& list : out.across)
         if (list == kNone) list = out.lists++;
-    out.spreads = saddles(s, out.frame);
+    out.saddle = saddles(s, out.frame);
     out.mean_edge = surface::mean_edge(s);
-    return std::make_shared<const Ground>(std::move(out));
+    return std::make_shared<const Unfolding>(std::move(out));
 }
 
 } // namespace
 
-Propagation::Propagation(const Surface& s, bool forgets, std::shared_ptr<const Ground> ground)
-    : surface_(s), forgets_(forgets), ground_(ground ? std::move(ground) : ground_of(s)), spreads_(ground_->spreads),
-      slack_(kSlack * ground_->mean_edge), queue_(s.twin.size() + s.vertices.size(), ground_->mean_edge) {
+Propagation::Propagation(const Surface& s, bool forgets, std::shared_ptr<const Unfolding> unfolding)
+    : surface_(s), forgets_(forgets), unfolding_(unfolding ? std::move(unfolding) : unfold(s)),
+      bends_(unfolding_->saddle), slack_(kSlack * unfolding_->mean_edge),
+      queue_(s.twin.size() + s.vertices.size(), unfolding_->mean_edge) {
     field_.distance.assign(s.vertices.size(), std::numeric_limits<double>::infinity());
-    field_.ground = ground_;
-    field_.first.assign(ground_->lists, kNone);
+    field_.unfolding = unfolding_;
+    field_.first.assign(unfolding_->lists, kNone);
 }
 
 void Propagation::reach(std::uint32_t vertex, double distance) {
     const double before = field_.distance[vertex];
     if (distance >= before) return;
     field_.distance[vertex] = distance;
-    if (distance < before - slack_ && spreads_[vertex] != 0)
+    if (distance < before - slack_ && bends_[vertex] != 0)
         queue_.push(static_cast<std::uint32_t>(surface_.twin.size()) + vertex, distance);
 }
 
-// The exit by side `h` of a triangle.  In the frame of what lies beyond, x runs the other way.
-Propagation::Side Propagation::exit_across(std::uint32_t h, bool from_right) const {
-    const Frame& f = ground_->frame[h];
-    return {.list = ground_->across[h],
+// The exit across side `h` of a triangle. In the frame of the triangle beyond, x runs in the opposite direction.
+Propagation::ExitSide Propagation::exit_across(std::uint32_t h, bool from_right) const {
+    const Frame& f = unfolding_->frame[h];
+    return {.list = unfolding_->across[h],
             .tail = surface_.head(h),
             .head = surface_.tail(h),
             .length = f.length,
@@ -89,30 +91,30 @@ Propagation::Side Propagation::exit_across(std::uint32_t h, bool from_right) con
             .from_right = from_right};
 }
 
-// Windows from a vertex to all around it.
+// Sends windows from a vertex in all directions.
 void Propagation::leave_vertex(std::uint32_t vertex) {
     const double d = field_.distance[vertex];
     each_outgoing(surface_, vertex, [&](std::uint32_t h) {
-        reach(surface_.head(h), d + ground_->frame[h].length);
+        reach(surface_.head(h), d + unfolding_->frame[h].length);
         const std::uint32_t back = surface::prev(h);
-        reach(surface_.tail(back), d + ground_->frame[back].length);
-        Side exit = exit_across(surface::next(h), false);
+        reach(surface_.tail(back), d + unfolding_->frame[back].length);
+        ExitSide exit = exit_across(surface::next(h), false);
         const double sx = exit.tx, sy = exit.ty;
         exit.third = kNone;
         offer(exit, 0, exit.length, sx, sy, d, false);
     });
 }
 
-// Takes the windows that wait at `h` across its triangle.
+// Propagates the pending windows of `h` across its triangle.
 void Propagation::cross(std::uint32_t h) {
     if (!shut_.empty() && shut_[h / 3] != 0) return;
     const std::uint32_t hr = surface::next(h), hl = surface::prev(h);
-    const Frame &f = ground_->frame[h], &fr = ground_->frame[hr], &fl = ground_->frame[hl];
+    const Frame &f = unfolding_->frame[h], &fr = unfolding_->frame[hr], &fl = unfolding_->frame[hl];
     const double cx = f.cx, cy = f.cy;
-    // The right exit leads from the third corner down to the head, the left one from the tail up to the third corner.
+    // The right exit leads from the third corner down to the head; the left one from the tail up to the third corner.
     const double rx = (f.length - cx) * fr.inverse_length, ry = -cy * fr.inverse_length;
     const double lx = cx * fl.inverse_length, ly = cy * fl.inverse_length;
-    Side right = exit_across(hr, false), left = exit_across(hl, true);
+    ExitSide right = exit_across(hr, false), left = exit_across(hl, true);
     const std::uint32_t top = right.tail;
     for (std::uint32_t node = field_.first[h]; node != kNone; node = field_.windows[node].next) {
         if (!field_.windows[node].pending) continue;
@@ -120,11 +122,11 @@ void Propagation::cross(std::uint32_t h) {
         const Window w = field_.windows[node];
         if (w.next != kNone) __builtin_prefetch(&field_.windows[w.next]);
         const bool line = w.is_line();
-        // rays through both ends of the window, along (dx, dy); k > 0: the ray passes the third corner to its right
+        // Rays through both ends of the window, along (dx, dy). k > 0: the ray passes right of the third corner.
         const double dx0 = line ? w.sx : w.b0 - w.sx, dx1 = line ? w.sx : w.b1 - w.sx, dy = line ? w.sy : -w.sy;
         if (dy < kInLine * (line ? 1 : f.length)) continue;
         const double k0 = dx0 * cy - dy * (cx - w.b0), k1 = dx1 * cy - dy * (cx - w.b1);
-        // Of a ray along the side itself no place can be told: all of the side is as good as any.
+        // A ray along the side itself meets it everywhere; then the whole side is taken.
         const auto within = [](double x, double length) { return x > 0 ? std::min(x, length) : 0; };
         const auto on_left = [&](double b, double dx) { return within(dy * b / (dy * lx - dx * ly), fl.length); };
         const auto on_right = [&](double k, double dx) { return within(k / (dy * rx - dx * ry), fr.length); };
@@ -147,18 +149,18 @@ void Propagation::cross(std::uint32_t h) {
     }
 }
 
-// Where windows end at a vertex by rounding, from both sides, none may have told it its distance.
+// Where windows end at a vertex by rounding, on both sides, none may have reached it; this computes its distance.
 void Propagation::reach_missed(std::uint32_t h) {
     double &tail = field_.distance[surface_.tail(h)], &head = field_.distance[surface_.head(h)];
     if (std::isfinite(tail) && std::isfinite(head)) return;
     for (std::uint32_t node = field_.first[h]; node != kNone; node = field_.windows[node].next) {
         const Window& w = field_.windows[node];
         tail = std::min(tail, w.at(w.b0) + w.b0);
-        head = std::min(head, w.at(w.b1) + ground_->frame[h].length - w.b1);
+        head = std::min(head, w.at(w.b1) + unfolding_->frame[h].length - w.b1);
     }
 }
 
-// Gives back the windows of a list.
+// Frees the windows of a list.
 void Propagation::forget(std::uint32_t list) {
     if (list < surface_.twin.size()) reach_missed(list);
     for (std::uint32_t node = field_.first[list]; node != kNone;) {
@@ -169,11 +171,11 @@ void Propagation::forget(std::uint32_t list) {
     field_.first[list] = kNone;
 }
 
-// Whatever comes while a row is at work is no nearer than where the row begins, but for half an edge: keys are
-// distances at the ends of windows, which may be nearer between.  An edge is done with when all such is farther than
-// the ways over its ends, since then offer() turns it down.
+// Windows created while a bucket is processed have distances no smaller than the bucket's lower bound, up to half an
+// edge: keys are distances at the ends of windows, which may be nearer in between. An edge is finished when that bound
+// exceeds the paths via its ends, since offer() then rejects every window.
 double Propagation::run(double farthest, std::uint64_t most) {
-    const double row = ground_->mean_edge;
+    const double row = unfolding_->mean_edge;
     BucketQueue done(forgets_ ? surface_.twin.size() : 0, row);
     double known = std::numeric_limits<double>::infinity();
     for (std::uint32_t id = queue_.pop(farthest); id != kNone; id = queue_.pop(farthest)) {
@@ -188,7 +190,7 @@ double Propagation::run(double farthest, std::uint64_t most) {
         cross(id);
         if (!forgets_) continue;
         const double end = std::min(field_.distance[surface_.tail(id)], field_.distance[surface_.head(id)]);
-        if (std::isfinite(end)) done.push(id, end + ground_->frame[id].length + row);
+        if (std::isfinite(end)) done.push(id, end + unfolding_->frame[id].length + row);
         while ((id = done.pop(queue_.begin())) != kNone) forget(id);
     }
     for (std::uint32_t h = 0; h < surface_.twin.size(); ++h) reach_missed(h);
@@ -197,16 +199,16 @@ double Propagation::run(double farthest, std::uint64_t most) {
     return std::min(known, farthest);
 }
 
-ExactField exact(const Surface& surface, const Sources& sources, double farthest, std::shared_ptr<const Ground> ground,
-                 std::span<const char> shut) {
-    Propagation p(surface, false, std::move(ground));
+ExactField exact(const Surface& surface, const Sources& sources, double farthest,
+                 std::shared_ptr<const Unfolding> unfolding, std::span<const char> shut) {
+    Propagation p(surface, false, std::move(unfolding));
     p.shut(shut);
     p.add(sources);
     p.run(farthest, std::numeric_limits<std::uint64_t>::max());
     return p.take();
 }
 
-std::vector<char> beyond(const Surface& s, std::span<const double> distance, double level) {
+std::vector<char> triangles_beyond(const Surface& s, std::span<const double> distance, double level) {
     std::vector<char> out;
     out.reserve(s.triangles.size());
     for (const auto& [a, b, c] : s.triangles)

@@ -14,15 +14,17 @@ using sparse::Matrix;
 
 namespace {
 
-constexpr double kSliver = 1e-5;  // of the mean edge: by how much two sides are longer than the third, at least
-constexpr double kFaded = 1e-290; // heat below it has lost digits
-constexpr double kReach = 420;    // of the square root of the time in the box's diagonal, at most: heat falls by e each
+constexpr double kSliver = 1e-5;  // mean edges by which two sides must together be longer than the third
+constexpr double kFaded = 1e-290; // smaller values of heat have lost digits
+// most square roots of the time in the box's diagonal; heat falls by a factor e over each
+constexpr double kReach = 420;
+// Most times that the time is multiplied by four.
 constexpr int kRaises = 12;
-constexpr double kNear = 16; // mean edges: up to here distances are computed exactly
+constexpr double kNear = 16; // mean edges up to which distances are computed exactly
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Cotangents {
-    double c[3]; // at the corners
+    double c[3]; // per corner
 };
 Cotangents cotangents(double x1, double x2, double y2) {
     const double twice = x1 * y2;
@@ -47,15 +49,15 @@ Heat::Heat(const Surface& s, const Sources& sources, const HeatOptions& options)
     start(sources);
     assemble();
     factorise_flow();
-    if (options.paper) ground();
-    std::vector<char> known(s.vertices.size(), 0); // components without a source are, too
+    if (options.paper) keep_one_pinned();
+    std::vector<char> known(s.vertices.size(), 0); // also vertices of components without a source
     for (std::size_t v = 0; v < known.size(); ++v)
         known[v] = reached_[s.component[s.outgoing[v] / 3]] == 0 || !std::isnan(pinned_[v]) ? 1 : 0;
-    potential_ = held(known);
+    potential_ = poisson_factor(known);
 }
 
-// Of the potential, whose known values leave the system: rows and columns of the identity.
-Factor Heat::held(const std::vector<char>& known) const {
+// Factorises the Poisson system with Dirichlet rows: rows and columns of known values become those of the identity.
+Factor Heat::poisson_factor(const std::vector<char>& known) const {
     Matrix a = stiffness_;
     for (int col = 0; col < a.outerSize(); ++col)
         for (Matrix::InnerIterator it(a, col); it; ++it)
@@ -68,7 +70,7 @@ Factor Heat::held(const std::vector<char>& known) const {
     return out;
 }
 
-// Where heat starts, and what is known beforehand.
+// Sets the initial heat and the values known beforehand.
 void Heat::start(const Sources& sources) {
     const Surface& s = surface_;
     pinned_.assign(s.vertices.size(), std::nan(""));
@@ -94,7 +96,7 @@ void Heat::start_at(std::uint32_t v) {
     reached_[surface_.component[surface_.outgoing[v] / 3]] = 1;
 }
 
-// As much as there is of the line, to the corners by where its middle lies.
+// Distributes the segment's length to the corners by the barycentric coordinates of its middle.
 void Heat::start_on(const Segment& e) {
     const Surface& s = surface_;
     reached_[s.component[e.triangle]] = 1;
@@ -110,8 +112,8 @@ void Heat::start_on(const Segment& e) {
     initial_[t[2]] += share * part(a, b);
 }
 
-// Leaves one vertex known in each component.
-void Heat::ground() {
+// Keeps one known vertex per component.
+void Heat::keep_one_pinned() {
     std::vector<char> has(surface_.components, 0);
     for (std::size_t v = 0; v < pinned_.size(); ++v) {
         if (std::isnan(pinned_[v])) continue;
@@ -121,7 +123,7 @@ void Heat::ground() {
     }
 }
 
-// Moves every component so that the mean of its sources is 0.
+// Shifts every component such that the mean over its sources is 0.
 void Heat::shift(VectorXd& phi) const {
     std::vector<double> sum(surface_.components, 0), count(surface_.components, 0);
     const auto of = [&](Eigen::Index v) {
@@ -185,7 +187,7 @@ bool Heat::faded(const VectorXd& u) const {
     return false;
 }
 
-// Of the unit field that points away from heat, integrated around every vertex.
+// Integrated divergence, per vertex, of the unit field that points away from heat.
 VectorXd Heat::divergence(const VectorXd& u) const {
     const Surface& s = surface_;
     VectorXd out = VectorXd::Zero(u.size());
@@ -201,7 +203,8 @@ VectorXd Heat::divergence(const VectorXd& u) const {
         gx /= -l;
         gy /= -l;
         const Cotangents cot = cotangents(x1, x2, y2);
-        const double ab = gx * x1, bc = gx * (x2 - x1) + gy * y2, ca = -(gx * x2 + gy * y2); // along the sides
+        // components along the sides
+        const double ab = gx * x1, bc = gx * (x2 - x1) + gy * y2, ca = -(gx * x2 + gy * y2);
         out[a] += (cot.c[2] * ab - cot.c[1] * ca) / 2;
         out[b] += (cot.c[0] * bc - cot.c[2] * ab) / 2;
         out[c] += (cot.c[1] * ca - cot.c[0] * bc) / 2;
@@ -223,7 +226,7 @@ VectorXd Heat::flow() {
 std::vector<double> Heat::distance() {
     const Surface& s = surface_;
     VectorXd right = -divergence(flow());
-    // known values go to the right side
+    // Known values move to the right-hand side.
     const auto value = [&](std::size_t v) { return reached_[s.component[s.outgoing[v] / 3]] == 0 ? 0.0 : pinned_[v]; };
     for (int col = 0; col < stiffness_.outerSize(); ++col)
         for (Matrix::InnerIterator it(stiffness_, col); it; ++it) {
@@ -239,7 +242,7 @@ std::vector<double> Heat::distance() {
     return finished(phi);
 }
 
-// Infinite where no source is, and nowhere below 0.
+// Infinite on components without a source; at least 0 elsewhere.
 std::vector<double> Heat::finished(const VectorXd& phi) const {
     const Surface& s = surface_;
     std::vector<double> out(phi.data(), phi.data() + phi.size());

@@ -1,4 +1,4 @@
-// Geodesic distance by the heat method: approximate, but its time does not grow with the distance as that of windows
+// Geodesic distance by the heat method: approximate, but its time does not grow with distance as that of windows
 // (docs/algorithms/geodesic.md#distances-by-heat).
 #pragma once
 
@@ -10,39 +10,39 @@
 namespace filum::geodesic {
 
 struct HeatOptions {
-    // As Kipping et al. 2022 did it: sources are the vertices nearest to the ends of segments, the time is the square
-    // of the mean edge and stays so, and the result is shifted until the mean of the sources is 0.
+    // As in Kipping et al. 2022: sources are the vertices nearest to the ends of segments, the time is the square of
+    // the mean edge, and the result is shifted such that the mean over the sources is 0.
     bool paper = false;
 };
 
-// Crane, Weischedel, Wardetzky 2013, on intrinsic edge lengths, which are first all made a little longer where
-// triangles are slivers (Sharp, Crane 2020).  The time is the square of the mean edge, or of 1/420 of the box's
-// diagonal if that is greater, and grows by four while heat fades below the smallest numbers on its way.
+// The heat method (Crane, Weischedel, Wardetzky 2013) on intrinsic edge lengths, which are all increased by the same
+// amount if triangles are slivers (Sharp, Crane 2020). The time is the square of the mean edge, or of 1/420 of the
+// box's diagonal if that is greater; it is multiplied by four while heat underflows on its way.
 class Heat {
   public:
-    // Sets up and factorises both systems, the second with what is known near the sources.
+    // Assembles and factorises both systems, the second with the distances known near the sources.
     // Throws Error(failure) if they are singular or too large.
     Heat(const Surface& surface, const Sources& sources, const HeatOptions& options = {});
 
-    // Per vertex, mm; infinite on components without a source.  Within 16 mean edges of the sources exact: so lines are
-    // sources as such, and the potential is pinned.
+    // Distance per vertex, mm; infinite on components without a source. Exact within 16 mean edges of the sources,
+    // where the potential is pinned; so line sources act as lines.
     [[nodiscard]] std::vector<double> distance();
 
-    [[nodiscard]] double time() const { return time_; }  // mm2: that was used
+    [[nodiscard]] double time() const { return time_; }  // mm2: the time used
     [[nodiscard]] int raised() const { return raised_; } // how often it was multiplied by four
 
   private:
-    struct Corner { // of a triangle with intrinsic lengths, corner 0 at the origin, 1 on the x axis
+    struct FlatTriangle { // intrinsic; corner 0 at the origin, 1 on the x axis
         double x1, x2, y2;
     };
     void start(const Sources& sources);
     void start_at(std::uint32_t vertex);
     void start_on(const Segment& segment);
-    void ground();
+    void keep_one_pinned();
     void shift(Eigen::VectorXd& phi) const;
     void assemble();
     void factorise_flow();
-    [[nodiscard]] sparse::Factor held(const std::vector<char>& known) const;
+    [[nodiscard]] sparse::Factor poisson_factor(const std::vector<char>& known) const;
     [[nodiscard]] Eigen::VectorXd flow();
     [[nodiscard]] std::vector<double> finished(const Eigen::VectorXd& phi) const;
     [[nodiscard]] bool faded(const Eigen::VectorXd& u) const;
@@ -50,9 +50,9 @@ class Heat {
 
     const Surface& surface_;
     HeatOptions options_;
-    std::vector<Corner> flat_;   // per triangle
-    std::vector<double> pinned_; // per vertex: its distance if it is known, else nan
-    std::vector<char> reached_;  // per component
+    std::vector<FlatTriangle> flat_; // per triangle
+    std::vector<double> pinned_;     // per vertex: its distance if known, otherwise NaN
+    std::vector<char> reached_;      // per component: whether it has a source
     Eigen::VectorXd initial_, mass_;
     sparse::Matrix stiffness_;
     sparse::Factor flow_, potential_;

@@ -8,13 +8,13 @@ using surface::kNone;
 
 namespace {
 
-constexpr double kTolerance = 1e-3; // mm
+constexpr double kTolerance = 1e-3; // mm between an isoline and the level set
 
 struct Crossing {
-    std::uint32_t edge;                                            // the lesser half-edge
+    std::uint32_t edge;                                            // the half-edge of lower number
     double x;                                                      // mm from its tail
-    std::uint32_t before = kNone, after = kNone;                   // crossings that the line joins it to
-    std::uint32_t before_triangle = kNone, after_triangle = kNone; // across these triangles
+    std::uint32_t before = kNone, after = kNone;                   // neighbours on the line
+    std::uint32_t before_triangle = kNone, after_triangle = kNone; // the triangles between
 };
 
 // All isolines of one level.
@@ -25,7 +25,7 @@ class Tracer {
 
     void add(std::uint32_t edge, double x) { crossings_.push_back({edge, x}); }
     void join(std::uint32_t triangle);
-    void trace(std::vector<Isoline>& out, std::vector<OnEdge>& begins);
+    void trace(std::vector<Isoline>& out, std::vector<EdgePlace>& begins);
     [[nodiscard]] bool empty() const { return crossings_.empty(); }
     [[nodiscard]] std::span<const Crossing> crossings() const { return crossings_; }
 
@@ -38,7 +38,7 @@ class Tracer {
     std::span<const double> distance_;
     double level_;
     const Inside& at_;
-    std::vector<Crossing> crossings_; // by edge, then x
+    std::vector<Crossing> crossings_; // by edge, then by x
     std::vector<std::uint32_t> around_;
 };
 
@@ -56,7 +56,7 @@ Vec3 Tracer::place(const Crossing& c) const {
     return a + c.x / distance(a, b) * (b - a);
 }
 
-// Joins the crossings around a triangle: counter-clockwise they lead in turn out of what is nearer and into it.
+// Connects the crossings around a triangle. Counter-clockwise they alternately lead above the level and below it.
 void Tracer::join(std::uint32_t triangle) {
     around_.clear();
     for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
@@ -69,8 +69,8 @@ void Tracer::join(std::uint32_t triangle) {
     }
     if (around_.size() < 2) return;
     const std::size_t n = around_.size();
-    const std::size_t out = distance_[surface_.triangles[triangle][0]] < level_ ? 0 : 1; // the first that leads out
-    bool near_joined = false; // what is nearer hangs together in the middle: cut off what is farther
+    const std::size_t out = distance_[surface_.triangles[triangle][0]] < level_ ? 0 : 1; // the first that leads above
+    bool near_joined = false; // the part below the level is connected through the middle
     if (n > 2) {
         Vec3 middle;
         for (const std::uint32_t c : around_) middle = middle + 1.0 / static_cast<double>(n) * place(crossings_[c]);
@@ -99,7 +99,7 @@ Isoline Tracer::follow(std::uint32_t first, std::vector<char>& seen) const {
     return line;
 }
 
-void Tracer::trace(std::vector<Isoline>& out, std::vector<OnEdge>& begins) {
+void Tracer::trace(std::vector<Isoline>& out, std::vector<EdgePlace>& begins) {
     std::vector<char> seen(crossings_.size(), 0);
     const auto add = [&](std::uint32_t c) {
         Isoline line = follow(c, seen);
@@ -113,10 +113,11 @@ void Tracer::trace(std::vector<Isoline>& out, std::vector<OnEdge>& begins) {
         if (seen[c] == 0) add(c);
 }
 
-// length(half-edge), mm.
+// `length(half-edge)` is in mm.
 template <class Length>
 std::vector<Isoline> traced(const Surface& s, std::span<const double> distance, std::span<const double> levels,
-                            const Length& length, const Crosser& cross, const Inside& at, std::vector<OnEdge>* begins) {
+                            const Length& length, const Crosser& cross, const Inside& at,
+                            std::vector<EdgePlace>* begins) {
     std::vector<Tracer> tracers;
     tracers.reserve(levels.size());
     for (const double level : levels) tracers.emplace_back(s, distance, level, at);
@@ -133,7 +134,7 @@ std::vector<Isoline> traced(const Surface& s, std::span<const double> distance, 
         }
     }
     std::vector<Isoline> out;
-    std::vector<OnEdge> unused;
+    std::vector<EdgePlace> unused;
     std::vector<std::uint32_t> last_joined(s.triangles.size(), kNone);
     for (std::uint32_t i = 0; i < tracers.size(); ++i) {
         const std::size_t n = tracers[i].crossings().size();
@@ -153,18 +154,18 @@ std::vector<Isoline> traced(const Surface& s, std::span<const double> distance, 
 } // namespace
 
 std::vector<Isoline> isolines(const Surface& s, std::span<const double> distance, std::span<const double> levels,
-                              const Crosser& cross, const Inside& at, std::vector<OnEdge>* begins) {
+                              const Crosser& cross, const Inside& at, std::vector<EdgePlace>* begins) {
     return traced(
         s, distance, levels, [&](std::uint32_t h) { return surface::side_length(s, h); }, cross, at, begins);
 }
 
 std::vector<Isoline> isolines(const Surface& s, const ExactField& field, std::span<const double> levels,
-                              std::vector<OnEdge>* begins) {
+                              std::vector<EdgePlace>* begins) {
     const Inside at = [&](std::uint32_t t, const Vec3& p) { return distance_at(s, field, t, p); };
     const Crosser cross = [&](std::uint32_t h, double level, std::vector<double>& out) {
         level_crossings(s, field, h, level, out);
     };
-    const auto& frame = field.ground->frame;
+    const auto& frame = field.unfolding->frame;
     auto out = traced(
         s, field.distance, levels, [&](std::uint32_t h) { return frame[h].length; }, cross, at, begins);
     for (Isoline& line : out) refine(s, line, at, kTolerance);
@@ -180,7 +181,7 @@ std::vector<Isoline> isolines(const Surface& s, std::span<const double> distance
             if ((a < level) == (b < level)) return;
             out.push_back((level - a) / (b - a) * surface::side_length(s, h));
         },
-        [](std::uint32_t, const Vec3&) { return 0.0; }); // two crossings at most
+        [](std::uint32_t, const Vec3&) { return 0.0; }); // not used, as there are two crossings at most
 }
 
 } // namespace filum::geodesic

@@ -10,7 +10,7 @@ namespace filum::geodesic {
 
 namespace {
 
-// The numbers of a line of text; false if there is anything else.
+// The numbers in a line of text; false if it contains anything else.
 bool numbers(std::string_view text, std::vector<double>& out) {
     const char *at = text.data(), *const end = at + text.size();
     for (;;) {
@@ -46,7 +46,7 @@ std::vector<std::vector<Vec3>> read_lines(std::string_view text, const std::stri
             out.emplace_back();
     }
     if (out.back().empty()) out.pop_back();
-    if (out.empty()) throw Error(Exit::bad_input, "cannot use " + name + ": it holds no point");
+    if (out.empty()) throw Error(Exit::bad_input, "cannot use " + name + ": it contains no point");
     return out;
 }
 
@@ -60,10 +60,10 @@ void add_lines(Sources& sources, const Surface& s, const std::vector<std::vector
 }
 
 Facts add_mesh(Sources& sources, const Surface& s, const mesh::Mesh& mesh) {
-    const surface::Meeting m = surface::meet(s, mesh);
+    const surface::Intersection m = surface::meet(s, mesh);
     if (m.segments.empty())
-        throw Error(Exit::usage, "cannot use --source-mesh: the mesh does not meet the surface; check that both are "
-                                 "placed alike");
+        throw Error(Exit::usage, "cannot use --source-mesh: the mesh does not touch the surface; check that both have "
+                                 "the same origin");
     sources.segments.insert(sources.segments.end(), m.segments.begin(), m.segments.end());
     return {{"", "source-mesh-crossing", m.crossing, "mm"},
             {"", "source-mesh-touching", m.touching, "mm"},

@@ -1,4 +1,4 @@
-// Lines as sources, from a text file or by another mesh.
+// Lines as sources: from a text file, or where another mesh meets the surface.
 #pragma once
 
 #include "base/fact.hpp"
@@ -10,17 +10,18 @@
 
 namespace filum::geodesic {
 
-// Lines of points in `text`: three numbers a line, between blanks or commas; an empty line begins the next one, '#' a
-// comment.  `name` is for messages.  Throws Error(bad_input) naming the line of text that is none of these, or if there
-// is no point at all.
+// Lines of points in `text`: three numbers per row, separated by blanks or commas. An empty row starts the next line;
+// '#' starts a comment. `name` is for messages.
+// Throws Error(bad_input) that names the row in error, or if there is no point.
 std::vector<std::vector<Vec3>> read_lines(std::string_view text, const std::string& name);
 
-// Adds them as sources, drawn onto the surface; noted if a point was farther from it than a mean edge.
+// Projects the lines onto the surface and adds them as sources; with a note if a point is farther from it than a mean
+// edge.
 // Throws Error(bad_input) as surface::trace does.
 void add_lines(Sources& sources, const Surface& surface, const std::vector<std::vector<Vec3>>& lines, Notes& notes);
 
-// Adds what the surface has in common with the mesh (surface::meet).  Returns how much of it there is of each kind as
-// facts: "source-mesh-crossing", "source-mesh-touching", "source-mesh-flush".
+// Adds the intersection of the surface with the mesh (surface::meet). Returns the facts "source-mesh-crossing",
+// "source-mesh-touching" and "source-mesh-flush", the amount of each kind of contact.
 // Throws Error(usage) if they do not meet.
 Facts add_mesh(Sources& sources, const Surface& surface, const mesh::Mesh& mesh);
 

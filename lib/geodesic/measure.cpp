@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kMaxLevels = 1e5;
 constexpr std::size_t kExactTriangles = 300'000;
-constexpr std::size_t kTried = 8;             // windows per triangle: what about as much time as heat allows for
-constexpr std::uint64_t kChecked = 4'000'000; // windows
-constexpr std::size_t kSmall = 100'000;       // triangles: up to here memory for all windows is no matter
-constexpr double kOff = 0.05, kFarOff = 0.2;  // of the distance: so much at 1 % of the vertices, or at one, is told
+constexpr std::size_t kTried = 8;             // windows per triangle, which take about as much time as the heat method
+constexpr std::uint64_t kChecked = 4'000'000; // windows for the comparison with heat
+constexpr std::size_t kSmall = 100'000; // triangles: for smaller surfaces the memory for all windows does not matter
+constexpr double kOff = 0.05, kFarOff = 0.2; // relative errors: p99, or the maximum, above which a note is added
 
-// What no place on an edge is farther than.
+// An upper bound on the distance of any place on an edge.
 double farthest_on_edges(const Surface& s, std::span<const double> distance) {
     double out = 0;
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
@@ -29,11 +29,11 @@ double farthest_on_edges(const Surface& s, std::span<const double> distance) {
     return out;
 }
 
-// All levels asked for, ascending, each once.
+// The requested levels, ascending, without duplicates.
 std::vector<double> levels_up_to(double farthest, const Options& o) {
     std::vector<double> out = o.levels;
     for (const double level : out)
-        if (!(level > 0)) throw Error(Exit::usage, "cannot draw isolines at --levels that are not above 0");
+        if (!(level > 0)) throw Error(Exit::usage, "--levels must be above 0");
     if (o.spacing > 0) {
         const double first = o.first > 0 ? o.first : o.spacing;
         if ((farthest - first) / o.spacing > kMaxLevels)
@@ -45,7 +45,7 @@ std::vector<double> levels_up_to(double farthest, const Options& o) {
     return out;
 }
 
-// By the side of each line's first stretch that has one.
+// The side of the line's first segment that has one.
 int side_of(const Surface& s, const Sides& sides, const Isoline& line) {
     for (std::size_t i = 0; i < line.triangles.size(); ++i) {
         const Vec3 middle = 0.5 * (line.points[i] + line.points[(i + 1) % line.points.size()]);
@@ -62,14 +62,15 @@ void add_signs(const Surface& s, const Sources& sources, std::vector<double>& di
     for (Isoline& line : lines) {
         if (side_of(s, found, line) > 0) continue;
         line.level = -line.level;
-        // The other way round: an open line's stretches turn with its points, a closed one's last joins last and first.
+        // Reverses the line. Segments of an open line reverse with its points; the last one of a closed line joins its
+        // ends.
         std::reverse(line.points.begin(), line.points.end());
         std::reverse(line.triangles.begin(), line.triangles.end() - (line.closed ? 1 : 0));
     }
     std::stable_sort(lines.begin(), lines.end(), [](const Isoline& a, const Isoline& b) { return a.level < b.level; });
 }
 
-// What heat gave beside the exact distances, as far as those are known.
+// Compares distances by heat with the exact ones, as far as these are known.
 void compare(std::span<const double> truth, std::span<const double> distance, Facts& facts, Notes& notes) {
     const DistanceError e = distance_error(truth, distance);
     facts.push_back({"", "heat-checked", static_cast<double>(e.vertices), "vertices"});
@@ -83,14 +84,14 @@ void compare(std::span<const double> truth, std::span<const double> distance, Fa
 
 bool wants_lines(const Options& o) { return !o.levels.empty() || o.spacing > 0; }
 
-// Exact distances as far as they are worth it: all of them where that is asked for, or cheap; else what can be had in
-// about the time of heat, or in a second to compare with.
+// Exact distances as far as they are worth the time: all if requested or cheap; otherwise as many as take about the
+// time of the heat method, or a second for the comparison.
 ExactDistances exact_part(const Surface& s, const Sources& sources, const Options& o) {
     constexpr double kAll = std::numeric_limits<double>::infinity();
     if (o.method == Method::heat) return exact_distances(s, sources, kAll, kChecked);
     if (o.method == Method::either && s.triangles.size() > kExactTriangles)
         return exact_distances(s, sources, kAll, kTried * s.triangles.size());
-    if (wants_lines(o) || s.triangles.size() <= kSmall) return {{}, kAll, 0}; // windows are wanted, or no matter
+    if (wants_lines(o) || s.triangles.size() <= kSmall) return {{}, kAll, 0}; // measure() computes all windows
     return exact_distances(s, sources);
 }
 
@@ -98,7 +99,7 @@ ExactDistances exact_part(const Surface& s, const Sources& sources, const Option
 
 Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& o, Notes& notes) {
     const Surface& s = sheet.surface;
-    if (o.paper && o.method != Method::heat) throw Error(Exit::usage, "cannot use --paper without --method heat");
+    if (o.paper && o.method != Method::heat) throw Error(Exit::usage, "--paper requires --method heat");
     ExactDistances found = exact_part(s, sources, o);
     const bool by_windows = o.method != Method::heat && !std::isfinite(found.known);
     Facts facts{{"", "exact", by_windows ? 1.0 : 0.0, ""}};

@@ -8,13 +8,13 @@ namespace filum::geodesic {
 
 namespace {
 
-constexpr double kGlue = 1e-7; // of the edge: gaps between windows that are none
-constexpr double kEnd = 1e-9;  // of the edge: how far from an end that is above a level the level is at least
+constexpr double kGlue = 1e-7; // edges: smaller gaps between windows are none
+constexpr double kEnd = 1e-9;  // edges: least distance of a level from an end above it
 
-// Distance of (px, py), py >= 0, by way of the window; bent at its end if it cannot be seen straight.  `least`, without
-// a look at where the window ends, if straight it is no nearer.
+// Distance of (px, py), py >= 0, via the window; the path bends at the window's end if it cannot be straight. Returns
+// `least` early if the path cannot be shorter.
 double through(const Window& w, double px, double py, double least) {
-    constexpr double kRounding = 1e-12; // of distances: more than some steps of rounding
+    constexpr double kRounding = 1e-12; // relative: more than a few rounding errors
     const double dx = w.is_line() ? w.sx : px - w.sx, dy = w.is_line() ? w.sy : py - w.sy;
     const double room = least - w.sigma + kRounding * (least + std::abs(w.sigma));
     if (w.is_line() ? dx * px + dy * py > room : room <= 0 || dx * dx + dy * dy > room * room) return least;
@@ -22,7 +22,7 @@ double through(const Window& w, double px, double py, double least) {
     if (x >= w.b0 && x <= w.b1)
         return w.is_line() ? w.sigma + w.sx * px + w.sy * py : w.sigma + std::sqrt(dx * dx + dy * dy);
     const double b = std::clamp(x, w.b0, w.b1), end = w.at(b), away = std::max(std::abs(px - b), py);
-    if (end + (1 - kRounding) * away > least) return least; // without a root: hypot is no less than either side
+    if (end + (1 - kRounding) * away > least) return least; // avoids hypot, which is at least `away`
     return end + std::hypot(px - b, py);
 }
 
@@ -37,7 +37,7 @@ struct Interval {
     double a, b;
 };
 
-// The part of a window that lies below the level.
+// The part of a window that is below the level.
 Interval below(const Window& w, double level) {
     if (w.is_line()) {
         const double rest = level - w.sigma;
@@ -59,7 +59,7 @@ double distance_at(const Surface& s, const ExactField& field, std::uint32_t tria
         const std::uint32_t v = s.tail(h);
         least = std::min(least, field.distance[v] + distance(s.vertices[v], p));
         if (field.first[h] == surface::kNone) continue;
-        const geom::Vec2 q = flatten(s, field.ground->frame[h], h, p);
+        const geom::Vec2 q = flatten(s, field.unfolding->frame[h], h, p);
         for (std::uint32_t w = field.first[h]; w != surface::kNone; w = field.windows[w].next)
             least = std::min(least, through(field.windows[w], q.x, std::max(0.0, q.y), least));
     }
@@ -72,9 +72,10 @@ double distance_at(const Surface& s, const ExactField& field, std::uint32_t tria
 
 void level_crossings(const Surface& s, const ExactField& field, std::uint32_t h, double level,
                      std::vector<double>& out) {
-    const double l = field.ground->frame[h].length, tail = field.distance[s.tail(h)], head = field.distance[s.head(h)];
+    const double l = field.unfolding->frame[h].length, tail = field.distance[s.tail(h)],
+                 head = field.distance[s.head(h)];
     const double lo = tail < level ? 0 : kEnd * l, hi = head < level ? l : (1 - kEnd) * l;
-    std::array<std::byte, 64 * sizeof(Interval)> room; // mostly enough, so that no memory is asked for
+    std::array<std::byte, 64 * sizeof(Interval)> room; // usually enough without allocating
     std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
     std::pmr::vector<Interval> parts(&memory);
     parts.reserve(32);
@@ -82,12 +83,13 @@ void level_crossings(const Surface& s, const ExactField& field, std::uint32_t h,
         i = {std::max(i.a, lo), std::min(i.b, hi)};
         if (i.a < i.b) parts.push_back(i);
     };
-    // An end that is nearer, by rounding only, is so for a stretch: else the number of places would not be even.
+    // An end that is below the level by rounding only gets a small interval; otherwise the number of crossings would
+    // be odd.
     if (tail < level) add({0, std::max(level - tail, kEnd * l)});
     if (head < level) add({l - std::max(level - head, kEnd * l), l});
     for (std::uint32_t w = field.first[h]; w != surface::kNone; w = field.windows[w].next)
         add(below(field.windows[w], level));
-    for (std::uint32_t w = field.first[field.ground->across[h]]; w != surface::kNone; w = field.windows[w].next) {
+    for (std::uint32_t w = field.first[field.unfolding->across[h]]; w != surface::kNone; w = field.windows[w].next) {
         const Interval i = below(field.windows[w], level);
         if (i.a < i.b) add({l - i.b, l - i.a});
     }
@@ -102,19 +104,19 @@ void level_crossings(const Surface& s, const ExactField& field, std::uint32_t h,
     }
 }
 
-// Between the ends of windows distances have no peak: there they are roots of sums of squares, or lines.
+// Between the ends of windows distances have no maximum, as they are linear or roots of sums of squares.
 double farthest(const Surface& s, const ExactField& field) {
     double out = 0;
     for (const double d : field.distance)
         if (std::isfinite(d)) out = std::max(out, d);
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
         if (s.twin[h] < h) continue;
-        const double l = field.ground->frame[h].length,
+        const double l = field.unfolding->frame[h].length,
                      most = (field.distance[s.tail(h)] + field.distance[s.head(h)] + l) / 2;
         if (!std::isfinite(most) || most <= out) continue;
         const Vec3 &a = s.vertices[s.tail(h)],
-                   along = field.ground->frame[h].inverse_length * (s.vertices[s.head(h)] - a);
-        for (const std::uint32_t list : {h, field.ground->across[h]})
+                   along = field.unfolding->frame[h].inverse_length * (s.vertices[s.head(h)] - a);
+        for (const std::uint32_t list : {h, field.unfolding->across[h]})
             for (std::uint32_t w = field.first[list]; w != surface::kNone; w = field.windows[w].next)
                 for (const double x : {field.windows[w].b0, field.windows[w].b1}) {
                     const Vec3 p = a + (list == h ? x : l - x) * along;

@@ -1,13 +1,12 @@
-// Points of isolines between the edges.
+// Inserts points of isolines inside triangles.
 #include "geodesic/isolines.hpp"
 
 namespace filum::geodesic {
 
 namespace {
 
-constexpr int kDepth = 6;  // halvings of a stretch
-constexpr int kSteps = 30; // towards the level, each as long as the distance is off: shorter than the way, as slopes
-                           // are at most 1
+constexpr int kDepth = 6;  // most halvings of a segment
+constexpr int kSteps = 30; // most steps towards the level; each is as long as the error, since slopes are at most 1
 
 class Refiner {
   public:
@@ -24,7 +23,7 @@ class Refiner {
         double off = at_(triangle, p) - level_;
         if (std::abs(off) <= tolerance_) return;
         for (int i = 0; i < kSteps && std::abs(off) > tolerance_ / 100; ++i) {
-            p = p + off * left; // what is nearer lies left
+            p = p + off * left; // smaller distances are on the left
             if (!inside(triangle, p)) return;
             off = at_(triangle, p) - level_;
         }

@@ -11,10 +11,10 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kOn = 1e-7;    // of the triangle's longest side: what is nearer to a line lies on it
-constexpr double kMixed = 0.01; // of the lines
+constexpr double kOn = 1e-7;    // longest sides of the triangle: a point nearer to a line lies on it
+constexpr double kMixed = 0.01; // largest share of the lines that may be mixed
 
-// Whether p -> q and a line, all in the plane across `normal`, cross within both.
+// Whether p-q and a line, all in the plane with this normal, cross properly.
 bool crosses(const Vec3& normal, const Vec3& p, const Vec3& q, const Segment& line) {
     const auto side = [&](const Vec3& from, const Vec3& to, const Vec3& at) {
         return dot(normal, cross(to - from, at - from));
@@ -22,7 +22,7 @@ bool crosses(const Vec3& normal, const Vec3& p, const Vec3& q, const Segment& li
     return side(p, q, line.a) * side(p, q, line.b) < 0 && side(line.a, line.b, p) * side(line.a, line.b, q) < 0;
 }
 
-// Whether a line of the triangle, other than `own`, stands between the points.
+// Whether a line of the triangle other than `own` is between the points.
 bool apart(const std::vector<Segment>& lines, std::uint32_t triangle, const Vec3& normal, const Vec3& p, const Vec3& q,
            const Segment* own = nullptr) {
     auto it = std::lower_bound(lines.begin(), lines.end(), triangle,
@@ -32,9 +32,9 @@ bool apart(const std::vector<Segment>& lines, std::uint32_t triangle, const Vec3
     return false;
 }
 
-class Sider {
+class SideSolver {
   public:
-    Sider(const Surface& s, const Sources& sources) : surface_(s), sources_(sources), blocked_(s.twin.size(), 0) {
+    SideSolver(const Surface& s, const Sources& sources) : surface_(s), sources_(sources), blocked_(s.twin.size(), 0) {
         out_.of.assign(s.vertices.size(), 1);
         for (const std::uint32_t v : sources.vertices) out_.of[v] = 0;
         for (const Segment& line : sources.segments) block(line);
@@ -54,7 +54,7 @@ class Sider {
     }
 
   private:
-    // Marks vertices on the line, and edges where it ends, which are those that it crosses.
+    // Marks vertices on the line, and edges at which it ends, which are the edges that it crosses.
     void block(const Segment& line) {
         double longest = 0;
         for (std::uint32_t h = 3 * line.triangle; h < 3 * line.triangle + 3; ++h)
@@ -96,13 +96,13 @@ class Sider {
                 each_outgoing(surface_, v, [&](std::uint32_t h) {
                     if (blocked_[h] == 0) take(surface_.head(h), region);
                     if (const std::uint32_t back = surface::prev(h); blocked_[back] == 0)
-                        take(surface_.tail(back), region); // at a rim no half-edge leads there
+                        take(surface_.tail(back), region); // at a rim no half-edge leads to that vertex
                 });
             }
         }
     }
 
-    // Calls visit(vertex, length, whether it lies to the left) for the corners that look at the middle of a line.
+    // Calls visit(vertex, length, whether it is on the left) for each line's corners that see its middle.
     template <class Visit>
     void each_beside(const Visit& visit) const {
         for (const Segment& line : out_.lines) {
@@ -141,13 +141,14 @@ class Sider {
     const Sources& sources_;
     std::vector<char> blocked_;         // per half-edge: a line crosses it
     std::vector<std::uint32_t> region_; // per vertex
-    std::vector<double> balance_;       // per region: mm of lines that have it to their left, less others
+    // per region: mm of lines that have it on their left, minus mm of those that have it on their right
+    std::vector<double> balance_;
     Sides out_;
 };
 
 } // namespace
 
-Sides sides(const Surface& surface, const Sources& sources) { return Sider(surface, sources).run(); }
+Sides sides(const Surface& surface, const Sources& sources) { return SideSolver(surface, sources).run(); }
 
 int Sides::at(const Surface& s, std::uint32_t triangle, const Vec3& p) const {
     const Vec3 up = surface::normal(s, triangle);

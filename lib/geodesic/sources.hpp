@@ -1,4 +1,4 @@
-// The names that distances speak of.
+// Names that all of lib/geodesic uses.
 #pragma once
 
 #include "surface/sources.hpp"

@@ -6,7 +6,7 @@ namespace filum::geodesic {
 
 namespace {
 
-struct Collector {
+struct RootCollector {
     Crossings found;
     double lo, hi;
     void add(double x) {
@@ -14,9 +14,9 @@ struct Collector {
     }
 };
 
-// Adds the roots of a x^2 + 2 b x + c that `fits` accepts: squaring has brought in false ones.
+// Adds the roots of a x^2 + 2 b x + c that satisfy `fits`; squaring may have introduced false ones.
 template <class Fits>
-void add_roots(Collector& out, double a, double b, double c, const Fits& fits) {
+void add_roots(RootCollector& out, double a, double b, double c, const Fits& fits) {
     const auto add = [&](double x) {
         if (fits(x)) out.add(x);
     };
@@ -27,7 +27,7 @@ void add_roots(Collector& out, double a, double b, double c, const Fits& fits) {
     }
     const double disc = b * b - a * c;
     if (disc < 0) return;
-    const double q = -(b + std::copysign(std::sqrt(disc), b)); // no cancellation
+    const double q = -(b + std::copysign(std::sqrt(disc), b)); // avoids cancellation
     const double r0 = q / a, r1 = q != 0 ? c / q : r0;
     add(std::min(r0, r1));
     if (r0 != r1) add(std::max(r0, r1));
@@ -37,9 +37,9 @@ void add_roots(Collector& out, double a, double b, double c, const Fits& fits) {
 
 namespace {
 
-// Where the edge begins at 0.
+// The crossings if the interval starts at 0.
 Crossings crossings_from(const Window& a, const Window& b, double lo, double hi) {
-    Collector out{{}, lo, hi};
+    RootCollector out{{}, lo, hi};
     if (a.is_line() && b.is_line()) {
         if (a.sx != b.sx) out.add((b.sigma - a.sigma) / (a.sx - b.sx));
     } else if (a.is_line() || b.is_line()) {
@@ -63,7 +63,7 @@ Crossings crossings_from(const Window& a, const Window& b, double lo, double hi)
     return out.found;
 }
 
-// Seen from `x` on along the edge.
+// The window in coordinates that start at `x`.
 Window seen_from(Window w, double x) {
     if (w.is_line())
         w.sigma += w.sx * x;
@@ -74,8 +74,8 @@ Window seen_from(Window w, double x) {
 
 } // namespace
 
-// Seen from `lo` numbers are as small as what they tell of, where windows and sources lie close together at the far end
-// of an edge.
+// In coordinates that start at `lo` rounding errors are relative to the interval, which matters where windows and
+// sources are close together at the far end of an edge.
 Crossings crossings(const Window& a, const Window& b, double lo, double hi) {
     Crossings out = crossings_from(seen_from(a, lo), seen_from(b, lo), 0, hi - lo);
     for (int i = 0; i < out.count; ++i) out.x[i] += lo;

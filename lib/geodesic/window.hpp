@@ -1,4 +1,4 @@
-// Windows: pieces of an edge that are reached from one source by straight lines in an unfolded strip of triangles.
+// Windows: parts of an edge that are reached from one source by straight lines in an unfolded strip of triangles.
 // Private to lib/geodesic.
 #pragma once
 
@@ -10,15 +10,14 @@
 
 namespace filum::geodesic {
 
-// In the frame of a half-edge: x along it from its tail, y to the left, into the triangle that the window is about to
-// enter.  Two kinds:
-//   a point source at (sx, sy), sy <= 0:  distance(x) = sigma + |(x, 0) - (sx, sy)|
-//   a line source, sy > 0:                distance(x) = sigma + sx x, travelling along the unit vector (sx, sy)
+// In the frame of a half-edge: x along it from its tail, y to the left, into the triangle that the window will enter.
+//   point source at (sx, sy), sy <= 0:  distance(x) = sigma + |(x, 0) - (sx, sy)|
+//   line source, sy > 0:                distance(x) = sigma + sx x, along the unit direction (sx, sy)
 struct Window {
-    double b0, b1;      // mm, b0 < b1: the piece of the edge
+    double b0, b1;      // mm, b0 < b1: the part of the edge
     double sx, sy;      // source or direction
     double sigma;       // mm: distance at the source, or at the frame's origin
-    std::uint32_t next; // of this half-edge, by ascending b0; kNone at the last
+    std::uint32_t next; // next window of the half-edge by b0; kNone for the last
     bool pending;       // not yet propagated
 
     [[nodiscard]] bool is_line() const { return sy > 0; }
@@ -29,8 +28,8 @@ struct Window {
     }
 };
 
-// Windows by number, in blocks that stay where they are, so that growing takes no second copy of all.  Numbers are not
-// given twice: what comes together lies together.
+// Windows by number, in blocks that never move, so growing needs no second copy. Numbers are not reused, so windows
+// created together are near each other in memory.
 class Windows {
   public:
     [[nodiscard]] std::size_t size() const { return size_; }
@@ -41,7 +40,7 @@ class Windows {
         blocks_.push_back(std::make_unique_for_overwrite<Window[]>(std::size_t{1} << kBits));
         used_.push_back(std::size_t{1} << kBits);
     }
-    // Window i is needed no more; a block without any goes.
+    // Frees window i; a block is freed with its last window.
     void drop(std::uint32_t i) {
         if (--used_[i >> kBits] == 0) blocks_[i >> kBits].reset();
     }

@@ -17,21 +17,22 @@ namespace filum::laminate {
 
 namespace {
 
-constexpr double kEverywhere = 1e6; // mm from the edge, on parts of the surface without one
-constexpr double kOnEdge = 1e-7;    // of a side: what is no farther from it runs along it, as geodesic has it
-constexpr double kAsNear = 0.01;    // of the way that edges are to be apart: what discs and triangles leave uncertain
+constexpr double kEverywhere = 1e6; // mm from the edge, on parts of the surface without an edge
+constexpr double kOnEdge = 1e-7;    // sides: lines nearer than this to a side run along it, as in geodesic
+constexpr double kAsNear = 0.01;    // share of the distance between edges that discs and triangles leave uncertain
 
-// Distances from the lines, below 0 where `within` is below 0.
+// Distances from the lines, negative where `within` is negative.
 Edge signed_distances(const Surface& s, const surface::Sources& lines, const std::vector<signed char>& within) {
     Edge out = lines.empty() ? Edge(s.vertices.size(), kEverywhere) : geodesic::exact_distances(s, lines).distance;
     for (std::size_t v = 0; v < out.size(); ++v) out[v] = (within[v] < 0 ? -1 : 1) * std::min(out[v], kEverywhere);
     return out;
 }
 
-// Tells what is nearer than `near` mm to a rim.
-class Rims {
+// Finds what is nearer than `near` mm to a rim.
+class RimNeighbourhood {
   public:
-    Rims(const Surface& s, double near) : sides_(surface::rim_sources(s).segments), near_(near), tree_(boxes()) {}
+    RimNeighbourhood(const Surface& s, double near)
+        : sides_(surface::rim_sources(s).segments), near_(near), tree_(boxes()) {}
 
     [[nodiscard]] bool beside(const Vec3& p) const {
         bool found = false;
@@ -56,7 +57,7 @@ class Rims {
     geom::Bvh tree_;
 };
 
-// What runs along an edge of the surface, in both of its triangles: so that each side knows of it.
+// Adds lines along edges of the surface in both adjacent triangles, so that both sides have them.
 void add_twins(const Surface& s, surface::Sources& lines) {
     const std::size_t n = lines.segments.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -70,14 +71,14 @@ void add_twins(const Surface& s, surface::Sources& lines) {
     }
 }
 
-// Below 0 what lies to the left.  Vertices of a rim along which lines run are where those beside them within are.
+// Negative on the left of the lines. Vertices of a rim along which lines run get the sign of their inner neighbours.
 std::vector<signed char> sides_of(const Surface& s, const surface::Sources& lines) {
     const auto sides = geodesic::sides(s, lines);
     geodesic::check(sides, "a ply's boundary");
     std::vector<signed char> out(s.vertices.size(), 0);
     for (std::uint32_t v = 0; v < out.size(); ++v)
         if (!s.on_rim(v)) out[v] = static_cast<signed char>(-sides.of[v]);
-    for (int round = 0; round < 2; ++round) { // a corner of a rim may have no neighbour but on rims
+    for (int round = 0; round < 2; ++round) { // a corner of a rim may have neighbours on rims only
         const auto known = out;
         for (std::uint32_t v = 0; v < out.size(); ++v) {
             if (known[v] != 0) continue;
@@ -93,7 +94,7 @@ std::vector<signed char> sides_of(const Surface& s, const surface::Sources& line
     return out;
 }
 
-Edge edge_of_curves(const Surface& s, const Within& within, double near, Notes& notes) {
+Edge edge_of_curves(const Surface& s, const Area& within, double near, Notes& notes) {
     surface::Sources lines;
     for (auto curve : within.curves) {
         curve.push_back(curve.front());
@@ -103,12 +104,12 @@ Edge edge_of_curves(const Surface& s, const Within& within, double near, Notes& 
     }
     add_twins(s, lines);
     const auto side = sides_of(s, lines);
-    const Rims rims(s, near);
+    const RimNeighbourhood rims(s, near);
     std::erase_if(lines.segments, [&](const surface::Segment& l) { return rims.beside(0.5 * (l.a + l.b)); });
     return signed_distances(s, lines, side);
 }
 
-Edge edge_of_faces(const Base& base, const Within& within) {
+Edge edge_of_faces(const BaseSurface& base, const Area& within) {
     const Surface& s = base.surface;
     const auto is_within = [&](std::uint32_t t) {
         return !base.faces.empty() &&
@@ -120,16 +121,17 @@ Edge edge_of_faces(const Base& base, const Within& within) {
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
         if (!is_within(h / 3)) continue;
         any = true;
-        side[s.tail(h)] = -1; // those of the border are 0 mm from it
+        side[s.tail(h)] = -1; // those of the border are at distance 0
         if (s.twin[h] != surface::kNone && !is_within(s.twin[h] / 3)) lines.segments.push_back(surface::rim_side(s, h));
     }
     if (!any)
-        throw Error(Exit::bad_input, "the surface has no such face; 'peek --text' shows the faces that a STEP file "
-                                     "gave it");
+        throw Error(Exit::bad_input,
+                    "no triangle belongs to such a face; 'peek --text' lists the faces that a STEP file "
+                    "gave it");
     return signed_distances(s, lines, side);
 }
 
-// Whether `a` lies within `b` but for `near` mm.
+// Whether `a` lies inside `b`, up to `near` mm.
 bool lies_within(const Edge& a, const Edge& b, double near) {
     for (std::size_t v = 0; v < a.size(); ++v)
         if (a[v] < -near && b[v] > near) return false;
@@ -143,13 +145,13 @@ double area_within(const Surface& s, const Edge& edge) {
     return sum;
 }
 
-// Of two plies' edges that cross: where they come nearest to each other without being moved.
-void tell_crossing(const Surface& s, const Edge& a, const Edge& b, std::size_t ply, double apart, Notes& notes) {
+// Adds a note for the edges of two plies that cross: the place where they are nearest without having been moved.
+void note_crossing(const Surface& s, const Edge& a, const Edge& b, std::size_t ply, double apart, Notes& notes) {
     double least = apart * (1 - kAsNear);
     const Vec3* at = nullptr;
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
         const std::uint32_t v = s.tail(h), w = s.head(h);
-        if ((a[v] < 0) == (a[w] < 0)) continue; // not across the edge of a
+        if ((a[v] < 0) == (a[w] < 0)) continue; // the edge of a does not cross here
         const double off = std::min(std::abs(b[v]), std::abs(b[w]));
         if (!(off < least)) continue;
         least = off;
@@ -166,7 +168,7 @@ void tell_crossing(const Surface& s, const Edge& a, const Edge& b, std::size_t p
 
 } // namespace
 
-Edge edge_of(const Base& base, const Within& within, double near, Notes& notes) {
+Edge edge_of(const BaseSurface& base, const Area& within, double near, Notes& notes) {
     if (within.empty()) return {};
     return within.faces.empty() ? edge_of_curves(base.surface, within, near, notes) : edge_of_faces(base, within);
 }
@@ -188,7 +190,7 @@ std::vector<std::vector<double>> heights_below(std::span<const Ply> plies, std::
 }
 
 void make_ramps(const Surface& s, std::span<const Ply> plies, double ratio, std::vector<Edge>& edges, Notes& notes) {
-    std::vector<std::size_t> order; // the largest first; of equals the lower
+    std::vector<std::size_t> order; // the largest first; ties: the lower one
     std::vector<double> area(plies.size());
     for (std::size_t k = 0; k < plies.size(); ++k) {
         if (edges[k].empty()) continue;
@@ -204,14 +206,14 @@ void make_ramps(const Surface& s, std::span<const Ply> plies, double ratio, std:
             if (plies[wider].under != plies[k].under) continue;
             const double apart = ratio * std::max(plies[k].height, plies[wider].height);
             if (!lies_within(asked[k], asked[wider], plies[k].spacing)) {
-                tell_crossing(s, edges[k], edges[wider], k, apart, notes);
+                note_crossing(s, edges[k], edges[wider], k, apart, notes);
                 continue;
             }
             for (std::size_t v = 0; v < edges[k].size(); ++v)
                 edges[k][v] = std::max(edges[k][v], edges[wider][v] + apart);
         }
         double moved = 0;
-        for (std::size_t v = 0; v < edges[k].size(); ++v) // as far as the edge itself goes
+        for (std::size_t v = 0; v < edges[k].size(); ++v) // as far as the edge itself was moved
             if (asked[k][v] < 0) moved = std::max(moved, std::min(-asked[k][v], edges[k][v] - asked[k][v]));
         if (!(area_within(s, edges[k]) > 0))
             throw Error(Exit::failure, ply_name(k) + ": nothing of it is left within the ramp of those that end around "

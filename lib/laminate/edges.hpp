@@ -1,4 +1,4 @@
-// Where plies of a laminate lie: their edges on the surface, and the ramps on which those above step down.
+// The edges of plies on the surface, and the ramps on which the plies above descend.
 #pragma once
 
 #include "base/note.hpp"
@@ -10,30 +10,30 @@ namespace filum::laminate {
 using geom::Vec3;
 using surface::Surface;
 
-// The base surface of plies, in triangles as fine as their spacing.
-struct Base {
+// The base surface of plies, in triangles as small as their spacing.
+struct BaseSurface {
     Surface surface;
-    std::vector<std::uint32_t> faces; // per triangle, the CAD face; none: not known
+    std::vector<std::uint32_t> faces; // per triangle its CAD face; empty: unknown
 };
 
-// mm from a ply's edge per vertex, below 0 where the ply lies; empty: it lies everywhere.
+// Signed distance from a ply's edge per vertex, mm, negative inside the ply; empty: the ply covers everything.
 using Edge = std::vector<double>;
 
-// The edge of what `within` says.  Curves are drawn onto the surface and closed; the ply lies to their left, seen from
-// the side that the surface faces.  Where they run nearer than `near` mm to a rim, that is the ply's end, and no edge.
-// Notes curves that lie farther off the surface than that.
-// Throws Error(bad_input) if curves end at a rim or do not part the surface, and if there are no such faces.
-Edge edge_of(const Base& base, const Within& within, double near, Notes& notes);
+// The edge of the area `within`. Curves are projected onto the surface and closed; the ply is on their left, seen from
+// the side that the surface faces. Where they run nearer than `near` mm to a rim, the ply ends at the rim and has no
+// edge there. A note gives curves that are farther than that from the surface.
+// Throws Error(bad_input) if curves end at a rim or do not separate the surface, or if faces do not exist.
+Edge edge_of(const BaseSurface& base, const Area& within, double near, Notes& notes);
 
-// What lies below each ply on its side at every vertex, mm: heights of the plies that lie there; beside their edges
-// these go down to 0 over `ratio` mm per mm of height, or over their spacing if that is more.
+// Per ply and vertex the height of the plies below it on its side, mm. Beside the edge of a ply its height falls to 0
+// over `ratio` mm per mm of height, or over its spacing if that is more.
 std::vector<std::vector<double>> heights_below(std::span<const Ply> plies, std::span<const Edge> edges,
                                                std::size_t vertices, double ratio);
 
-// Moves edges apart, so that no ply ends nearer than `ratio` times its height to the edge of another one on its side:
-// of two that lie within each other the smaller one ends farther within; of two as large, which are within each other,
-// the upper one.  Notes what was moved, by how much at most, and where edges that cross stay too near each other.
-// Throws Error(failure) naming the ply of which nothing is left.
+// Moves edges apart so that no ply ends nearer than `ratio` times its height to the edge of another ply on its side.
+// If one ply is inside the other, it ends farther inside; of two equally large ones the
+// upper one. Notes give the edges that were moved, by how much at most, and where crossing edges remain too near.
+// Throws Error(failure), naming the ply, if nothing of a ply is left.
 void make_ramps(const Surface& s, std::span<const Ply> plies, double ratio, std::vector<Edge>& edges, Notes& notes);
 
 } // namespace filum::laminate

@@ -23,18 +23,18 @@ namespace {
 
 using metrics::surface::Spread;
 
-constexpr double kFinest = 1; // spacings: sides of the triangles that plies are raised on, as those of stripes
+constexpr double kFinest = 1; // spacings: sides of the triangles on which plies are raised, as for stripes
 
 bool runs_like(const Ply& a, const Ply& b) { return std::fmod(std::abs(a.angle - b.angle), 180) == 0; }
 
-// How many of the plies run like this one.
+// The number of plies with the same direction and place as this one.
 auto running_like(std::span<const Ply> plies, const Ply& ply) {
     return std::count_if(plies.begin(), plies.end(), [&](const Ply& p) { return runs_like(p, ply); });
 }
 
-// Those that are laid one after the other, since each asks where lines of those before it are born: plies of one
-// direction, if they are staggered.
-std::vector<std::vector<std::size_t>> in_turn(std::span<const Ply> plies, bool stagger) {
+// Groups of plies that must be planned one after the other: if staggered, plies of one direction need the births of
+// those before.
+std::vector<std::vector<std::size_t>> planning_groups(std::span<const Ply> plies, bool stagger) {
     std::vector<std::vector<std::size_t>> out;
     for (std::size_t k = 0; k < plies.size(); ++k) {
         const auto same = std::find_if(out.begin(), out.end(), [&](const auto& group) {
@@ -47,7 +47,7 @@ std::vector<std::vector<std::size_t>> in_turn(std::span<const Ply> plies, bool s
 
 auto before(std::span<const Ply> plies, std::size_t k) { return running_like(plies.first(k), plies[k]); }
 
-// Of the plies that run like ply k, each lies another share of a spacing beside the first.
+// Plies that run like ply k are displaced from each other by equal shares of a spacing.
 double shift(std::span<const Ply> plies, std::size_t k) {
     return static_cast<double>(before(plies, k)) / static_cast<double>(running_like(plies, plies[k]));
 }
@@ -56,22 +56,22 @@ void note(Notes& notes, NoteCode code, double amount, const Vec3& at) {
     notes.push_back({code, amount, 1, -1, at.x, at.y, at.z});
 }
 
-struct Made {
-    Laid laid;
+struct PlyResult {
+    PlacedPly placed;
     Notes notes;
 };
 
-// What all plies are made of.
-struct Job {
+// The common data of all plies.
+struct LaminateJob {
     std::span<const Ply> plies;
     const Options& options;
-    Base base;
-    Surface back; // the base turned over, if plies lie there
+    BaseSurface base;
+    Surface back; // the base reversed, if plies lie on its back
     std::vector<Edge> edges;
     std::vector<std::vector<double>> heights; // below each ply, per vertex
     Notes notes;
 
-    Job(const surface::Sheet& sheet, std::span<const Ply> all, const Options& o) : plies(all), options(o) {
+    LaminateJob(const surface::Sheet& sheet, std::span<const Ply> all, const Options& o) : plies(all), options(o) {
         double finest = std::numeric_limits<double>::infinity();
         for (const Ply& p : plies) finest = std::min(finest, p.spacing);
         auto finer = surface::finer(sheet.surface, kFinest * finest);
@@ -88,7 +88,7 @@ struct Job {
   private:
     void add_edge(std::size_t k) {
         for (std::size_t j = 0; j < k; ++j)
-            if (plies[j].within == plies[k].within) { // the same place
+            if (plies[j].within == plies[k].within) { // the same area
                 edges.push_back(edges[j]);
                 return;
             }
@@ -102,7 +102,7 @@ struct Job {
     }
 };
 
-surfpath::Options planned(const Job& job, std::size_t k) {
+surfpath::Options planned(const LaminateJob& job, std::size_t k) {
     const Ply& ply = job.plies[k];
     const Options& o = job.options;
     surfpath::Options how;
@@ -120,9 +120,9 @@ surfpath::Options planned(const Job& job, std::size_t k) {
     return how;
 }
 
-constexpr const char* kEdge = "edge"; // the field that carries a ply's edge onto a flange
+constexpr const char* kEdge = "edge"; // name of the field that carries a ply's edge to a flange
 
-// Cuts what lies beyond the ply's edge off a flange's sheet; none if no part of the flange is left.
+// Cuts the part outside the ply's edge off a flange's sheet; none if no part of the flange is left.
 std::optional<surfpath::Flange> cut_off(surfpath::Flange whole, Notes& notes) {
     const Surface& s = whole.sheet.surface;
     const Edge& edge = whole.sheet.fields.front().values;
@@ -133,7 +133,7 @@ std::optional<surfpath::Flange> cut_off(surfpath::Flange whole, Notes& notes) {
     out.least_at = whole.least_at;
     std::copy_if(whole.lids.begin(), whole.lids.end(), std::back_inserter(out.lids),
                  [&](const surface::Lid& lid) { return edge[lid.vertex] < 0; });
-    for (std::uint32_t t = 0; t < left.triangles.size(); ++t) { // in their order: those of the part first
+    for (std::uint32_t t = 0; t < left.triangles.size(); ++t) { // in their order: the part's come first
         const auto& [a, b, c] = left.triangles[t];
         const auto at = near.nearest(1.0 / 3 * (left.vertices[a] + left.vertices[b] + left.vertices[c])).triangle;
         out.part += at < whole.part ? 1 : 0;
@@ -144,7 +144,7 @@ std::optional<surfpath::Flange> cut_off(surfpath::Flange whole, Notes& notes) {
     return out;
 }
 
-// What the ply is laid on: its ground as far as the ply lies there, and a flange at the ground's rims if so planned.
+// The sheet of a ply: its ground inside its edge, and a flange at the ground's rims if requested.
 std::optional<surfpath::Flange> flange(const Surface& ground, const Edge& edge, const surfpath::Options& how,
                                        Notes& notes) {
     surface::Sheet sheet{ground, {}, {}};
@@ -154,9 +154,9 @@ std::optional<surfpath::Flange> flange(const Surface& ground, const Edge& edge, 
     return out;
 }
 
-// Lays the ply on its ground.
-void lay(const surfpath::Options& how, Made& out) {
-    Laid& to = out.laid;
+// Plans the ply on its ground.
+void plan_ply(const surfpath::Options& how, PlyResult& out) {
+    PlacedPly& to = out.placed;
     const auto outside = flange(to.ground, to.edge, how, out.notes);
     surface::Sheet sheet;
     if (outside)
@@ -169,23 +169,23 @@ void lay(const surfpath::Options& how, Made& out) {
     surfpath::finish(sheet.surface, to.plan, asked);
     if (outside) {
         to.part = outside->part;
-        surfpath::tell_trims(*outside, how.turn_outside, to.plan);
+        surfpath::report_trims(*outside, how.turn_outside, to.plan);
     }
     to.sheet = std::move(sheet.surface);
     if (how.turn_outside > 0 && !to.edge.empty()) out.notes.push_back({NoteCode::ply_turns_inside, 1});
 }
 
-// `born`: where lines of plies below that run alike are born.
-Made make(const Job& job, std::size_t k, std::vector<Vec3> born) {
-    Made out;
+// `born`: places of births on the plies below with the same direction.
+PlyResult make(const LaminateJob& job, std::size_t k, std::vector<Vec3> born) {
+    PlyResult out;
     auto up = surface::curve::raised(job.plies[k].under ? job.back : job.base.surface, job.heights[k]);
     auto how = planned(job, k);
     how.births_apart = std::move(born);
-    out.laid.edge = job.edges[k];
-    out.laid.ground = std::move(up.surface);
-    out.laid.turn = how.follow.turn;
-    lay(how, out);
-    auto& told = out.laid.plan.notes;
+    out.placed.edge = job.edges[k];
+    out.placed.ground = std::move(up.surface);
+    out.placed.turn = how.follow.turn;
+    plan_ply(how, out);
+    auto& told = out.placed.plan.notes;
     out.notes.insert(out.notes.end(), told.begin(), told.end());
     told.clear();
     if (up.folded > 0) note(out.notes, NoteCode::ground_folds, up.folded, up.folded_at);
@@ -194,11 +194,11 @@ Made make(const Job& job, std::size_t k, std::vector<Vec3> born) {
     return out;
 }
 
-std::vector<Made> made_all(const Job& job, int threads) {
+std::vector<PlyResult> plan_all(const LaminateJob& job, int threads) {
     const Options& o = job.options;
-    std::vector<Made> out(job.plies.size());
+    std::vector<PlyResult> out(job.plies.size());
     std::mutex telling;
-    const auto turns = in_turn(job.plies, o.stagger);
+    const auto turns = planning_groups(job.plies, o.stagger);
     parallel::for_chunks(turns.size(), 1, threads, [&](std::size_t i, std::size_t) {
         std::vector<Vec3> born;
         for (const std::size_t k : turns[i]) {
@@ -207,7 +207,7 @@ std::vector<Made> made_all(const Job& job, int threads) {
             } catch (const Error& e) {
                 throw Error(e.exit(), ply_name(k) + ": " + e.what());
             }
-            const auto& more = out[k].laid.plan.births;
+            const auto& more = out[k].placed.plan.births;
             born.insert(born.end(), more.begin(), more.end());
             const std::lock_guard lock(telling);
             if (o.done) o.done();
@@ -230,7 +230,7 @@ void add_ply_facts(const Laminate& l, std::size_t k, Facts& to) {
     };
     double length = 0;
     for (const auto& stroke : l.plies[k].plan.strokes)
-        for (const auto& piece : stroke.pieces) length += surface::curve::length(piece.line);
+        for (const auto& piece : stroke.sections) length += surface::curve::length(piece.line);
     const auto strokes = l.plies[k].plan.strokes.size();
     fact("cuts", strokes == 0 ? 0 : static_cast<double>(strokes - 1), "");
     fact("length", length, "mm");
@@ -248,9 +248,9 @@ void add_ply_facts(const Laminate& l, std::size_t k, Facts& to) {
 }
 
 void add_facts(std::span<const Ply> plies, const Vec3& reference, Laminate& l) {
-    double nominal = 0; // to the last digit where all plies lie everywhere
+    double nominal = 0; // exact if all plies cover everything
     for (const Ply& p : plies) nominal += p.height;
-    if (std::any_of(l.plies.begin(), l.plies.end(), [](const Laid& p) { return !p.edge.empty(); }))
+    if (std::any_of(l.plies.begin(), l.plies.end(), [](const PlacedPly& p) { return !p.edge.empty(); }))
         nominal = spread_of(l.map, l.map.nominal).mean;
     const auto fact = [&](const char* what, double value, const char* unit) {
         l.facts.push_back({"", what, value, unit});
@@ -271,7 +271,7 @@ void add_facts(std::span<const Ply> plies, const Vec3& reference, Laminate& l) {
     for (std::size_t k = 0; k < plies.size(); ++k) add_ply_facts(l, k, l.facts);
 }
 
-// What lies where, by the toolpath itself.
+// The map of the laminate, computed from the toolpath itself.
 metrics::surface::Map map(const Surface& base, std::span<const Ply> plies, const Options& o, const Laminate& l,
                           int threads) {
     std::vector<toolpath::Span> spans;
@@ -303,12 +303,12 @@ void tell_symmetry(std::span<const Ply> plies, Laminate& l) {
 } // namespace
 
 Laminate laminate(const surface::Sheet& sheet, std::span<const Ply> plies, const Options& o, int threads) {
-    const Job job(sheet, plies, o);
-    auto made = made_all(job, threads);
+    const LaminateJob job(sheet, plies, o);
+    auto made = plan_all(job, threads);
     Laminate out;
     out.notes = job.notes;
-    for (Made& m : made) {
-        out.plies.push_back(std::move(m.laid));
+    for (PlyResult& m : made) {
+        out.plies.push_back(std::move(m.placed));
         out.notes.insert(out.notes.end(), m.notes.begin(), m.notes.end());
     }
     out.map = map(job.base.surface, plies, o, out, threads);
@@ -322,7 +322,7 @@ void add_spans(const Laminate& l, std::span<const Ply> plies, const Options& o, 
     for (std::size_t k = 0; k < l.plies.size(); ++k) {
         const std::uint32_t stroke = out.empty() ? 0 : out.back().stroke + 1;
         const auto begin = out.size();
-        surfpath::plan::Laying laying{
+        surfpath::plan::SpanOptions laying{
             plies[k].spacing, plies[k].height, o.lift, 0, layer + static_cast<std::uint32_t>(k), stroke};
         surfpath::plan::add_spans(l.plies[k].sheet, l.plies[k].plan, laying, out);
         for (std::size_t i = begin; i < out.size(); ++i) out[i].tool = plies[k].tool;

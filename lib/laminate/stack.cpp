@@ -11,9 +11,9 @@ namespace filum::laminate {
 
 namespace {
 
-constexpr double kSameAngle = 1e-6; // degrees: written numbers, so only rounding
+constexpr double kSameAngle = 1e-6; // degrees: angles are given as text, so only rounding differs
 
-// In [0, 180): fibres have no arrow.
+// The angle in [0, 180), as fibres have no sign.
 double line_angle(double degrees) {
     const double a = std::fmod(std::fmod(degrees, 180) + 180, 180);
     return a > 180 - kSameAngle ? 0 : a;
@@ -57,11 +57,11 @@ void set(Ply& ply, std::string_view column, std::string_view word) {
     if (column == "height") ply.height = number(word, "height", 0.001, 100);
     if (column == "tool") {
         const double tool = number(word, "tool", 0, 1e6);
-        if (tool != std::floor(tool)) throw Error(Exit::usage, "a tool is a whole number");
+        if (tool != std::floor(tool)) throw Error(Exit::usage, "a tool must be a whole number");
         ply.tool = static_cast<std::uint32_t>(tool);
     }
     if (column == "side") {
-        if (word != "over" && word != "under") throw Error(Exit::usage, "a side is 'over' or 'under'");
+        if (word != "over" && word != "under") throw Error(Exit::usage, "a side must be 'over' or 'under'");
         ply.under = word == "under";
     }
     if (column == "within") ply.within = word == "all" ? "" : word;
@@ -77,11 +77,11 @@ std::vector<Ply> plies_of(std::string_view words, const Ply& like, bool mirrored
         ply.angle = parse_number(words.substr(at, end - at), "--plies");
         if (!(std::abs(ply.angle) <= 360))
             throw Error(Exit::usage,
-                        "cannot use --plies '" + std::string(words) + "': an angle is -360 to 360 degrees");
+                        "cannot use --plies '" + std::string(words) + "': angles must be from -360 to 360 degrees");
         out.push_back(ply);
         at = end + 1;
     }
-    if (out.empty()) throw Error(Exit::usage, "cannot make a laminate of no ply; say --plies 0,45,-45,90, or --table");
+    if (out.empty()) throw Error(Exit::usage, "a laminate needs plies; give --plies 0,45,-45,90, or --table");
     return finished(std::move(out), mirrored);
 }
 
@@ -120,7 +120,7 @@ std::vector<Ply> plies_of_table(std::string_view text, const std::string& file, 
         }
         out.push_back(ply);
     }
-    if (out.empty()) fail("it names no ply; write a line 'angle', then one per ply");
+    if (out.empty()) fail("it contains no ply; write a line 'angle', then one line per ply");
     return finished(std::move(out), mirrored);
 }
 

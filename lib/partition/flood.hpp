@@ -1,4 +1,4 @@
-// Triangles that hang together.
+// Connected pieces of triangles.
 #pragma once
 
 #include "surface/surface.hpp"
@@ -7,8 +7,8 @@
 
 namespace filum::partition {
 
-// Per triangle the number of its piece, in the order of their first triangles.  `joined(h)` says whether a piece goes
-// on over the side h, which is never one of a rim.
+// Per triangle the number of its piece, in the order of first triangles. A piece continues across side h where
+// joined(h); it is not called for sides of rims.
 template <class Joined>
 std::vector<std::uint32_t> flood(const surface::Surface& s, Joined joined) {
     std::vector<std::uint32_t> out(s.triangles.size(), surface::kNone), pending;

@@ -11,14 +11,15 @@ namespace filum::partition {
 
 namespace {
 
-constexpr double kNear = 0.05; // share of an edge: nearer to a vertex it is that
-constexpr double kFlat = 1e-9; // share of a triangle: nearer to an edge a point lies on it
+constexpr double kNear = 0.05; // share of an edge: a point nearer to a vertex is moved to it
+constexpr double kFlat = 1e-9; // share of a triangle: a point nearer to an edge is moved onto it
 
-class Pen {
+// Draws lines into a mesh, splitting its triangles.
+class LineInserter {
   public:
-    Pen(Sheet& sheet, std::vector<char>& drawn) : sheet_(sheet), s_(sheet.surface), drawn_(drawn) {}
+    LineInserter(Sheet& sheet, std::vector<char>& drawn) : sheet_(sheet), s_(sheet.surface), drawn_(drawn) {}
 
-    // The vertex at the place nearest to `p`, made if there is none.
+    // The vertex at the place nearest to `p`; it is inserted if necessary.
     std::uint32_t put(const Vec3& p, double& off) {
         const surface::Segment at = surface::nearest(s_, p);
         off = std::max(off, distance(at.a, p));
@@ -28,12 +29,12 @@ class Pen {
             if (w[k] > 1 - kNear) return s_.tail(h + k);
         for (std::uint32_t k = 0; k < 3; ++k)
             if (w[(k + 2) % 3] < kFlat) return split(h + k, w[(k + 1) % 3] / (w[k] + w[(k + 1) % 3]));
-        // Through the corner and the point to the side across, then on the edge that this makes.
+        // Splits from the corner through the point to the opposite side, then on the new edge.
         const std::uint32_t corner = s_.tail(h + 2), across = split(h, w[1] / (w[0] + w[1]));
         return split(side(corner, across), w[0] + w[1]);
     }
 
-    // Draws from vertex to vertex; false if the surface ends on the way.
+    // Inserts the line from vertex to vertex; returns false if the surface ends on the way.
     bool go(std::uint32_t from, std::uint32_t to) {
         if (from == to) return true;
         const auto normals = [&](std::uint32_t v) {
@@ -61,7 +62,7 @@ class Pen {
     }
 
   private:
-    // The half-edge from a to b, or from b to a at a rim; kNone if they are no neighbours.
+    // The half-edge from a to b, or from b to a at a rim; kNone if they are not neighbours.
     [[nodiscard]] std::uint32_t side(std::uint32_t a, std::uint32_t b) const {
         std::uint32_t out = kNone;
         surface::each_outgoing(s_, a, [&](std::uint32_t h) {
@@ -78,7 +79,8 @@ class Pen {
 
     [[nodiscard]] double height(std::uint32_t v) const { return dot(upright_, s_.vertices[v] - foot_); }
 
-    // The vertex where the plane leaves the fan around `v` nearest to the heading, on the side across from it.
+    // The vertex on the opposite sides of the fan around `v` where the plane leaves it, in the direction nearest to
+    // the heading.
     std::uint32_t next(std::uint32_t v, const Vec3& heading) {
         std::uint32_t best = kNone;
         double most = 0, share = 0;
@@ -100,7 +102,7 @@ class Pen {
         return share > 1 - kNear ? s_.head(best) : split(best, share);
     }
 
-    // A new triangle behind `h` in its own, from the new vertex w over the head of h to the third corner.
+    // Adds a triangle behind `h` in its triangle, from the new vertex w over the head of h to the third corner.
     std::uint32_t halve(std::uint32_t h, std::uint32_t w) {
         const auto fresh = static_cast<std::uint32_t>(s_.twin.size());
         const std::uint32_t after = surface::next(h), b = s_.head(h), c = s_.head(after), over = s_.twin[after];
@@ -116,7 +118,7 @@ class Pen {
         return fresh;
     }
 
-    // A new vertex on the half-edge, joined to the corners across.
+    // Inserts a vertex on the half-edge, connected to the opposite corners.
     std::uint32_t split(std::uint32_t h, double share) {
         const std::uint32_t a = s_.tail(h), b = s_.head(h), g = s_.twin[h];
         const auto w = static_cast<std::uint32_t>(s_.vertices.size());
@@ -144,7 +146,7 @@ class Pen {
 
 double draw(Sheet& sheet, std::vector<char>& drawn, std::span<const Vec3> points) {
     drawn.resize(sheet.surface.twin.size(), 0);
-    Pen pen(sheet, drawn);
+    LineInserter pen(sheet, drawn);
     double off = 0;
     std::uint32_t before = pen.put(points[0], off);
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -152,7 +154,7 @@ double draw(Sheet& sheet, std::vector<char>& drawn, std::span<const Vec3> points
         if (!pen.go(before, here))
             throw Error(Exit::bad_input, "cannot draw a line on the surface: it ends between points " +
                                              std::to_string(i) + " and " + std::to_string(i + 1) +
-                                             "; give more points between");
+                                             "; add points between them");
         before = here;
     }
     auto& s = sheet.surface;

@@ -12,16 +12,16 @@ namespace filum::partition {
 namespace {
 
 using geom::kDegree;
-constexpr double kBeyond = 0.05; // share of a patch that may be beyond a limit
-constexpr double kAcross = 3;    // what a border across full load counts more
-constexpr double kEven = 1e-4;   // of the spread: where there is none, patches grow evenly
+constexpr double kBeyond = 0.05; // share of a patch that may exceed a limit
+constexpr double kAcross = 3;    // additional weight of a border across full load
+constexpr double kEven = 1e-4;   // share of the spread added so that patches grow evenly where there is none
 
-// Two patches that could merge, as they were then.
-struct Pair {
-    double cost = 0; // spread per mm of border
+// Two patches that could be merged, as of some age.
+struct MergeCandidate {
+    double cost = 0; // increase of the spread per mm of border
     std::uint32_t a = 0, b = 0;
     std::uint32_t a_age = 0, b_age = 0;
-    bool operator>(const Pair& o) const {
+    bool operator>(const MergeCandidate& o) const {
         if (cost != o.cost) return cost > o.cost;
         return a != o.a ? a > o.a : b > o.b;
     }
@@ -32,7 +32,7 @@ class Merger {
     Merger(const Cells& cells, const Pull& pull, const Limits& limits)
         : cells_(cells), pull_(pull), limits_(limits), patch_(cells.area.size()) {
         for (std::uint32_t v = 0; v < patch_.size(); ++v) patch_[v] = {proxy(cells, pull, v), {v}, {}, 0};
-        for (const Side& side : cells.sides) {
+        for (const CellBorder& side : cells.sides) {
             const double border = side.border * border_factor(pull, side);
             patch_[side.a].border[side.b] = patch_[side.b].border[side.a] = border;
         }
@@ -43,14 +43,14 @@ class Merger {
         const bool counted = limits_.patches > 0;
         for (std::uint32_t a = 0; a < patch_.size(); ++a) push_all(a, true);
         while (!queue_.empty() && left_ > limits_.patches) {
-            const Pair p = queue_.top();
+            const MergeCandidate p = queue_.top();
             queue_.pop();
             if (stale(p) || (!counted && !allowed(p.a, p.b))) continue;
             push_all(unite(p.a, p.b), false);
         }
     }
 
-    // Patches below the least area, the smallest first, go to the neighbour where that costs least.
+    // Merges patches below the least area, the smallest first, with the neighbour for which that costs least.
     void absorb_small() {
         std::set<std::pair<double, std::uint32_t>> small;
         const auto enlist = [&](std::uint32_t v) {
@@ -85,10 +85,10 @@ class Merger {
         Proxy proxy;
         std::vector<std::uint32_t> cells;
         std::map<std::uint32_t, double> border; // mm, to neighbours
-        std::uint32_t age = 0;                  // grows with every change
+        std::uint32_t age = 0;                  // incremented by every change
     };
 
-    [[nodiscard]] bool stale(const Pair& p) const {
+    [[nodiscard]] bool stale(const MergeCandidate& p) const {
         return patch_[p.a].cells.empty() || patch_[p.b].cells.empty() || patch_[p.a].age != p.a_age ||
                patch_[p.b].age != p.b_age;
     }
@@ -120,7 +120,7 @@ class Merger {
         return bent <= kBeyond * all.area && turned <= kBeyond * all.weight;
     }
 
-    // The one with more cells takes over the other; returns it.
+    // Merges the patch with fewer cells into the other, and returns that.
     std::uint32_t unite(std::uint32_t a, std::uint32_t b) {
         if (patch_[a].cells.size() < patch_[b].cells.size()) std::swap(a, b);
         Patch &to = patch_[a], &from = patch_[b];
@@ -143,13 +143,13 @@ class Merger {
     const Pull& pull_;
     const Limits& limits_;
     std::vector<Patch> patch_;
-    std::priority_queue<Pair, std::vector<Pair>, std::greater<>> queue_;
+    std::priority_queue<MergeCandidate, std::vector<MergeCandidate>, std::greater<>> queue_;
     std::int64_t left_ = 0;
 };
 
 } // namespace
 
-double border_factor(const Pull& pull, const Side& side) {
+double border_factor(const Pull& pull, const CellBorder& side) {
     const auto cut = [&](std::uint32_t v) {
         const double c = dot(pull.along[v], side.way);
         return pull.trust[v] * c * c;

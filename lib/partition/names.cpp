@@ -25,7 +25,7 @@ std::vector<std::string> words(std::string_view list, std::string_view option) {
         if (word.empty() || word.size() > 64 || !std::all_of(word.begin(), word.end(), plain) ||
             (!last && list.empty()))
             throw Error(Exit::usage, "cannot use --" + std::string(option) + " '" + word +
-                                         "': names are of letters, digits and '._-', with commas between");
+                                         "': names consist of letters, digits and '._-' and are separated by commas");
         out.push_back(word);
     }
     return out;
@@ -46,11 +46,12 @@ void name(std::vector<surface::Sheet>& patches, const std::vector<std::string>& 
         p.name = letters(letter++);
     }
     if (used < names.size())
-        throw Error(Exit::usage, "cannot use --names: there is no patch left for '" + names[used] + "'");
+        throw Error(Exit::usage,
+                    "cannot use --names: there are more names than patches, the first is '" + names[used] + "'");
     std::set<std::string> seen;
     for (const auto& p : patches)
         if (!seen.insert(p.name).second)
-            throw Error(Exit::usage, "cannot name the patches: two are named '" + p.name + "'");
+            throw Error(Exit::usage, "cannot name the patches: two have the name '" + p.name + "'");
 }
 
 void keep_only(std::vector<surface::Sheet>& patches, const std::vector<std::string>& names) {

@@ -17,9 +17,10 @@ namespace filum::partition {
 
 namespace {
 
-constexpr double kLeastArea = 0.01; // of the surface
-constexpr double kDetail = 0.02;    // of the root of its area
-constexpr double kPeak = 0.99;      // share of the area below what counts as the greatest load: peaks mean little
+constexpr double kLeastArea = 0.01; // share of the surface
+constexpr double kDetail = 0.02;    // square roots of its area
+// percentile, by area, of the load that counts as its maximum, since peaks are not reliable
+constexpr double kPeak = 0.99;
 
 std::vector<std::uint32_t> all_triangles(const Sheet& sheet) {
     std::vector<std::uint32_t> out(sheet.surface.triangles.size());
@@ -27,10 +28,10 @@ std::vector<std::uint32_t> all_triangles(const Sheet& sheet) {
     return out;
 }
 
-// Connected pieces of patches, which can be joined.
-class Pieces {
+// The connected pieces of patches, which can be merged.
+class PieceMerger {
   public:
-    explicit Pieces(const Parts& parts) : s_(parts.sheet.surface), of_(pieces(parts)) {
+    explicit PieceMerger(const Parts& parts) : s_(parts.sheet.surface), of_(pieces(parts)) {
         for (std::uint32_t t = 0; t < of_.size(); ++t) {
             if (of_[t] >= area_.size()) {
                 area_.push_back(0);
@@ -43,7 +44,7 @@ class Pieces {
         into_.assign(area_.size(), kNone);
     }
 
-    // Joins pieces of less area, the smallest first, to the neighbour with the longest border that may_take() them.
+    // Merges pieces of less area, the smallest first, with the neighbour with the longest border that may_take() them.
     void join_small(double least_area) {
         std::vector<std::map<std::uint32_t, double>> border = borders(); // mm, to neighbours
         std::set<std::pair<double, std::uint32_t>> small;
@@ -72,7 +73,7 @@ class Pieces {
         }
     }
 
-    // Those that are left, by number; `triangles` in their order.
+    // A remaining piece; triangles in their order.
     struct Piece {
         double area = 0;
         std::uint32_t patch = 0;
@@ -103,21 +104,21 @@ class Pieces {
     }
 
     const Surface& s_;
-    std::vector<std::uint32_t> of_;           // per triangle
+    std::vector<std::uint32_t> of_;           // per triangle: its piece
     std::vector<double> area_;                // per piece
-    std::vector<Vec3> facing_;                // of each the sum of normals, by area
-    std::vector<std::uint32_t> patch_, into_; // into_: which took it, or kNone
+    std::vector<Vec3> facing_;                // per piece: sum of the normals weighted by area
+    std::vector<std::uint32_t> patch_, into_; // per piece; into_: the piece with which it was merged, or kNone
 };
 
-// Sums what is left out for one reason.
-struct Left {
+// The total of what is left out for one reason.
+struct LeftOut {
     NoteCode code;
     double area = 0;
     std::size_t count = 0;
     Vec3 at{};
     double most = 0;
 
-    void add(const Surface& s, const Pieces::Piece& piece) {
+    void add(const Surface& s, const PieceMerger::Piece& piece) {
         area += piece.area;
         ++count;
         if (piece.area <= most) return;
@@ -130,7 +131,7 @@ struct Left {
     }
 };
 
-// Keeps what is loaded, with borders where the load, made smooth, reaches the mask's.
+// Keeps the loaded part, bounded by the isoline of the smoothed load at the mask's level.
 void leave_unloaded(Sheet& sheet, const Options& o, double detail, double least_area, Notes& notes) {
     const Cells c = cells(sheet.surface);
     const Pull p = pull(sheet, c, o.pull);
@@ -139,9 +140,9 @@ void leave_unloaded(Sheet& sheet, const Options& o, double detail, double least_
     const double level = o.mask * percentile(std::move(loads), kPeak);
     if (!(level > 0)) throw Error(Exit::usage, "cannot use --mask: the surface has no load; see 'stressfield'");
     const Parts parts = split(sheet, c, above(p.load, level, c, detail));
-    Pieces pieces(parts);
+    PieceMerger pieces(parts);
     pieces.join_small(least_area);
-    Left left{NoteCode::unloaded_dropped};
+    LeftOut left{NoteCode::unloaded_dropped};
     std::vector<std::uint32_t> kept;
     for (const auto& piece : pieces.take()) {
         if (piece.patch == 0)
@@ -150,25 +151,25 @@ void leave_unloaded(Sheet& sheet, const Options& o, double detail, double least_
             kept.insert(kept.end(), piece.triangles.begin(), piece.triangles.end());
     }
     left.note(notes);
-    if (kept.empty()) throw Error(Exit::usage, "cannot use --mask: no patch of the surface is loaded so much");
+    if (kept.empty()) throw Error(Exit::usage, "cannot use --mask: no part of the surface is loaded that much");
     std::sort(kept.begin(), kept.end());
     sheet = take(parts.sheet, kept);
 }
 
-// The connected pieces of patches, small ones joined or left out.
+// The connected pieces of patches; small ones are merged or left out.
 std::vector<Sheet> gathered(const Parts& parts, double least_area, Notes& notes) {
-    Pieces pieces(parts);
+    PieceMerger pieces(parts);
     pieces.join_small(least_area);
-    Left left{NoteCode::face_too_small};
+    LeftOut left{NoteCode::face_too_small};
     auto all = pieces.take();
-    std::erase_if(all, [&](const Pieces::Piece& p) {
+    std::erase_if(all, [&](const PieceMerger::Piece& p) {
         if (p.area < least_area) left.add(parts.sheet.surface, p);
         return p.area < least_area;
     });
     left.note(notes);
     if (all.empty())
-        throw Error(Exit::usage, "cannot use --min-area: no patch of " + fixed_text(least_area, 1) +
-                                     " mm2 is to be had; ask for less");
+        throw Error(Exit::usage, "cannot use --min-area: no patch reaches " + fixed_text(least_area, 1) +
+                                     " mm2; choose a smaller one");
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
     std::vector<Sheet> out;
     for (const auto& piece : all) out.push_back(take(parts.sheet, piece.triangles));
@@ -183,7 +184,7 @@ void note_lost(const Sheet& sheet, Notes& notes) {
     gone(NoteCode::source_dropped, sheet.sources.vertices.size() + sheet.sources.segments.size());
 }
 
-// The sheet without joints at seams.
+// The sheet with its triangles separated along seams.
 Sheet opened(const Sheet& sheet, const std::vector<std::vector<Vec3>>& lines, const SeamOptions& options,
              Notes& notes) {
     Sheet out = sheet;
@@ -226,12 +227,12 @@ std::vector<Sheet> divide(Sheet sheet, const Options& o, int threads, Notes& not
     return out;
 }
 
-Figures figures(const Sheet& patch, const PullOptions& options) {
+PatchFigures figures(const Sheet& patch, const PullOptions& options) {
     const Cells c = cells(patch.surface);
     const Pull p = pull(patch, c, options);
     Proxy mean;
     for (std::size_t v = 0; v < c.area.size(); ++v) mean = joined(mean, proxy(c, p, v));
-    Figures out{.area = c.total, .pulled = mean.weight > 0};
+    PatchFigures out{.area = c.total, .pulled = mean.weight > 0};
     std::vector<std::pair<double, double>> angles, bends;
     double sum = 0;
     for (std::size_t v = 0; v < c.area.size(); ++v) {
@@ -249,7 +250,7 @@ Figures figures(const Sheet& patch, const PullOptions& options) {
 Facts facts(const std::vector<Sheet>& patches, const PullOptions& options) {
     Facts out{{"", "patches", static_cast<double>(patches.size()), ""}, {"", "area", 0, "mm2"}};
     for (const Sheet& p : patches) {
-        const Figures f = figures(p, options);
+        const PatchFigures f = figures(p, options);
         const std::string name = "patch." + p.name + ".";
         out[1].value += f.area;
         out.push_back({"", name + "area", f.area, "mm2"});

@@ -14,10 +14,10 @@ namespace filum::partition {
 
 namespace {
 
-constexpr int kRounds = 40, kStill = 2; // at most; and with few cells that move
-constexpr double kFew = 2e-3;           // of all
+constexpr int kRounds = 40, kStill = 2; // most rounds; rounds with few moving cells after which it ends
+constexpr double kFew = 2e-3;           // share of all cells
 constexpr double kVanished = -1e300;
-constexpr double kSteps = 2; // mean sides that indicators spread by, at least: less, and borders do not move
+constexpr double kSteps = 2; // mean edges over which indicators spread, at least; with less, borders do not move
 
 using DiffusionMatrix = Eigen::SparseMatrix<double>;
 using Factor = Eigen::SimplicialLDLT<DiffusionMatrix>;
@@ -30,7 +30,7 @@ std::vector<std::uint32_t> components(const Cells& cells) {
         while (root[v] != v) v = root[v] = root[root[v]];
         return v;
     };
-    for (const Side& side : cells.sides) {
+    for (const CellBorder& side : cells.sides) {
         const std::uint32_t a = find(side.a), b = find(side.b);
         root[std::max(a, b)] = std::min(a, b);
     }
@@ -38,12 +38,13 @@ std::vector<std::uint32_t> components(const Cells& cells) {
     return root;
 }
 
-// Patches of different components never meet: those with the same rank in theirs spread in one solution.
-class Patches {
+// Patches of different components never meet, so patches with the same rank within their components share one linear
+// system.
+class RankedPatches {
   public:
-    Patches(std::vector<std::uint32_t> patch, const Cells& cells) : component_(components(cells)), patch_(patch) {
-        std::map<std::uint32_t, std::uint32_t> count; // of a component
-        std::map<std::uint32_t, std::uint32_t> rank;  // of a patch
+    RankedPatches(std::vector<std::uint32_t> patch, const Cells& cells) : component_(components(cells)), patch_(patch) {
+        std::map<std::uint32_t, std::uint32_t> count; // per component
+        std::map<std::uint32_t, std::uint32_t> rank;  // per patch
         for (std::uint32_t v = 0; v < patch_.size(); ++v)
             if (rank.emplace(patch_[v], 0).second) {
                 rank[patch_[v]] = count[component_[v]]++;
@@ -69,16 +70,16 @@ class Patches {
 
   private:
     std::vector<std::uint32_t> component_, patch_, rank_, first_;
-    std::vector<std::map<std::uint32_t, std::uint32_t>> name_; // by rank: of the component's patch of that rank
+    std::vector<std::map<std::uint32_t, std::uint32_t>> name_; // by rank: the patch of that rank, per component
     std::uint32_t ranks_ = 0;
 };
 
-// Diffusion for the time step^2, mm2, by one implicit step; faster across strong directions if there is a pull.
+// Diffusion over time step^2, mm2, as one implicit step; faster across strong directions if there is tension.
 std::unique_ptr<Factor> diffusion(const Cells& cells, const Pull* pull, double step) {
     std::vector<Eigen::Triplet<double>> entries;
     for (std::size_t v = 0; v < cells.area.size(); ++v)
         entries.emplace_back(static_cast<int>(v), static_cast<int>(v), cells.area[v]);
-    for (const Side& side : cells.sides) {
+    for (const CellBorder& side : cells.sides) {
         const int a = static_cast<int>(side.a), b = static_cast<int>(side.b);
         const double factor = pull != nullptr ? border_factor(*pull, side) : 1;
         const double w = step * step * side.conductance * factor;
@@ -95,17 +96,18 @@ std::unique_ptr<Factor> diffusion(const Cells& cells, const Pull* pull, double s
     return out;
 }
 
-// How much of a cell belongs to its own patch, 0.5 to 1, where a border passes it; the rest to that of another rank.
-struct Part {
+// Share of a cell that belongs to its own patch, 0.5 to 1, where a border crosses it; the rest belongs to another
+// rank.
+struct CellShare {
     double own = 1;
     std::uint32_t other = kNone;
 };
 
 using Values = std::vector<Eigen::VectorXd>; // by rank, per cell
 
-// How much of each cell comes from the patch.
-Values spread(const Patches& patches, const std::vector<Part>& parts, const Cells& cells, const Factor& diffusion,
-              int threads) {
+// The share of each cell that comes from each patch.
+Values spread(const RankedPatches& patches, const std::vector<CellShare>& parts, const Cells& cells,
+              const Factor& diffusion, int threads) {
     Values from(patches.ranks(), Eigen::VectorXd::Zero(static_cast<Eigen::Index>(cells.area.size())));
     for (std::size_t v = 0; v < cells.area.size(); ++v) {
         const auto at = static_cast<Eigen::Index>(v);
@@ -120,7 +122,7 @@ Values spread(const Patches& patches, const std::vector<Part>& parts, const Cell
 
 using Proxies = std::vector<std::map<std::uint32_t, Proxy>>; // by rank and component
 
-Proxies proxies(const Patches& patches, const Cells& cells, const Pull& pull) {
+Proxies proxies(const RankedPatches& patches, const Cells& cells, const Pull& pull) {
     Proxies out(patches.ranks());
     for (std::size_t v = 0; v < cells.area.size(); ++v) {
         auto& all = out[patches.rank(v)];
@@ -130,8 +132,8 @@ Proxies proxies(const Patches& patches, const Cells& cells, const Pull& pull) {
     return out;
 }
 
-// Moves every cell to where the value is greatest; how many moved.
-Eigen::Index settle(Patches& patches, const Values& value) {
+// Moves every cell to the patch of the greatest value; returns how many moved.
+Eigen::Index settle(RankedPatches& patches, const Values& value) {
     Eigen::Index moved = 0;
     for (Eigen::Index v = 0; v < value[0].size(); ++v) {
         const auto cell = static_cast<std::size_t>(v);
@@ -146,8 +148,8 @@ Eigen::Index settle(Patches& patches, const Values& value) {
     return moved;
 }
 
-// Per side between two patches the share of the way from a to b where their values are equal.
-std::vector<double> crossings(const Patches& patches, const Cells& cells, const Values& value) {
+// Per border of cells of two patches the share of the way from a to b where their values are equal.
+std::vector<double> crossings(const RankedPatches& patches, const Cells& cells, const Values& value) {
     std::vector<double> out(cells.sides.size(), 0);
     for (std::size_t i = 0; i < out.size(); ++i) {
         const auto a = static_cast<Eigen::Index>(cells.sides[i].a), b = static_cast<Eigen::Index>(cells.sides[i].b);
@@ -159,9 +161,9 @@ std::vector<double> crossings(const Patches& patches, const Cells& cells, const 
     return out;
 }
 
-// By the crossing nearest to each cell, in lengths of its side; without that, borders would move by whole cells.
-std::vector<Part> parts(const Patches& patches, const Cells& cells, const std::vector<double>& at) {
-    std::vector<Part> out(cells.area.size());
+// Shares by the crossing nearest to each cell; without them borders would move by whole cells.
+std::vector<CellShare> shares(const RankedPatches& patches, const Cells& cells, const std::vector<double>& at) {
+    std::vector<CellShare> out(cells.area.size());
     const auto pass = [&](std::uint32_t v, std::uint32_t other, double distance) {
         if (0.5 + distance < out[v].own) out[v] = {0.5 + distance, patches.rank(other)};
     };
@@ -175,8 +177,8 @@ std::vector<Part> parts(const Patches& patches, const Cells& cells, const std::v
     return out;
 }
 
-// Adds what the cells' misfit to the patches takes from the values.
-void weigh(Values& value, const Patches& patches, const Cells& cells, const Pull& pull, double tension) {
+// Subtracts the misfit of the cells to the patches from the values.
+void weigh(Values& value, const RankedPatches& patches, const Cells& cells, const Pull& pull, double tension) {
     const Proxies mean = proxies(patches, cells, pull);
     for (std::uint32_t r = 0; r < patches.ranks(); ++r)
         for (std::size_t v = 0; v < cells.area.size(); ++v) {
@@ -186,17 +188,17 @@ void weigh(Values& value, const Patches& patches, const Cells& cells, const Pull
         }
 }
 
-std::vector<Part> follow(Patches& patches, const Cells& cells, const Pull& pull, double length, double step,
-                         int threads) {
+std::vector<CellShare> follow(RankedPatches& patches, const Cells& cells, const Pull& pull, double length, double step,
+                              int threads) {
     const auto factor = diffusion(cells, &pull, step);
-    const double tension = 2 * length / step; // of the implicit step: what it sends across, by length, is step / 2
-    std::vector<Part> part(cells.area.size());
+    const double tension = 2 * length / step; // of the implicit step, which moves step / 2 per length of border
+    std::vector<CellShare> part(cells.area.size());
     for (int round = 0, still = 0; round < kRounds && still < kStill; ++round) {
         Values value = spread(patches, part, cells, *factor, threads);
         weigh(value, patches, cells, pull, tension);
         const auto moved = settle(patches, value);
         still = static_cast<double>(moved) > kFew * static_cast<double>(cells.area.size()) ? 0 : still + 1;
-        part = parts(patches, cells, crossings(patches, cells, value));
+        part = shares(patches, cells, crossings(patches, cells, value));
     }
     return part;
 }
@@ -206,7 +208,7 @@ std::vector<Part> follow(Patches& patches, const Cells& cells, const Pull& pull,
 Borders relax(std::vector<std::uint32_t> patch, const Cells& cells, const Pull& pull, double length, int threads) {
     Borders out;
     out.at.assign(cells.sides.size(), 0);
-    Patches patches(std::move(patch), cells);
+    RankedPatches patches(std::move(patch), cells);
     if (patches.ranks() > 1) {
         const double least = kSteps * cells.mean_side;
         const auto part = follow(patches, cells, pull, length, std::max(length / 2, least), threads);

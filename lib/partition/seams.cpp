@@ -15,15 +15,15 @@ namespace {
 
 constexpr double kBlunt = std::numbers::pi / 3;
 
-class Creases {
+class CreaseFilter {
   public:
-    Creases(const Surface& s, double least) : s_(s), seam_(s.twin.size(), 0) {
+    CreaseFilter(const Surface& s, double least) : s_(s), seam_(s.twin.size(), 0) {
         for (std::uint32_t t = 0; t < s.triangles.size(); ++t) normal_.push_back(surface::normal(s, t));
         for (std::uint32_t h = 0; h < seam_.size(); ++h)
             if (inner(h) && bend(h) > least) set(h, 1);
     }
 
-    // Seams that lead nowhere, from their ends on.
+    // Removes seams that end inside the surface, starting from their ends.
     void drop_dead_ends() {
         std::vector<std::uint32_t> count(s_.vertices.size(), 0), pending;
         for (std::uint32_t h = 0; h < seam_.size(); ++h)
@@ -45,7 +45,7 @@ class Creases {
         }
     }
 
-    // Joins what is small to the neighbour with the longest crease between, if that is blunt or it is tiny, until
+    // Merges small faces with the neighbour along the longest crease, if that is blunt or the face is tiny, until
     // nothing changes.
     void drop_round_small(double least_area, double detail_area) {
         for (bool changed = true; changed;) {
@@ -53,7 +53,7 @@ class Creases {
             const std::vector<std::uint32_t> face = faces();
             std::vector<double> area(1 + *std::max_element(face.begin(), face.end()), 0);
             for (std::uint32_t t = 0; t < face.size(); ++t) area[face[t]] += size(t);
-            std::map<std::uint32_t, std::vector<std::uint32_t>> sides; // of what is small
+            std::map<std::uint32_t, std::vector<std::uint32_t>> sides; // of each small face
             for (std::uint32_t h = 0; h < seam_.size(); ++h)
                 if (seam_[h] != 0 && area[face[h / 3]] < least_area && face[h / 3] != face[s_.twin[h] / 3])
                     sides[face[h / 3]].push_back(h);
@@ -74,12 +74,12 @@ class Creases {
     [[nodiscard]] double length(std::uint32_t h) const { return surface::side_length(s_, h); }
     [[nodiscard]] double size(std::uint32_t t) const { return surface::area(s_, t); }
 
-    // Per triangle what seams enclose, numbered.
+    // Per triangle the number of the face that seams enclose.
     [[nodiscard]] std::vector<std::uint32_t> faces() const {
         return flood(s_, [&](std::uint32_t h) { return seam_[h] == 0; });
     }
 
-    // `sides`: of one face, towards others; `sharp`: whatever they bend.
+    // `sides`: those of one face towards others; `sharp`: remove them however much they bend.
     bool drop_border(const std::vector<std::uint32_t>& sides, const std::vector<std::uint32_t>& face, bool sharp) {
         std::map<std::uint32_t, Border> all;
         for (const std::uint32_t h : sides) {
@@ -109,8 +109,8 @@ class Creases {
 std::vector<char> seams(const Sheet& sheet, const SeamOptions& options) {
     const Surface& s = sheet.surface;
     if (options.faces && sheet.faces.empty())
-        throw Error(Exit::usage, "cannot use --faces: the surface has no CAD faces; it comes from a mesh file");
-    Creases creases(s, geom::radians(options.crease_deg));
+        throw Error(Exit::usage, "cannot use --faces: the surface has no CAD faces, as it comes from a mesh file");
+    CreaseFilter creases(s, geom::radians(options.crease_deg));
     creases.drop_round_small(options.least_area, options.detail_area);
     creases.drop_dead_ends();
     std::vector<char> out = creases.take();

@@ -13,16 +13,16 @@ namespace {
 
 using surface::Triangle;
 
-constexpr double kNearest = 0.02; // share of an edge: nearer to a vertex no border crosses it
+constexpr double kNearest = 0.02; // share of an edge: borders cross it no nearer to a vertex
 
-// The corners of each fan as one vertex: per half-edge the number of its tail, and per vertex an old one.
-struct Fans {
+// One vertex per fan: per half-edge the number of its tail, and per new vertex the old one.
+struct FanVertices {
     std::vector<std::uint32_t> tail, from;
 };
 
-Fans fans(const std::vector<std::uint32_t>& old_tail, const std::vector<std::uint32_t>& twin) {
-    Fans out{std::vector<std::uint32_t>(twin.size(), kNone), {}};
-    const auto give = [&](std::uint32_t h, bool back) { // to the fan's rest, on one side of h
+FanVertices fans(const std::vector<std::uint32_t>& old_tail, const std::vector<std::uint32_t>& twin) {
+    FanVertices out{std::vector<std::uint32_t>(twin.size(), kNone), {}};
+    const auto give = [&](std::uint32_t h, bool back) { // the number to the rest of the fan, on one side of h
         const std::uint32_t first = h;
         for (;;) {
             out.tail[h] = static_cast<std::uint32_t>(out.from.size());
@@ -73,7 +73,7 @@ class Splitter {
         if (!old_.faces.empty()) faces_.push_back(old_.faces[old_triangle_]);
     }
 
-    // The quadrilateral, by its shorter diagonal.
+    // Adds a quadrilateral, split along its shorter diagonal.
     void put(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t patch) {
         if (distance(vertices_[a], vertices_[c]) <= distance(vertices_[b], vertices_[d])) {
             put(a, b, c, patch);
@@ -94,7 +94,7 @@ class Splitter {
         const std::uint32_t m[3] = {place(c[0], c[1]), place(c[1], c[2]), place(c[2], c[0])};
         const std::uint32_t half = between(m[0], m[1], 0.5);
         between(half, m[2], 1.0 / 3);
-        replace_by_last(half); // it was a step on the way only
+        replace_by_last(half); // it was only an intermediate step
         for (std::size_t k = 0; k < 3; ++k) put(c[k], m[k], half, m[(k + 2) % 3], borders_.patch[c[k]]);
     }
 
@@ -114,14 +114,14 @@ class Splitter {
         return static_cast<std::uint32_t>(vertices_.size() - 1);
     }
 
-    // Where the border crosses the edge.
+    // The vertex where the border crosses the edge.
     std::uint32_t place(std::uint32_t a, std::uint32_t b) {
         if (a > b) std::swap(a, b);
         const auto [at, fresh] = on_edge_.emplace(std::pair{a, b}, kNone);
         if (fresh) {
             const auto side = std::lower_bound(
                 cells_.sides.begin(), cells_.sides.end(), std::pair{a, b},
-                [](const Side& s, const auto& e) { return s.a != e.first ? s.a < e.first : s.b < e.second; });
+                [](const CellBorder& s, const auto& e) { return s.a != e.first ? s.a < e.first : s.b < e.second; });
             const double share = borders_.at[static_cast<std::size_t>(side - cells_.sides.begin())];
             at->second = between(a, b, std::clamp(share, kNearest, 1 - kNearest));
         }
@@ -169,7 +169,7 @@ Sheet take(const Sheet& sheet, std::span<const std::uint32_t> triangles, std::sp
         if (!apart.empty() && (apart[old] != 0 || apart[over] != 0)) continue;
         twin[h] = 3 * here[over / 3] + over % 3;
     }
-    const Fans f = fans(tail, twin);
+    const FanVertices f = fans(tail, twin);
     std::vector<Triangle> corners(triangles.size());
     for (std::uint32_t h = 0; h < tail.size(); ++h) corners[h / 3][h % 3] = f.tail[h];
     std::vector<Vec3> vertices;

@@ -5,7 +5,7 @@ namespace filum::surface {
 std::vector<Component> components(const Sheet& whole) {
     const Surface& s = whole.surface;
     std::vector<Component> out(s.components);
-    // Per vertex and triangle its number in its component; per component its vertices.
+    // Per vertex and triangle its number within its component; per component its vertices.
     std::vector<std::uint32_t> vertex(s.vertices.size()), triangle(s.triangles.size());
     std::vector<std::vector<std::uint32_t>> vertices(s.components);
     const auto of_vertex = [&](std::uint32_t v) { return s.component[s.outgoing[v] / 3]; };

@@ -1,17 +1,17 @@
-// A sheet in the components that it consists of.
+// Splits a sheet into its connected components.
 #pragma once
 
 #include "surface/sheet.hpp"
 
 namespace filum::surface {
 
-// One component, with its share of the fields and of the sources; nothing else of the sheet.
+// One component with its part of the fields and sources; the rest of the sheet is left out.
 struct Component {
     Sheet sheet;
-    std::vector<std::uint32_t> triangles; // per triangle of it: its number in the whole
+    std::vector<std::uint32_t> triangles; // per triangle: its number in the whole sheet
 };
 
-// By component; vertices, triangles and sources in the order that they have in the whole.
+// The components in their order; vertices, triangles and sources keep the order of the whole.
 std::vector<Component> components(const Sheet& whole);
 
 } // namespace filum::surface

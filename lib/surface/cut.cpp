@@ -8,7 +8,7 @@ namespace filum::surface {
 
 namespace {
 
-// Where the plane meets edges, one vertex for both triangles.
+// Splits triangles along a plane: every crossed edge gets one new vertex, which its two triangles share.
 class Cutter {
   public:
     Cutter(const Surface& s, std::span<const double> side) : surface_(s), side_(side) {
@@ -30,7 +30,7 @@ class Cutter {
 
   private:
     std::uint32_t crossing(std::uint32_t h) {
-        const std::uint32_t edge = std::min(h, surface_.twin[h]); // kNone is the greatest
+        const std::uint32_t edge = std::min(h, surface_.twin[h]); // kNone is the greatest number
         std::uint32_t& v = on_edge_[edge];
         if (v == kNone) {
             const std::uint32_t a = surface_.tail(edge), b = surface_.head(edge);
@@ -47,9 +47,9 @@ class Cutter {
     mesh::Mesh out_;
 };
 
-constexpr double kSliver = 0.01; // of what changes along a side
+constexpr double kSliver = 0.01; // share of the change along a side below which a corner moves onto the cut
 
-// The lower part, by triangles; none if nothing is left.
+// The part below, triangle by triangle; empty if nothing is below.
 mesh::Mesh lower(const Surface& s, std::span<const double> side) {
     Cutter cutter(s, side);
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
@@ -62,7 +62,7 @@ mesh::Mesh lower(const Surface& s, std::span<const double> side) {
 } // namespace
 
 Surface cut(const Surface& s, const Plane& plane, Notes& notes) {
-    if (!(norm(plane.normal) > 0)) throw Error(Exit::usage, "cannot use --cut: the plane's normal has no length");
+    if (!(norm(plane.normal) > 0)) throw Error(Exit::usage, "cannot use --cut: the plane's normal is (0, 0, 0)");
     mesh::Mesh out = lower(s, sides(s, plane));
     if (out.triangles.empty())
         throw Error(Exit::usage, "cannot use --cut: nothing of the surface lies on the plane's lower side");
@@ -77,7 +77,7 @@ Surface cut(const Surface& s, std::span<const double> side, Notes& notes) {
             if (std::abs(side[at]) < kSliver * std::abs(side[at] - side[other])) clear[at] = 0;
     }
     mesh::Mesh out = lower(s, clear);
-    if (out.triangles.empty()) throw Error(Exit::usage, "cannot cut the surface: nothing of it is left");
+    if (out.triangles.empty()) throw Error(Exit::usage, "cannot cut the surface: nothing would be left of it");
     return connect(std::move(out), notes);
 }
 

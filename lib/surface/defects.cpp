@@ -8,15 +8,15 @@ namespace filum::surface {
 
 namespace {
 
-constexpr double kFlat = 1e-9;       // height over longest side
-constexpr int kSplittingRounds = 20; // of splitting, each of which may leave new triangles without area
+constexpr double kFlat = 1e-9;       // height over longest side, below which a triangle has no area
+constexpr int kSplittingRounds = 20; // rounds of splitting; each may leave new triangles without area
 
 Vec3 cross_of(const mesh::Mesh& mesh, std::uint32_t t) {
     const auto& [a, b, c] = mesh.triangles[t];
     return cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
 }
 
-// The longest side of a triangle without area, 0 to 2; 3 if it has an area.
+// The longest side, 0 to 2, of a triangle without area; 3 if it has an area.
 std::uint32_t flat_side(const mesh::Mesh& mesh, std::uint32_t t) {
     double longest = -1;
     std::uint32_t side = 0;
@@ -32,7 +32,7 @@ std::uint32_t flat_side(const mesh::Mesh& mesh, std::uint32_t t) {
 
 bool degenerate(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
-// Takes out what was made degenerate, with its CAD face.
+// Removes triangles that have become degenerate, with their CAD faces.
 void erase_degenerate(mesh::Mesh& mesh) {
     if (!mesh.faces.empty()) {
         std::size_t kept = 0;
@@ -43,7 +43,7 @@ void erase_degenerate(mesh::Mesh& mesh) {
     std::erase_if(mesh.triangles, degenerate);
 }
 
-// One round: splits the triangles across the longest sides of flat ones.  Returns how many flat ones it took out.
+// One round: splits the triangles across the longest sides of flat ones. Returns how many flat ones it removed.
 std::size_t split_across_flat(mesh::Mesh& mesh) {
     std::vector<std::uint32_t> longest(mesh.triangles.size());
     std::size_t flat = 0;
@@ -52,10 +52,10 @@ std::size_t split_across_flat(mesh::Mesh& mesh) {
     std::vector<char> touched(longest.size(), 0);
     const auto sides = mesh::half_edges(mesh);
     std::vector<Triangle> more;
-    std::vector<std::uint32_t> faces; // of those
+    std::vector<std::uint32_t> faces; // of the new triangles
     const auto split = [&](std::uint32_t h, std::uint32_t middle) {
         Triangle& t = mesh.triangles[h / 3];
-        if (t[0] == middle || t[1] == middle || t[2] == middle) return; // the flat one lies on it: a fold
+        if (t[0] == middle || t[1] == middle || t[2] == middle) return; // the flat triangle lies on it: a fold
         Triangle other = t;
         other[h % 3] = middle;
         t[(h + 1) % 3] = middle;
@@ -67,7 +67,7 @@ std::size_t split_across_flat(mesh::Mesh& mesh) {
         for (std::size_t k = i; k < j; ++k) {
             const std::uint32_t t = sides[k].side / 3;
             if (longest[t] != sides[k].side % 3 || touched[t] != 0) continue;
-            bool free = true; // one change per triangle and round
+            bool free = true; // a triangle is changed once per round at most
             for (std::size_t m = i; m < j; ++m) free = free && touched[sides[m].side / 3] == 0;
             if (!free) continue;
             const std::uint32_t middle = mesh.triangles[t][(sides[k].side % 3 + 2) % 3];
@@ -85,7 +85,7 @@ std::size_t split_across_flat(mesh::Mesh& mesh) {
     return out;
 }
 
-// How far two triangles that share an edge are from continuing each other flat: 0 flat, 2 folded back.
+// How far two triangles at an edge are from being coplanar continuations: 0 flat, 2 folded back.
 double fold(const mesh::Mesh& mesh, std::uint32_t s, std::uint32_t t) {
     const Vec3 m = cross_of(mesh, s), n = cross_of(mesh, t);
     return 1 - dot(m, n) / (norm(m) * norm(n));
@@ -145,7 +145,7 @@ std::vector<std::uint32_t> join_sides(const mesh::Mesh& mesh, Notes& notes) {
         double least = 3;
         for (std::size_t k = i; k < j; ++k)
             for (std::size_t m = k + 1; m < j; ++m) {
-                if (tail(sides[k].side) == tail(sides[m].side)) continue; // they face opposite ways
+                if (tail(sides[k].side) == tail(sides[m].side)) continue; // they face in opposite directions
                 const double f = j - i == 2 ? 0 : fold(mesh, sides[k].side / 3, sides[m].side / 3);
                 if (f < least) {
                     least = f;
@@ -166,13 +166,13 @@ std::vector<std::uint32_t> join_sides(const mesh::Mesh& mesh, Notes& notes) {
 }
 
 void split_fans(mesh::Mesh& mesh, const std::vector<std::uint32_t>& twin, Notes& notes) {
-    std::vector<std::uint32_t> fan(twin.size(), kNone); // the vertex at which a half-edge begins
+    std::vector<std::uint32_t> fan(twin.size(), kNone); // the new vertex at the tail of each half-edge
     std::vector<char> used(mesh.vertices.size(), 0);
     const std::size_t before = mesh.vertices.size();
     for (std::uint32_t h = 0; h < twin.size(); ++h) {
         if (fan[h] != kNone) continue;
         std::uint32_t id = mesh.triangles[h / 3][h % 3];
-        if (used[id] != 0) { // another fan has it
+        if (used[id] != 0) { // another fan has this vertex
             mesh.vertices.push_back(mesh.vertices[id]);
             id = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
         } else {
@@ -180,7 +180,7 @@ void split_fans(mesh::Mesh& mesh, const std::vector<std::uint32_t>& twin, Notes&
         }
         std::uint32_t e = h;
         for (; e != kNone && fan[e] == kNone; e = twin[prev(e)]) fan[e] = id; // counter-clockwise
-        if (e != kNone) continue;                                             // once round
+        if (e != kNone) continue;                                             // a full turn
         for (e = twin[h]; e != kNone && fan[next(e)] == kNone; e = twin[next(e)]) fan[next(e)] = id;
     }
     const std::size_t split = mesh.vertices.size() - before;
@@ -191,7 +191,7 @@ void split_fans(mesh::Mesh& mesh, const std::vector<std::uint32_t>& twin, Notes&
         if (used[v] != 0) mesh.vertices[to[v] = kept++] = mesh.vertices[v];
     mesh.vertices.resize(kept);
     for (std::uint32_t h = 0; h < twin.size(); ++h) mesh.triangles[h / 3][h % 3] = to[fan[h]];
-    to.resize(before); // of the file
+    to.resize(before); // vertices of the file
     if (split > 0 || std::find(to.begin(), to.end(), kNone) != to.end()) mesh.renumber(to);
     if (split > 0) notes.push_back(note(NoteCode::vertex_split, split));
 }

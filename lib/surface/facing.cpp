@@ -6,17 +6,17 @@ namespace filum::surface {
 
 namespace {
 
-constexpr double kHollow = 0.005; // of area^1.5 (a ball has 0.094): less volume is that of a flat surface
-constexpr double kUp = 0.1;       // mean of the normals' z: more of it is a surface that faces up,
-constexpr double kDown = -0.5;    // and less than this of a flat one is one that faces down
+constexpr double kHollow = 0.005; // |volume| over area^1.5 (a sphere has 0.094), below which a surface counts as flat
+constexpr double kUp = 0.1;       // mean z of the normals above which a surface faces up
+constexpr double kDown = -0.5;    // mean z of the normals below which a flat surface faces down
 
-// What the triangles of a component add up to.
+// Sums over the triangles of a component.
 struct Sums {
-    double volume = 0; // six times, with lids on all rims
-    double area = 0;   // twice
-    double up = 0;     // twice: area seen from above, less that from below
+    double volume = 0; // six times the volume, with lids on all rims
+    double area = 0;   // twice the area
+    double up = 0;     // twice: area seen from above minus area seen from below
     std::size_t rims = 0;
-    std::uint32_t first = kNone; // its first vertex, about which volumes are taken
+    std::uint32_t first = kNone; // its first vertex, the origin for volumes
 };
 
 std::vector<Sums> sums(const Surface& s) {
@@ -54,8 +54,8 @@ bool faces_inwards(const Sums& c) {
 
 } // namespace
 
-Inward inward(const Surface& s) {
-    Inward out;
+InwardArea inward(const Surface& s) {
+    InwardArea out;
     for (const Sums& c : sums(s)) {
         if (!faces_inwards(c)) continue;
         if (out.components++ == 0) out.place = s.vertices[c.first];

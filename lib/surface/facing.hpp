@@ -1,22 +1,22 @@
-// Which way a surface faces, and turning it round.
+// Which way a surface faces, and reversing it.
 #pragma once
 
 #include "surface/surface.hpp"
 
 namespace filum::surface {
 
-// mm2 of the components that face inwards, as far as that can be known, and a place on the first of them:
-// closed ones of negative volume; open ones that would have one if lids closed their rims, unless they mostly face up,
-// as a mould that is filled from above; flat ones that mostly face down.
-struct Inward {
-    double area = 0;
+// The components that face inwards, as far as that can be determined: closed ones of negative volume; open ones that
+// have a negative volume with lids on their rims, unless they mostly face up, like a mould that is filled from above;
+// flat ones that mostly face down.
+struct InwardArea {
+    double area = 0; // mm2
     std::uint64_t components = 0;
-    Vec3 place;
+    Vec3 place; // on the first of them
 };
-Inward inward(const Surface& s);
+InwardArea inward(const Surface& s);
 
-// The same surface, facing the other way.  Triangles keep their numbers; corners b and c of a triangle a, b, c change
-// places.
+// The same surface facing the other way. Triangles keep their numbers; corners b and c of a triangle a, b, c are
+// swapped.
 Surface flipped(const Surface& s);
 
 } // namespace filum::surface

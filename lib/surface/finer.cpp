@@ -6,13 +6,14 @@ namespace filum::surface {
 
 namespace {
 
-// The surface under way.  `whole[h]`: the half-edge of the round before that h is, kNone if it is new or a half.
-struct Round {
+// The surface after a round. `whole[h]`: the half-edge before the round that is half-edge h now; kNone if h is new or
+// a half.
+struct Refinement {
     std::vector<mesh::Triangle> triangles;
     std::vector<std::uint32_t> parent, whole;
 };
 
-// The middles of long sides, as vertices behind the others; kNone for sides that stay.
+// Adds the middles of long sides as vertices; per half-edge its middle, kNone for sides that stay.
 std::vector<std::uint32_t> middles(const Surface& s, double edge, std::vector<geom::Vec3>& vertices) {
     std::vector<std::uint32_t> out(s.twin.size(), kNone);
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
@@ -24,8 +25,8 @@ std::vector<std::uint32_t> middles(const Surface& s, double edge, std::vector<ge
     return out;
 }
 
-// The parts of triangle t, whose sides 3 t + k have the middles m[k].
-void cut(const Surface& s, std::uint32_t t, const std::uint32_t* m, const std::vector<geom::Vec3>& v, Round& out) {
+// Appends the parts of triangle t, whose sides 3 t + k have the middles m[k].
+void cut(const Surface& s, std::uint32_t t, const std::uint32_t* m, const std::vector<geom::Vec3>& v, Refinement& out) {
     const auto add = [&](mesh::Triangle corners, mesh::Triangle whole) {
         out.triangles.push_back(corners);
         out.whole.insert(out.whole.end(), whole.begin(), whole.end());
@@ -38,7 +39,7 @@ void cut(const Surface& s, std::uint32_t t, const std::uint32_t* m, const std::v
         for (std::uint32_t k = 0; k < 3; ++k) add({c[k], m[k], m[(k + 2) % 3]}, {kNone, kNone, kNone});
         return add({m[0], m[1], m[2]}, {kNone, kNone, kNone});
     }
-    // turned so that side i is cut and, if two are, side j before it as well
+    // Rotated such that side i is cut and, if two sides are, also the side before it.
     std::uint32_t i = 0;
     while (m[i] == kNone || (cuts == 2 && m[(i + 2) % 3] == kNone)) ++i;
     const std::uint32_t j = (i + 1) % 3, k = (i + 2) % 3;
@@ -46,7 +47,8 @@ void cut(const Surface& s, std::uint32_t t, const std::uint32_t* m, const std::v
         add({c[i], m[i], c[k]}, {kNone, kNone, 3 * t + k});
         return add({m[i], c[j], c[k]}, {kNone, 3 * t + j, kNone});
     }
-    // sides i and k are cut: a corner at c[i], and the four-sided rest along its shorter diagonal
+    // Sides i and k are cut: a triangle at corner c[i], and the quadrilateral that remains, split along its shorter
+    // diagonal.
     add({c[i], m[i], m[k]}, {kNone, kNone, kNone});
     if (distance(v[m[i]], v[c[k]]) <= distance(v[c[j]], v[m[k]])) {
         add({m[i], c[j], c[k]}, {kNone, 3 * t + j, kNone});
@@ -57,8 +59,9 @@ void cut(const Surface& s, std::uint32_t t, const std::uint32_t* m, const std::v
     }
 }
 
-// Whole sides stay joined as they were; the others are joined by their ends, of which one is a middle and so unique.
-std::vector<std::uint32_t> join(const Surface& before, const Round& r) {
+// Twins of the new half-edges. Whole sides keep theirs; the others are matched by their ends, since one of these is a
+// new middle.
+std::vector<std::uint32_t> join(const Surface& before, const Refinement& r) {
     std::vector<std::uint32_t> out(r.whole.size(), kNone), now(before.twin.size(), kNone), halves;
     for (std::uint32_t h = 0; h < r.whole.size(); ++h)
         if (r.whole[h] != kNone)
@@ -85,8 +88,8 @@ std::vector<std::uint32_t> join(const Surface& before, const Round& r) {
 
 } // namespace
 
-Finer finer(const Surface& given, double edge, std::size_t most) {
-    Finer out{given, std::vector<std::uint32_t>(given.triangles.size())};
+FinerSurface finer(const Surface& given, double edge, std::size_t most) {
+    FinerSurface out{given, std::vector<std::uint32_t>(given.triangles.size())};
     for (std::uint32_t t = 0; t < out.parent.size(); ++t) out.parent[t] = t;
     for (;;) {
         const Surface& s = out.surface;
@@ -94,7 +97,7 @@ Finer finer(const Surface& given, double edge, std::size_t most) {
         const auto middle = middles(s, edge, vertices);
         if (vertices.size() == s.vertices.size()) return out;
         if (s.triangles.size() + 2 * (vertices.size() - s.vertices.size()) > most) return out;
-        Round round;
+        Refinement round;
         for (std::uint32_t t = 0; t < s.triangles.size(); ++t) cut(s, t, &middle[3 * t], vertices, round);
         auto twin = join(s, round);
         for (auto& p : round.parent) p = out.parent[p];

@@ -10,32 +10,32 @@ namespace filum::surface {
 
 namespace {
 
-constexpr double kTolerance = 0.1;  // of the first band: how far the flange may be off a rim that is rough
-constexpr double kLeastDepth = 0.2; // of the first band: less is no flange
+constexpr double kTolerance = 0.1;  // depths of the first band: tolerance for rough rims
+constexpr double kLeastDepth = 0.2; // depths of the first band: a shallower flange is left out
 constexpr std::size_t kBands = 2;
 
-struct Banded {
+struct FlangeTriangle {
     Triangle corners;
     char far = 0;
 };
-using Strip = std::vector<Banded>; // between two columns
+using Strip = std::vector<FlangeTriangle>; // between two columns
 
-class Builder {
+class FlangeBuilder {
   public:
-    Builder(const Surface& s, double near, double depth)
+    FlangeBuilder(const Surface& s, double near, double depth)
         : s_(s), near_(near), room_(s, depth, kTolerance * near), vertices_(s.vertices), least_(depth) {
         for (std::uint32_t v = 0; v < s.vertices.size(); ++v) root_.push_back(v);
     }
 
-    Flanged built() {
+    FlangedSurface built() {
         Strip all;
         for (std::size_t rim = 0; rim < s_.rims.size(); ++rim)
             for (const Strip& strip : strips(s_.rims[rim], room_.outline(rim)))
                 all.insert(all.end(), strip.begin(), strip.end());
-        Flanged out;
+        FlangedSurface out;
         out.far.assign(s_.triangles.size(), 0);
         std::vector<Triangle> triangles;
-        for (const Banded& t : all) {
+        for (const FlangeTriangle& t : all) {
             triangles.push_back(t.corners);
             out.far.push_back(t.far);
         }
@@ -48,10 +48,10 @@ class Builder {
     }
 
   private:
-    // Vertices from the rim outwards; the same again where the flange is no deeper.
+    // A row of vertices from the rim outwards; where the flange is shallower the last ones are equal.
     struct Column {
         std::array<std::uint32_t, kBands + 1> vertices{};
-        std::size_t edge = 0; // of the outline: that begins there
+        std::size_t edge = 0; // the edge of the outline that begins there
         double deep = 0;
     };
 
@@ -71,8 +71,8 @@ class Builder {
         return out;
     }
 
-    // In turn along the rim. Those about a corner that sticks out hang on their neighbours: they are left out if one of
-    // these, or one of them, cannot lie.
+    // The strips along the rim. Those of a fan around a convex corner depend on each other: all are left out if one of
+    // them, or of their neighbours, cannot be placed.
     std::vector<Strip> strips(const Rim& rim, const Outline& outline) {
         std::vector<Column> columns;
         for (const Station& from : outline.stations) columns.push_back(column(from));
@@ -93,15 +93,14 @@ class Builder {
         return out;
     }
 
-    // That the flange is so deep at the vertex.
+    // Records the depth of the flange at the vertex.
     void see(double deep, std::uint32_t vertex) {
         if (!(deep < least_)) return;
         least_ = deep;
         least_at_ = s_.vertices[vertex];
     }
 
-    // Between two columns, the first of which lies behind along the rim; empty if it cannot lie without a triangle that
-    // is turned over.
+    // The strip between two consecutive columns along the rim; empty if a triangle of it would be turned over.
     [[nodiscard]] Strip strip(const Rim& rim, const Outline& outline, const Column& a, const Column& b) const {
         if (a.deep == 0 && b.deep == 0) return {};
         Strip out = first_band(rim, outline.edges[a.edge].side, outline.edges[b.edge].side, a, b);
@@ -113,14 +112,14 @@ class Builder {
             add({b.vertices[k], a.vertices[k + 1], b.vertices[k + 1]});
         }
         const Vec3& up = outline.edges[a.edge].up;
-        const bool lies = std::all_of(out.begin(), out.end(), [&](const Banded& t) {
+        const bool lies = std::all_of(out.begin(), out.end(), [&](const FlangeTriangle& t) {
             const Vec3 &p = vertices_[t.corners[0]], &q = vertices_[t.corners[1]], &r = vertices_[t.corners[2]];
             return dot(cross(q - p, r - p), up) > 0;
         });
         return lies ? out : Strip{};
     }
 
-    // Between the columns' first ends and the rim, which may have vertices between, as rough as they are.
+    // The strip between the first vertices of the columns and the rim, which may have further vertices in between.
     [[nodiscard]] Strip first_band(const Rim& rim, std::size_t from, std::size_t to, const Column& a,
                                    const Column& b) const {
         std::vector<std::uint32_t> ring{a.vertices[0]};
@@ -134,7 +133,7 @@ class Builder {
         return out;
     }
 
-    // Vertices of columns that no triangle has.
+    // Removes vertices of columns that no triangle uses.
     void drop_unused(std::vector<Triangle>& triangles) {
         std::vector<std::uint32_t> now(vertices_.size(), kNone);
         for (std::uint32_t v = 0; v < s_.vertices.size(); ++v) now[v] = v;
@@ -164,9 +163,9 @@ class Builder {
 
 } // namespace
 
-Flanged flanged(const Surface& s, double near, double depth) {
-    Closed whole = with_lids(s, depth, kTolerance * near);
-    Flanged out = Builder(whole.surface, near, depth).built();
+FlangedSurface flanged(const Surface& s, double near, double depth) {
+    SurfaceWithLids whole = with_lids(s, depth, kTolerance * near);
+    FlangedSurface out = FlangeBuilder(whole.surface, near, depth).built();
     out.part = static_cast<std::uint32_t>(s.triangles.size());
     out.lids = std::move(whole.lids);
     return out;

@@ -1,27 +1,27 @@
-// A surface that goes on beyond its rims, as a part does that is trimmed later.
+// Extends a surface beyond its rims by a flange, which is trimmed off the part later.
 #pragma once
 
 #include "surface/lids.hpp"
 
 namespace filum::surface {
 
-struct Flanged {
-    Surface surface;                 // the given triangles first, then those of the flange
-    std::uint32_t part = 0;          // triangles of the given surface
-    std::vector<std::uint32_t> root; // per vertex: of the given surface, itself or the one of the rim that it lies
-                                     // straight out from
-    std::vector<char> far;           // per triangle: it lies beyond the first of the depths
-    double least = 0;                // mm: how deep the flange is where it is least,
-    Vec3 least_at;                   // and where
-    std::vector<Lid> lids;           // holes and notches that are closed
+struct FlangedSurface {
+    Surface surface;                 // the triangles of the given surface first, then those of the flange
+    std::uint32_t part = 0;          // number of triangles of the given surface
+    std::vector<std::uint32_t> root; // per vertex: of the given surface, itself or the vertex of the rim nearest to it
+    std::vector<char> far;           // per triangle: it is beyond the first band
+    double least = 0;                // mm: least depth of the flange
+    Vec3 least_at;                   // where that is
+    std::vector<Lid> lids;           // holes and notches that were closed
 };
 
-// The surface with a flange about every rim: straight on in its tangent planes, square to the rim, `depth` mm deep, and
-// round about corners.  Where rims face each other, as across a hole or a notch, it is no deeper than half the way to
-// the middle between them, by the balls that touch the rim and no other part of it (Amenta, Choi, Kolluri 2001): so the
-// flange never meets itself there; in a sharp notch it ends.  It is built in two bands, the first `near` mm deep.
-// Holes and notches without room for the depth are closed first (lids.hpp); no triangle of a lid is `far`.  `depth` >
-// `near` > 0.
-Flanged flanged(const Surface& surface, double near, double depth);
+// The surface with a flange along every rim: straight in the tangent planes, perpendicular to the rim, `depth` mm
+// deep, and with fans around convex corners. Where parts of rims face each other, as across a hole or a notch, its
+// depth is at most half the way to the middle between them, measured by balls that touch the rim at a place and
+// contain no other point of a rim (Amenta, Choi, Kolluri 2001). So the flange never meets itself there; in a sharp
+// notch it ends. It consists of two bands; the first is `near` mm deep.
+// Holes and notches without room for the depth are closed first (lids.hpp); no triangle of a lid is `far`.
+// Precondition: `depth` > `near` > 0.
+FlangedSurface flanged(const Surface& surface, double near, double depth);
 
 } // namespace filum::surface

@@ -11,14 +11,15 @@ namespace filum::surface {
 
 namespace {
 
-constexpr double kStraightOn = 0.5 * std::numbers::sqrt2; // cosine: a lid is nearer to straight on than to upright
-constexpr double kFacing = -0.5;                          // cosine: sides of a notch open by less than 60 degrees
+// least cosine between a lid and the surface beside it: 45 degrees
+constexpr double kStraightOn = 0.5 * std::numbers::sqrt2;
+constexpr double kFacing = -0.5; // largest cosine between the sides of a notch: they open by less than 60 degrees
 
-class Lids {
+class LidBuilder {
   public:
-    Lids(const Surface& s, double depth, double tolerance) : s_(s), depth_(depth), room_(s, depth, tolerance) {}
+    LidBuilder(const Surface& s, double depth, double tolerance) : s_(s), depth_(depth), room_(s, depth, tolerance) {}
 
-    Closed made() {
+    SurfaceWithLids made() {
         for (std::size_t rim = 0; rim < s_.rims.size(); ++rim) add(s_.rims[rim], room_.outline(rim));
         out_.surface = grown(s_, s_.vertices, triangles_);
         return std::move(out_);
@@ -37,7 +38,7 @@ class Lids {
             close(vertices(rim, 0, rim.sides.size() - 1), false);
     }
 
-    // Of the stretches without room, in turn from a station that has it.
+    // Adds notches: stretches of the outline without room, starting from a station that has room.
     void add_notches(const Rim& rim, const Outline& outline, std::span<const char> narrow, std::size_t wide) {
         const auto& all = outline.stations;
         for (std::size_t i = 1, first = 0; i <= all.size(); ++i) {
@@ -52,8 +53,8 @@ class Lids {
         }
     }
 
-    // Whether the edge that turns most from the first, and the one that turns most from that, look towards each other:
-    // of those between two sides of the rim.
+    // Whether the edge that turns most from the first one, and the edge that turns most from that, face each other, as
+    // the two sides of a notch do.
     static bool faces_itself(const Outline& outline, std::size_t from, std::size_t to) {
         std::vector<Vec3> out;
         for (const auto& edge : outline.edges)
@@ -67,7 +68,7 @@ class Lids {
         return dot(one, farthest(one)) < kFacing;
     }
 
-    // Where the sides begin, from one to another, both included.
+    // The vertices at which sides begin, from one side to another, both included.
     [[nodiscard]] std::vector<std::uint32_t> vertices(const Rim& rim, std::size_t from, std::size_t to) const {
         std::vector<std::uint32_t> out;
         for (std::size_t k = from;; k = (k + 1) % rim.sides.size()) {
@@ -76,7 +77,7 @@ class Lids {
         }
     }
 
-    // Puts a lid on the ring of vertices, if one can lie there; of a notch the last side is its mouth.
+    // Adds a lid on the ring of vertices, if possible. The last side of a notch is its mouth.
     void close(std::span<const std::uint32_t> ring, bool notch) {
         std::vector<Vec3> points;
         for (const std::uint32_t v : ring) points.push_back(s_.vertices[v]);
@@ -93,20 +94,20 @@ class Lids {
         out_.lids.push_back(lid);
     }
 
-    // Whether all triangles that have a side of the rim face the way of the surface beside it.
+    // Whether all triangles at the rim face the same way as the surface beside them.
     [[nodiscard]] bool goes_on(std::span<const std::uint32_t> ring, std::span<const Triangle> triangles) const {
         return std::all_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
             const Vec3 &a = s_.vertices[ring[t[0]]], &b = s_.vertices[ring[t[1]]], &c = s_.vertices[ring[t[2]]];
             const Vec3 own = cross(b - a, c - a);
             for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t h = s_.outgoing[ring[t[(k + 1) % 3]]]; // the rim runs the other way
+                const std::uint32_t h = s_.outgoing[ring[t[(k + 1) % 3]]]; // the rim runs in the opposite direction
                 if (s_.head(h) == ring[t[k]] && !(dot(own, normal(s_, h / 3)) > kStraightOn * norm(own))) return false;
             }
             return true;
         });
     }
 
-    // Whether a vertex of a rim that is no corner of the lid lies in it, seen square to it.
+    // Whether a vertex of a rim that is not a corner of the lid is inside it, in projection.
     [[nodiscard]] bool holds_rim(std::span<const std::uint32_t> ring, std::span<const Vec3> points,
                                  std::span<const Triangle> triangles) const {
         const geom::Box3 about = geom::box_of(points);
@@ -136,11 +137,13 @@ class Lids {
     double depth_;
     RimRoom room_;
     std::vector<Triangle> triangles_;
-    Closed out_;
+    SurfaceWithLids out_;
 };
 
 } // namespace
 
-Closed with_lids(const Surface& s, double depth, double tolerance) { return Lids(s, depth, tolerance).made(); }
+SurfaceWithLids with_lids(const Surface& s, double depth, double tolerance) {
+    return LidBuilder(s, depth, tolerance).made();
+}
 
 } // namespace filum::surface

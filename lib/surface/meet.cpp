@@ -15,24 +15,24 @@ namespace {
 using geom::Box3;
 using Corners = std::array<Vec3, 3>;
 
-constexpr double kNear = 0.05;        // of a mean edge
-constexpr double kSpotsPerEdge = 4;   // per mean edge: where rims are looked at
-constexpr double kStraight = 0.87;    // cosine of the sharpest bend on the way, 30 degrees
-constexpr int kHalvings = 30;         // of the stretch between two spots in which a touching one ends
-constexpr double kDegenerate = 1e-12; // of the longest side squared: twice the area of what has none
+constexpr double kNear = 0.05;        // mean edges: distance at which a rim touches a mesh
+constexpr double kSpotsPerEdge = 4;   // sample points of rims per mean edge
+constexpr double kStraight = 0.87;    // cosine of the sharpest bend within a touching stretch, 30 degrees
+constexpr int kHalvings = 30;         // bisections between two sample points to find where a touching stretch ends
+constexpr double kDegenerate = 1e-12; // longest sides squared: twice the area below which a triangle is degenerate
 
 Box3 around(std::initializer_list<Vec3> points, double margin) { return geom::grown(geom::box_of(points), margin); }
 
 Corners corners(const std::vector<Vec3>& v, const Triangle& t) { return {v[t[0]], v[t[1]], v[t[2]]}; }
 
-// Unit; 0 if the triangle has no area.
+// Unit normal; (0, 0, 0) if the triangle has no area.
 Vec3 normal_of(const Corners& c) {
     const Vec3 n = cross(c[1] - c[0], c[2] - c[0]);
     const double l = norm(n), side = std::max({distance(c[0], c[1]), distance(c[1], c[2]), distance(c[2], c[0])});
     return l > kDegenerate * side * side ? 1 / l * n : Vec3{};
 }
 
-// The part of a -> b, in the plane of the triangle, that lies within it; false if it is shorter than `least`.
+// Clips a-b, which is in the plane of the triangle, to the triangle. Returns false if less than `least` remains.
 bool clip(const Corners& t, const Vec3& normal, double least, Vec3& a, Vec3& b) {
     double from = 0, to = 1;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -52,7 +52,7 @@ bool clip(const Corners& t, const Vec3& normal, double least, Vec3& a, Vec3& b) 
     return true;
 }
 
-// Of two triangles in one plane; the normal is that of the first (Sutherland, Hodgman 1974).
+// Area of the intersection of two triangles in one plane (Sutherland, Hodgman 1974); the normal is that of the first.
 double common_area(const Corners& t, const Vec3& normal, const Corners& other) {
     std::vector<Vec3> polygon(other.begin(), other.end()), next;
     for (std::size_t k = 0; k < 3 && !polygon.empty(); ++k) {
@@ -74,9 +74,9 @@ double common_area(const Corners& t, const Vec3& normal, const Corners& other) {
 
 bool less(const Vec3& p, const Vec3& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); }
 
-class Meeter {
+class Intersector {
   public:
-    Meeter(const Surface& s, const mesh::Mesh& other, double near) : surface_(s), other_(other), near_(near) {
+    Intersector(const Surface& s, const mesh::Mesh& other, double near) : surface_(s), other_(other), near_(near) {
         slack_ = kInPlane * norm(geom::box_of(s.vertices).size());
         double edge = 0, count = 0;
         std::vector<Box3> boxes;
@@ -93,7 +93,7 @@ class Meeter {
         tree_ = std::make_unique<geom::Bvh>(std::move(boxes));
     }
 
-    Meeting run() {
+    Intersection run() {
         for (const Rim& rim : surface_.rims) touch(rim);
         const std::vector<Segment> rims = out_.segments;
         std::vector<Box3> boxes;
@@ -127,7 +127,7 @@ class Meeter {
         return found;
     }
 
-    // Stretches of the rim that run along the mesh; those that only pass it are short.
+    // Adds the stretches of the rim that run along the mesh. Stretches that merely pass it are too short.
     void touch(const Rim& rim) {
         std::vector<Segment> near;
         for (const std::uint32_t h : rim.sides) touch(h, near);
@@ -136,7 +136,7 @@ class Meeter {
             if (runs.empty() || !goes_on(runs.back().back(), s)) runs.emplace_back();
             runs.back().push_back(s);
         }
-        if (runs.size() > 1 && goes_on(runs.back().back(), runs.front().front())) { // over the rim's begin
+        if (runs.size() > 1 && goes_on(runs.back().back(), runs.front().front())) { // across the rim's start
             runs.back().insert(runs.back().end(), runs.front().begin(), runs.front().end());
             runs.erase(runs.begin());
         }
@@ -149,7 +149,7 @@ class Meeter {
         }
     }
 
-    // Not round a corner, behind which a rim soon leaves the mesh.
+    // Whether `next` continues `s` without a sharp bend; behind a corner the rim soon leaves the mesh.
     static bool goes_on(const Segment& s, const Segment& next) {
         const Vec3 u = s.b - s.a, v = next.b - next.a;
         return s.b == next.a && dot(u, v) > kStraight * norm(u) * norm(v);
@@ -174,7 +174,7 @@ class Meeter {
         }
     }
 
-    // The last place between p, which touches the mesh, and q, which does not, that does.
+    // The last touching place between p, which touches the mesh, and q, which does not.
     [[nodiscard]] Vec3 last(Vec3 p, Vec3 q) const {
         for (int i = 0; i < kHalvings; ++i) {
             const Vec3 m = 0.5 * (p + q);
@@ -208,7 +208,7 @@ class Meeter {
         });
     }
 
-    // Two triangles in one plane: the edges of either within the other.
+    // Two triangles in one plane: adds the edges of either inside the other.
     void lie_flush(std::uint32_t t, const Corners& c, const Vec3& n, const Corners& o) {
         const Vec3 up = normal_of(o);
         if (up == Vec3{}) return;
@@ -220,17 +220,17 @@ class Meeter {
         out_.flush += common_area(c, n, o);
     }
 
-    // What a -> b has in common with the triangle, along `way`.
+    // Adds the part of a-b inside the triangle, directed along `way`.
     void add(std::uint32_t t, const Corners& c, const Vec3& n, Vec3 a, Vec3 b, const Vec3& way) {
         a = a - dot(a - c[0], n) * n;
         b = b - dot(b - c[0], n) * n;
-        if (less(b, a)) std::swap(a, b); // the same for all triangles that share it
+        if (less(b, a)) std::swap(a, b); // the same direction for all triangles that share it
         if (!clip(c, n, slack_, a, b)) return;
         if (dot(b - a, way) < 0) std::swap(a, b);
         found_.push_back({t, a, b});
     }
 
-    // Such come from the triangle on the other side, too.
+    // Whether the segment is on an inner edge; then the triangle on the other side has it, too.
     [[nodiscard]] bool on_inner_side(const Segment& s) const {
         for (std::uint32_t h = 3 * s.triangle; h < 3 * s.triangle + 3; ++h) {
             const Segment side{0, surface_.vertices[surface_.tail(h)], surface_.vertices[surface_.head(h)]};
@@ -241,10 +241,10 @@ class Meeter {
         return false;
     }
 
-    // By triangles, each once.
+    // Sorts segments by triangle and removes duplicates.
     void sort_out(std::size_t rims) {
         auto& all = out_.segments;
-        const auto key = [](const Segment& s) { // whichever way it runs
+        const auto key = [](const Segment& s) { // independent of the direction
             const Vec3 &p = less(s.a, s.b) ? s.a : s.b, &q = less(s.a, s.b) ? s.b : s.a;
             return std::tie(s.triangle, p.x, p.y, p.z, q.x, q.y, q.z);
         };
@@ -263,11 +263,11 @@ class Meeter {
     double near_, edge_ = 0, slack_ = 0;
     std::unique_ptr<geom::Bvh> tree_;
     std::vector<Segment> found_;
-    Meeting out_;
+    Intersection out_;
 };
 
 } // namespace
 
-Meeting meet(const Surface& s, const mesh::Mesh& other, double near) { return Meeter(s, other, near).run(); }
+Intersection meet(const Surface& s, const mesh::Mesh& other, double near) { return Intersector(s, other, near).run(); }
 
 } // namespace filum::surface

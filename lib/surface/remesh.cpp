@@ -28,8 +28,8 @@ constexpr double kMostTriangles = 2e7;
 constexpr double kSharp = 30; // degrees between normals
 constexpr unsigned kRemeshingRounds = 3;
 
-// Per half-edge: it is a rim, and another edge joins the same two vertices, as where one of more than two triangles was
-// cut.  CGAL's meshes have one edge for two vertices.
+// Per half-edge whether it is on a rim and another edge connects the same two vertices, as where one of more than two
+// triangles was cut off. CGAL's meshes have at most one edge between two vertices.
 std::vector<char> doubled_rims(const Surface& s) {
     std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> edges; // ends, ascending; its half-edge
     const auto n = static_cast<std::uint32_t>(s.twin.size());
@@ -49,7 +49,7 @@ std::vector<char> doubled_rims(const Surface& s) {
     return out;
 }
 
-// The same surface; a rim that is doubled gets a vertex of its own in its middle.
+// Converts the surface; a doubled edge of a rim gets a vertex in its middle.
 CgalMesh to_cgal(const Surface& s) {
     CgalMesh out;
     out.reserve(static_cast<CgalMesh::size_type>(s.vertices.size()), static_cast<CgalMesh::size_type>(s.twin.size()),
@@ -59,7 +59,8 @@ CgalMesh to_cgal(const Surface& s) {
     const auto doubled = doubled_rims(s);
     for (std::size_t t = 0; t < s.triangles.size(); ++t) {
         std::vector<Vertex> around;
-        std::size_t apex = 0; // of the fan that the face becomes: not on a side with a third vertex but its own
+        // corner from which the face is split into a fan: not on a side with an inserted vertex, except its own
+        std::size_t apex = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t a = s.triangles[t][k], b = s.triangles[t][(k + 1) % 3];
             around.emplace_back(a);
@@ -87,13 +88,13 @@ mesh::Mesh from_cgal(CgalMesh& m) {
     return out;
 }
 
-// The solid as what it encloses, its triangles facing outwards, or inwards if the part outside is to stay.
+// The mesh as a solid with triangles facing outwards, or inwards if the outer part is to be kept.
 CgalMesh closed(mesh::Mesh solid, bool inside) {
     Notes own;
     const Surface s = connect(std::move(solid), own);
     if (!s.rims.empty())
         throw Error(Exit::bad_input, "cannot use --cut-mesh: it is open (" + std::to_string(s.rims.size()) +
-                                         " rims), so it has no inside; close it first");
+                                         " rims), so it has no inside; close its holes first");
     CgalMesh m = to_cgal(s);
     if (pmp::does_self_intersect(m))
         throw Error(Exit::bad_input, "cannot use --cut-mesh: it crosses itself; repair it first");
@@ -139,7 +140,7 @@ Surface remesh(const Surface& s, double edge, Notes& notes) {
                                      .protect_constraints(true));
         return connect(from_cgal(m), notes);
     } catch (const CGAL::Failure_exception&) {
-        throw Error(Exit::failure, "cannot remesh the surface: CGAL found it not fit; try another --remesh");
+        throw Error(Exit::failure, "cannot remesh the surface: CGAL failed; try another --remesh");
     }
 }
 
@@ -147,7 +148,8 @@ Surface cut(const Surface& s, const mesh::Mesh& solid, bool inside, Notes& notes
     try {
         CgalMesh m = to_cgal(s), by = closed(solid, inside);
         if (!pmp::clip(m, by, pmp::parameters::clip_volume(false).throw_on_self_intersection(true)))
-            throw Error(Exit::failure, "cannot use --cut-mesh: the cut leaves no manifold; move it a little");
+            throw Error(Exit::failure,
+                        "cannot use --cut-mesh: the result would not be a manifold; move the mesh a little");
         mesh::Mesh out = from_cgal(m);
         if (out.triangles.empty())
             throw Error(Exit::usage, std::string("cannot use --cut-mesh: nothing of the surface lies ") +
@@ -156,7 +158,7 @@ Surface cut(const Surface& s, const mesh::Mesh& solid, bool inside, Notes& notes
     } catch (const pmp::Corefinement::Self_intersection_exception&) {
         throw Error(Exit::bad_input, "cannot use --cut-mesh: the surface crosses itself where it is cut");
     } catch (const CGAL::Failure_exception&) {
-        throw Error(Exit::failure, "cannot use --cut-mesh: CGAL found the meshes not fit; repair them, or move one a "
+        throw Error(Exit::failure, "cannot use --cut-mesh: CGAL failed; repair the meshes, or move one a "
                                    "little");
     }
 }

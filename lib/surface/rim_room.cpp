@@ -10,10 +10,10 @@ namespace filum::surface {
 
 namespace {
 
-constexpr double kPartOfRoom = 0.5; // of the way to the middle between rims
-constexpr double kFan = 30;         // degrees between neighbouring directions about a corner, at most
-constexpr double kSample = 0.25;    // of the depth, between points of the rims
-constexpr double kAhead = 1e-6;     // of the distance: what is no farther ahead lies beside
+constexpr double kPartOfRoom = 0.5; // share of the way to the middle between rims
+constexpr double kFan = 30;         // degrees: largest angle between neighbouring directions around a corner
+constexpr double kSample = 0.25;    // depths between sample points of the rims
+constexpr double kAhead = 1e-6;     // distances: points no farther ahead than this are beside the station
 
 const Vec3& begin_of(const Surface& s, const Rim& rim, std::size_t side) {
     return s.vertices[s.tail(rim.sides[side % rim.sides.size()])];
@@ -25,8 +25,8 @@ double distance_to(const Vec3& p, const Vec3& a, const Vec3& b) {
     return distance(p, a + t * d);
 }
 
-// The farthest side that an edge from where `first` begins may lead to the beginning of; they are numbered on past the
-// last of the rim.
+// The farthest side at which an edge that starts with side `first` can end; sides continue to be numbered past the
+// last one.
 std::size_t edge_end(const Surface& s, const Rim& rim, std::size_t first, double tolerance, double longest) {
     const Vec3& a = begin_of(s, rim, first);
     std::size_t end = first + 1;
@@ -47,8 +47,8 @@ Outline::Edge edge_between(const Surface& s, const Rim& rim, std::size_t first, 
     return {first, up, geom::unit(cross(begin_of(s, rim, end) - begin_of(s, rim, first), up), {})};
 }
 
-// The directions at the vertex between two edges: several about a corner that sticks out, else the middle one; `along`
-// where the edges lie upon each other, as in a crack.
+// Adds the directions at the vertex between two edges: several around a convex corner, otherwise the bisector; `along`
+// where the edges coincide, as in a crack.
 void add_stations(std::uint32_t vertex, std::size_t edge, const Outline::Edge& before, const Outline::Edge& after,
                   const Vec3& along, std::vector<Station>& to) {
     const Vec3 &a = before.out, &b = after.out;
@@ -96,7 +96,7 @@ void RimRoom::add(const Rim& rim, const Outline& outline) {
     }
 }
 
-// Of the points, after it has made them.
+// Creates the points and returns their boxes.
 std::vector<geom::Box3> RimRoom::boxes() {
     for (const Rim& rim : s_.rims) add(rim, outlines_.emplace_back(outline_of(s_, rim, tolerance_, kSample * depth_)));
     std::vector<geom::Box3> out;

@@ -1,4 +1,4 @@
-// How much room there is beyond the rims of a surface, until another part of a rim comes near.
+// The room beyond the rims of a surface before another part of a rim.
 #pragma once
 
 #include "geom/bvh.hpp"
@@ -8,41 +8,42 @@
 
 namespace filum::surface {
 
-// A vertex of a rim, and a unit direction out from it, in the tangent plane.
+// A vertex of a rim and a unit direction outwards in the tangent plane.
 struct Station {
     std::uint32_t vertex = 0;
-    std::size_t edge = 0; // of the outline: that begins there
+    std::size_t edge = 0; // the edge of the outline that begins there
     Vec3 out;
 };
 
-// A rim as a polygon through some of its vertices, no others farther from it than a tolerance: what is finer than that
-// is the noise of a mesh, whose sides point anywhere.
+// A rim simplified to a polygon through some of its vertices; the others are within a tolerance of it. Finer details
+// are noise of the mesh, whose sides have arbitrary directions.
 struct Outline {
     struct Edge {
-        std::size_t side = 0; // of the rim: the first
-        Vec3 up, out;         // of the surface beside it; square to that and to the edge, away from the surface; unit
+        std::size_t side = 0; // its first side of the rim
+        // normal of the surface beside it; direction outwards, perpendicular to that and to the edge; unit
+        Vec3 up, out;
     };
-    std::vector<Edge> edges;       // each to where the next begins
-    std::vector<Station> stations; // where edges begin: several about a corner that sticks out, else one
+    std::vector<Edge> edges;       // each up to where the next begins
+    std::vector<Station> stations; // where edges begin: several at a convex corner, otherwise one
 };
 
-// How deep a flange may be out from places of the rims.
+// The possible depth of a flange at places of the rims.
 class RimRoom {
   public:
-    // `depth` mm at most; rims count as known to within `tolerance` mm.
+    // `depth` mm at most; rims are accurate to `tolerance` mm.
     RimRoom(const Surface& s, double depth, double tolerance);
 
     [[nodiscard]] const Outline& outline(std::size_t rim) const { return outlines_[rim]; }
 
-    // Half the radius of the greatest ball that touches the rim at the station and has no point of an outline inside;
-    // at most the depth, 0 where rims touch. Of the two edges that meet there only the ends count: they stand for a
-    // smooth line. A point beside which the outline faces the same way may lie in the ball by the tolerance.
+    // Half the radius of the largest ball that touches the rim at the station and contains no point of an outline; at
+    // most the depth, 0 where rims touch. Of the two edges at the station only the ends count, since they approximate
+    // a smooth line. Points at which the outline faces the same way may be inside the ball by the tolerance.
     [[nodiscard]] double at(const Station& from) const;
 
   private:
-    struct Edge { // of an outline
+    struct Edge { // an edge of an outline
         Vec3 a, b, out;
-        std::uint32_t from = 0, to = 0; // vertices
+        std::uint32_t from = 0, to = 0; // its vertices
     };
     struct Point {
         Vec3 at;
@@ -50,7 +51,7 @@ class RimRoom {
     };
     void add(const Rim& rim, const Outline& outline);
     std::vector<geom::Box3> boxes();
-    // Of the ball that touches the point.
+    // Radius of the ball at the station that also touches the point.
     [[nodiscard]] double radius(const Station& from, const Point& other) const;
 
     const Surface& s_;

@@ -19,7 +19,7 @@ using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 
-// The ring as seen against the direction about which it turns counter-clockwise.
+// The ring projected such that it runs counter-clockwise.
 std::vector<Point> seen(std::span<const Vec3> ring) {
     Vec3 area;
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) area = area + cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
@@ -32,14 +32,14 @@ std::vector<Point> seen(std::span<const Vec3> ring) {
     return out;
 }
 
-// The faces within the ring, which is constrained and runs counter-clockwise: from those to its left, as far as no
-// constraint is crossed.
+// The faces inside the constrained ring, which runs counter-clockwise: flood fill from those on its left up to
+// constraints.
 std::set<Triangulation::Face_handle> within(const Triangulation& t,
                                             const std::vector<Triangulation::Vertex_handle>& ring) {
     std::vector<Triangulation::Face_handle> next;
     for (std::size_t i = 0; i < ring.size(); ++i) {
         Triangulation::Face_handle face;
-        int across = 0; // the corner of the face that the side lies across from
+        int across = 0; // the corner of the face opposite to the side
         if (!t.is_edge(ring[i], ring[(i + 1) % ring.size()], face, across)) continue;
         const bool left = face->vertex(Triangulation::ccw(across)) == ring[i];
         next.push_back(left ? face : face->neighbor(across));

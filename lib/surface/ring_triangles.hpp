@@ -1,4 +1,4 @@
-// A ring of points closed by triangles.
+// Triangulates a ring of points.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -9,9 +9,9 @@
 
 namespace filum::surface {
 
-// Triangles between the corners of the ring, by their places in it, as a constrained Delaunay triangulation of what is
-// seen along the vector area of the ring; the ring is to their right, as a rim is that they are joined to. None
-// if the ring crosses or touches itself, seen so.
+// Triangles between the corners of the ring, given by their indices: a constrained Delaunay triangulation of its
+// projection along its vector area. The ring is on their right, like a rim to which they will be joined. Empty if the
+// projection crosses or touches itself.
 std::vector<mesh::Triangle> ring_triangles(std::span<const geom::Vec3> ring);
 
 } // namespace filum::surface

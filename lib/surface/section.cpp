@@ -7,7 +7,8 @@ namespace filum::surface {
 
 namespace {
 
-// With the normal's side of the plane to its left, seen from the side that the surface faces.
+// The line directed such that the normal's side of the plane is on its left, seen from the side that the surface
+// faces.
 Segment turned(const Surface& s, const Segment& line, const Plane& plane) {
     const bool wrong = dot(line.b - line.a, cross(plane.normal, normal(s, line.triangle))) < 0;
     return wrong ? Segment{line.triangle, line.b, line.a} : line;
@@ -50,7 +51,7 @@ std::vector<Segment> section(const Surface& s, const Plane& plane) {
     return out;
 }
 
-// Of its inside, or of a side (Ericson, Real-Time Collision Detection, 5.1.5).
+// Nearest point inside the triangle or on a side (Ericson, Real-Time Collision Detection, 5.1.5).
 double distance_to_side(const Surface& s, std::uint32_t h, const Vec3& p) {
     const Vec3 &a = s.vertices[s.tail(h)], d = s.vertices[s.head(h)] - a;
     return distance(p, a + std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0) * d);

@@ -1,4 +1,4 @@
-// What surface stages hand on: a surface, and what they found out about it.
+// What surface stages pass on: a surface with its fields, isolines and sources.
 #pragma once
 
 #include "surface/sources.hpp"
@@ -10,8 +10,8 @@ namespace filum::surface {
 
 // A number or a vector per vertex.
 struct Field {
-    std::string name;             // lower case, words joined by '-': "distance"; of load cases "stress.CASE.s1"
-    std::vector<double> values;   // `components` per vertex, together; infinite where nothing is known
+    std::string name;             // lower case, words joined by '-', as "distance"; "stress.CASE.s1" for load cases
+    std::vector<double> values;   // `components` consecutive numbers per vertex; infinite where unknown
     std::uint32_t components = 1; // 1 or 3
 
     [[nodiscard]] Vec3 vector(std::size_t vertex) const {
@@ -19,7 +19,7 @@ struct Field {
     }
 };
 
-// The values at these vertices, in this order.
+// The values at the given vertices, in their order.
 inline Field picked(const Field& field, std::span<const std::uint32_t> vertices) {
     Field out{field.name, {}, field.components};
     out.values.reserve(vertices.size() * field.components);
@@ -28,23 +28,22 @@ inline Field picked(const Field& field, std::span<const std::uint32_t> vertices)
     return out;
 }
 
-// A line on the surface along which a field has one value.  What is less lies to its left, seen from the side that the
-// surface faces.
+// A line of constant value of a field. Smaller values are on its left, seen from the side that the surface faces.
 struct Isoline {
     double level = 0; // mm
     bool closed = false;
-    std::vector<Vec3> points;             // mm; wherever it crosses an edge, and between; the first is not repeated
-    std::vector<std::uint32_t> triangles; // that each stretch lies in: one fewer than points, or as many if closed
+    std::vector<Vec3> points;             // mm; at crossings with edges, and in between; the first is not repeated
+    std::vector<std::uint32_t> triangles; // of each segment: one fewer than points, or as many if closed
 };
 
 struct Sheet {
     Surface surface;
     std::vector<Field> fields;
     std::vector<Isoline> isolines;      // of the field "distance", by level
-    Sources sources{};                  // from where "distance" was measured
-    std::string name{};                 // of a patch: "A"; letters, digits and '._-'
-    std::vector<std::uint32_t> faces{}; // per triangle, the CAD face that it lies on, from 1; none: not known
-    std::string algorithm{};            // the path planned for it, in surfpath's words
+    Sources sources{};                  // from which "distance" was measured
+    std::string name{};                 // of a patch, as "A"; letters, digits and '._-'
+    std::vector<std::uint32_t> faces{}; // per triangle its CAD face, from 1; empty: unknown
+    std::string algorithm{};            // algorithm of its path, by its name in surfpath
 };
 
 } // namespace filum::surface

@@ -1,4 +1,4 @@
-// Where distance is zero: places and lines on a surface.
+// Sources of distances: vertices and segments on a surface where distance is zero.
 #pragma once
 
 #include "surface/section.hpp"
@@ -14,7 +14,7 @@ struct Sources {
     [[nodiscard]] bool empty() const { return vertices.empty() && segments.empty(); }
 };
 
-// A side of a rim, by its half-edge.
+// The side of a rim given by its half-edge.
 inline Segment rim_side(const Surface& s, std::uint32_t h) {
     return {h / 3, s.vertices[s.tail(h)], s.vertices[s.head(h)]};
 }

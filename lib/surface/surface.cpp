@@ -40,7 +40,7 @@ void find_outgoing(Surface& s) {
     }
 }
 
-// Area of the polygon's projection that has the greatest.
+// The area enclosed by the rim, as the length of its vector area.
 double spanned_area(const Surface& s, const Rim& rim) {
     Vec3 sum;
     const Vec3 origin = s.vertices[s.tail(rim.sides.front())];
@@ -76,22 +76,22 @@ void find_rims(Surface& s) {
 
 void check(const Surface& s) {
     const auto bad = [](const char* why) { throw Error(Exit::bad_input, why); };
-    if (s.triangles.empty()) bad("it has no triangle");
+    if (s.triangles.empty()) bad("it has no triangles");
     if (s.triangles.size() >= (std::size_t{1} << 30)) bad("it has too many triangles");
-    if (s.twin.size() != 3 * s.triangles.size()) bad("it has not three sides per triangle");
+    if (s.twin.size() != 3 * s.triangles.size()) bad("the number of half-edges is not three times that of triangles");
     for (const auto& [a, b, c] : s.triangles) {
-        if (std::max({a, b, c}) >= s.vertices.size()) bad("a corner is no vertex");
+        if (std::max({a, b, c}) >= s.vertices.size()) bad("a corner is not a vertex");
         if (a == b || b == c || c == a) bad("a triangle has two equal corners");
     }
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
         const std::uint32_t t = s.twin[h];
         if (t == kNone) continue;
         if (t >= s.twin.size() || s.twin[t] != h || s.tail(t) != s.head(h) || s.head(t) != s.tail(h))
-            bad("sides are joined that are not the same edge");
+            bad("joined half-edges do not belong to the same edge");
     }
 }
 
-// Every half-edge must be seen from its tail, each vertex having one fan.
+// Checks that every half-edge is in the fan of its tail, so that each vertex has exactly one fan.
 void check_fans(const Surface& s) {
     std::size_t seen = 0;
     for (std::uint32_t v = 0; v < s.vertices.size(); ++v) {
@@ -119,7 +119,8 @@ Surface assemble(std::vector<Vec3> vertices, std::vector<Triangle> triangles, st
 Surface connect(mesh::Mesh mesh, Notes& notes, std::vector<std::uint32_t>* faces, std::vector<std::uint32_t>* of_file) {
     remove_copies(mesh, notes);
     remove_flat(mesh, notes);
-    if (mesh.triangles.empty()) throw Error(Exit::bad_input, "cannot use the surface: no triangle of it has an area");
+    if (mesh.triangles.empty())
+        throw Error(Exit::bad_input, "cannot use the surface: none of its triangles has an area");
     mesh::face_one_way(mesh, false, notes);
     std::vector<std::uint32_t> twin = join_sides(mesh, notes);
     split_fans(mesh, twin, notes);

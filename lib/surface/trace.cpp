@@ -9,18 +9,19 @@ namespace filum::surface {
 
 namespace {
 
-constexpr double kInwards = 1e-7; // of the way to the triangle's middle: so no walk begins on a vertex or an edge
+// share of the way to the triangle's middle by which walks start inside it, so that none starts on a vertex or edge
+constexpr double kInwards = 1e-7;
 
-constexpr double kBeside = 1e-5; // of a side: how far from there the line itself crosses it
+constexpr double kBeside = 1e-5; // share of a side: how far the exact crossing may be from the approximate one
 
-// A point of the surface, and beside it, a little inside of its triangle, the one that walks begin and end at.
-struct Stop {
+// A point of the surface, and a point beside it, slightly inside its triangle, where walks start and end.
+struct WalkEnd {
     std::uint32_t triangle;
     Vec3 point, inside;
 };
 
-// The nearest to `p`.
-Stop place(const Surface& s, const Vec3& p, double& off) {
+// The point of the surface nearest to `p`.
+WalkEnd place(const Surface& s, const Vec3& p, double& off) {
     const Segment at = nearest(s, p);
     off = std::max(off, distance(at.a, p));
     const auto& [a, b, c] = s.triangles[at.triangle];
@@ -28,9 +29,9 @@ Stop place(const Surface& s, const Vec3& p, double& off) {
     return {at.triangle, at.a, at.a + kInwards * (middle - at.a)};
 }
 
-class Walk {
+class PlaneWalk {
   public:
-    Walk(const Surface& s, const Stop& from, const Stop& to) : surface_(s), from_(from), to_(to) {
+    PlaneWalk(const Surface& s, const WalkEnd& from, const WalkEnd& to) : surface_(s), from_(from), to_(to) {
         const Vec3 n = normal(s, from.triangle) + normal(s, to.triangle);
         upright_ = cross(to.inside - from.inside, n);
         exact_ = cross(to.point - from.point, n);
@@ -65,7 +66,7 @@ class Walk {
     [[nodiscard]] bool crosses(std::uint32_t h) const {
         return (height(surface_.tail(h)) < 0) != (height(surface_.head(h)) < 0);
     }
-    // How far along the side it crosses the plane; not bounded.
+    // Parameter of the side's crossing with the plane, not limited to 0 to 1.
     [[nodiscard]] double part(std::uint32_t h, const Vec3& upright, const Vec3& on) const {
         const double u = dot(upright, surface_.vertices[surface_.tail(h)] - on);
         return u / (u - dot(upright, surface_.vertices[surface_.head(h)] - on));
@@ -74,14 +75,14 @@ class Walk {
         const Vec3& a = surface_.vertices[surface_.tail(h)];
         return a + part * (surface_.vertices[surface_.head(h)] - a);
     }
-    // Which sides are crossed, and where about, the points inside tell; where just, those meant, but of a side that
-    // runs along the line.
+    // The crossing with a side. The plane through the inside points decides which sides are crossed; the plane through
+    // the exact points gives the position, except for a side almost along the line.
     [[nodiscard]] Vec3 crossing(std::uint32_t h) const {
         const double about = part(h, upright_, from_.inside);
         const double just = std::clamp(part(h, exact_, from_.point), 0.0, 1.0);
         return on_side(h, std::abs(just - about) < kBeside ? just : about);
     }
-    // The side that the plane leaves the triangle by; of two, in the first triangle, the one towards the end.
+    // The side by which the plane leaves the triangle; in the first triangle, of two, the one towards the end.
     [[nodiscard]] std::uint32_t exit(std::uint32_t t, std::uint32_t entry) const {
         std::uint32_t best = kNone;
         double farthest = 0;
@@ -98,23 +99,23 @@ class Walk {
     }
 
     const Surface& surface_;
-    const Stop &from_, &to_;
-    Vec3 upright_, exact_; // normals of the plane through the points inside, through those meant
+    const WalkEnd &from_, &to_;
+    Vec3 upright_, exact_; // normals of the planes through the inside points and through the exact points
 };
 
 } // namespace
 
 Trace trace(const Surface& s, std::span<const Vec3> points) {
     Trace out;
-    Stop at = place(s, points[0], out.off);
+    WalkEnd at = place(s, points[0], out.off);
     if (points.size() == 1) out.segments.push_back({at.triangle, at.point, at.point});
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const Stop to = place(s, points[i], out.off);
+        const WalkEnd to = place(s, points[i], out.off);
         if (to.point == at.point) continue;
-        if (!Walk(s, at, to).run(out.segments))
+        if (!PlaneWalk(s, at, to).run(out.segments))
             throw Error(Exit::bad_input, "cannot draw a line on the surface: it ends between the points " +
                                              std::to_string(i) + " and " + std::to_string(i + 1) +
-                                             "; put points closer together where it bends");
+                                             "; add points where the surface bends");
         at = to;
     }
     return out;

@@ -13,8 +13,8 @@ using surface::Surface;
 
 namespace {
 
-constexpr double kHole = 0.5;   // of the outer rim's length, at most
-constexpr double kAtRim = 1e-6; // mm
+constexpr double kHole = 0.5;   // largest length of a hole's rim, as a share of the outer rim's length
+constexpr double kAtRim = 1e-6; // mm: a point nearer than this lies on the rim
 
 std::vector<const Rim*> holes(const Surface& s) {
     std::vector<double> outer(s.components, 0);
@@ -44,7 +44,7 @@ Surface capped(const Surface& s) {
         Vec3 sum;
         for (const std::uint32_t h : rim->sides) sum = sum + 1.0 / n * s.vertices[s.tail(h)];
         vertices.push_back(sum);
-        // Triangle i holds the i-th side the other way; its next ones lead to the middle and back.
+        // Triangle i contains side i in the opposite direction; its other two sides lead to the middle and back.
         for (std::uint32_t i = 0; i < n; ++i) {
             const std::uint32_t h = rim->sides[i], own = 3 * (first + i);
             triangles.push_back({s.head(h), s.tail(h), middle});

@@ -4,7 +4,7 @@
 #include "parallel/parallel.hpp"
 #include "surface/components.hpp"
 #include "surfpath/fexa.hpp"
-#include "surfpath/plan/in_turn.hpp"
+#include "surfpath/plan/nearest_order.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -17,11 +17,12 @@ namespace {
 
 using surface::Component;
 
-constexpr std::string_view kGreatest[] = {"tightest-bend", "spacing-change", "seam-lanes", "seam-length"}; // facts
+// for these facts the greatest value counts; others are summed
+constexpr std::string_view kGreatest[] = {"tightest-bend", "spacing-change", "seam-lanes", "seam-length"};
 
 auto in_order(const Vec3& p) { return std::tuple(p.x, p.y, p.z); }
 
-// By where they lie, whatever order the triangles have.
+// Sorts components by their smallest vertex (x, y, z), so that the result does not depend on the order of triangles.
 void sort_by_place(std::vector<Component>& parts) {
     struct Key {
         Vec3 least, greatest;
@@ -54,16 +55,16 @@ Plan left_out(const Component& part, const std::string& why) {
     return out;
 }
 
-struct Planned {
+struct ComponentPlan {
     Plan plan;
-    std::exception_ptr failed; // it is left out
+    std::exception_ptr failed; // set if planning failed and the component is left out
 };
 
-Planned planned(const Component& part, const Options& o, const Planner& plan) {
+ComponentPlan planned(const Component& part, const Options& o, const Planner& plan) {
     try {
-        Planned out{plan(part.sheet, o), nullptr};
+        ComponentPlan out{plan(part.sheet, o), nullptr};
         for (Stroke& stroke : out.plan.strokes)
-            for (Piece& piece : stroke.pieces)
+            for (Section& piece : stroke.sections)
                 for (Place& p : piece.line.places) p.triangle = part.triangles[p.triangle];
         return out;
     } catch (const Error& e) {
@@ -82,12 +83,12 @@ void add_up(const Fact& fact, Facts& to) {
         it->value += fact.value;
 }
 
-// The other way round; every place keeps its triangle.
-void turn_round(std::vector<Stroke>& strokes) {
+// Reverses the order and the direction of all strokes. Every place keeps its triangle.
+void reverse(std::vector<Stroke>& strokes) {
     std::reverse(strokes.begin(), strokes.end());
     for (Stroke& stroke : strokes) {
-        std::reverse(stroke.pieces.begin(), stroke.pieces.end());
-        for (Piece& piece : stroke.pieces) std::reverse(piece.line.places.begin(), piece.line.places.end());
+        std::reverse(stroke.sections.begin(), stroke.sections.end());
+        for (Section& piece : stroke.sections) std::reverse(piece.line.places.begin(), piece.line.places.end());
     }
 }
 
@@ -99,14 +100,14 @@ Plan together(std::vector<Plan> plans) {
         out.births.insert(out.births.end(), plan.births.begin(), plan.births.end());
     }
     std::erase_if(plans, [](const Plan& plan) { return plan.strokes.empty(); });
-    std::vector<plan::Ends> ends;
+    std::vector<plan::EndPoints> ends;
     ends.reserve(plans.size());
     for (const Plan& plan : plans)
-        ends.push_back({plan.strokes.front().pieces.front().line.places.front().point,
-                        plan.strokes.back().pieces.back().line.places.back().point});
-    for (const plan::Visit& visit : plan::in_turn(ends)) {
+        ends.push_back({plan.strokes.front().sections.front().line.places.front().point,
+                        plan.strokes.back().sections.back().line.places.back().point});
+    for (const plan::Visit& visit : plan::nearest_order(ends)) {
         auto& strokes = plans[visit.row].strokes;
-        if (visit.reversed) turn_round(strokes);
+        if (visit.reversed) reverse(strokes);
         std::move(strokes.begin(), strokes.end(), std::back_inserter(out.strokes));
     }
     for (Fact& fact : out.facts)
@@ -121,11 +122,12 @@ Plan together(std::vector<Plan> plans) {
 Plan each_component(const surface::Sheet& sheet, const Options& options, const Planner& plan) {
     auto parts = surface::components(sheet);
     sort_by_place(parts);
-    const bool sourceless = needs_source(options.algorithm) && !sheet.sources.empty(); // some may be
+    // components without a source are left out
+    const bool sourceless = needs_source(options.algorithm) && !sheet.sources.empty();
     Options common = options;
     if (options.algorithm == Algorithm::fexa) common.plane = plane_of(sheet.surface, sheet.sources);
     common.beyond.clear();
-    std::vector<Planned> all(parts.size());
+    std::vector<ComponentPlan> all(parts.size());
     parallel::for_chunks(parts.size(), 1, 0, [&](std::size_t k, std::size_t) {
         if (sourceless && parts[k].sheet.sources.empty()) {
             all[k].plan = left_out(parts[k], "no source lies on it");
@@ -138,13 +140,14 @@ Plan each_component(const surface::Sheet& sheet, const Options& options, const P
     });
     std::vector<Plan> plans;
     std::size_t failed = 0;
-    for (Planned& one : all) {
+    for (ComponentPlan& one : all) {
         failed += one.failed ? 1 : 0;
         plans.push_back(std::move(one.plan));
     }
     if (failed > 0 && std::all_of(plans.begin(), plans.end(), [](const Plan& p) { return p.strokes.empty(); }))
-        std::rethrow_exception(
-            std::find_if(all.begin(), all.end(), [](const Planned& one) { return one.failed != nullptr; })->failed);
+        std::rethrow_exception(std::find_if(all.begin(), all.end(), [](const ComponentPlan& one) {
+                                   return one.failed != nullptr;
+                               })->failed);
     return together(std::move(plans));
 }
 

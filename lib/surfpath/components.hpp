@@ -1,4 +1,4 @@
-// Surfaces of several components, which have nothing to do with each other but the order that they are laid in.
+// Plans surfaces of several components: each by itself, then one after the other.
 #pragma once
 
 #include "surfpath/surfpath.hpp"
@@ -9,13 +9,14 @@ namespace filum::surfpath {
 
 using Planner = std::function<Plan(const surface::Sheet&, const Options&)>;
 
-// Every component planned by itself, in parallel, as if there were no other; on triangles of the whole.  From the
-// one with the least vertex (by x, y, z) on, always the one is laid next that begins or ends nearest to where the last
-// one ended, either way round; cuts between them are told in the note NoteCode::component_cut.  Facts are summed up;
-// of those that tell how much at most, the greatest counts.
-// A component without a source, of algorithms that need one, or of which the planner says in an error why it cannot be
-// laid, is left out, with a note that says so, its area and its place.
-// Throws the planner's Error(usage), that of the first component by place; and any of its errors if all are left out.
+// Plans every component by itself, in parallel; places of the result lie on triangles of the whole sheet. The first
+// component is the one with the smallest vertex (by x, y, z); next is always the one that begins or ends nearest to
+// the end of the one before, reversed if its end is nearer. Cuts between components give the note
+// NoteCode::component_cut. Facts are summed; of facts that are maxima the greatest value counts.
+// A component is left out, with a note (reason, area in mm2, place), if its algorithm needs a source and it has none,
+// or if the planner fails on it.
+// Throws the planner's Error(usage), that of the first component by place; and the first error if every component
+// fails.
 Plan each_component(const surface::Sheet& sheet, const Options& options, const Planner& plan);
 
 } // namespace filum::surfpath

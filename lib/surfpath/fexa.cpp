@@ -13,24 +13,26 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kFlat = 1e-6;     // of the seed's size: how far it may be off its plane
-constexpr double kStraight = 1e-4; // of the seed's size: how far it is off a line at least, or else it is one
-constexpr int kBins = 20;          // per spacing, of heights over the plane
-constexpr double kWide = 1.1;      // spacings: rows farther apart are told of
-constexpr double kSteepest = 20;   // of 1 / slope: where the surface is nearly parallel to the plane
+constexpr double kFlat = 1e-6; // largest distance of the seed from its plane, as a share of the seed's size
+// the seed is a straight line if it deviates from one by less than this share of its size
+constexpr double kStraight = 1e-4;
+constexpr int kBins = 20;        // steps per spacing in which heights above the plane are tabulated
+constexpr double kWide = 1.1;    // spacings: rows farther apart than this are reported
+constexpr double kSteepest = 20; // largest 1 / slope: the surface is almost parallel to the plane there
 
-// By how much the height changes per mm along the surface.
+// Change of height per mm along the triangle.
 double slope(const Surface& s, std::uint32_t t, std::span<const double> height) {
     const auto& [a, b, c] = s.triangles[t];
     const Vec3 &p = s.vertices[a], u = s.vertices[b] - p, v = s.vertices[c] - p, n = cross(u, v);
     return norm(1 / dot(n, n) * cross(n, (height[c] - height[a]) * u - (height[b] - height[a]) * v));
 }
 
-// How far apart heights over the plane are on the surface: per height the way along the surface from the plane, in the
-// mean along the cut at that height.
-class Spread {
+// Converts between the height above the plane and the distance along the surface from the plane, averaged over the
+// section of the surface at each height.
+class HeightScale {
   public:
-    Spread(const Surface& s, const SeedSides& sides, std::uint32_t side, std::span<const double> height, double spacing)
+    HeightScale(const Surface& s, const SeedSides& sides, std::uint32_t side, std::span<const double> height,
+                double spacing)
         : bin_(spacing / kBins) {
         std::vector<double> rise, length;
         for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
@@ -38,7 +40,7 @@ class Spread {
             const auto& [a, b, c] = s.triangles[t];
             const auto [lo, hi] = std::minmax({height[a], height[b], height[c]});
             const double steep = std::min(kSteepest, 1 / std::max(1e-9, slope(s, t, height)));
-            // The triangle's cuts have the mean length of its area over its height across.
+            // The triangle's sections have a mean length of its area divided by its extent across them.
             const auto first = static_cast<std::size_t>(std::max(0.0, lo / bin_));
             const auto last = static_cast<std::size_t>(std::max(0.0, hi / bin_));
             if (last >= rise.size()) {
@@ -59,36 +61,37 @@ class Spread {
         }
     }
 
-    [[nodiscard]] double way(double height) const {
+    [[nodiscard]] double distance(double height) const {
         const double x = std::clamp(height / bin_, 0.0, static_cast<double>(way_.size() - 1));
         const auto i = std::min(static_cast<std::size_t>(x), way_.size() - 2);
         return way_[i] + (x - static_cast<double>(i)) * (way_[i + 1] - way_[i]);
     }
 
-    [[nodiscard]] double height(double way) const {
-        const auto after = std::upper_bound(way_.begin(), way_.end(), way);
+    [[nodiscard]] double height(double distance) const {
+        const auto after = std::upper_bound(way_.begin(), way_.end(), distance);
         const auto i =
             std::clamp<std::ptrdiff_t>(after - way_.begin(), 1, static_cast<std::ptrdiff_t>(way_.size() - 1));
         const double a = way_[static_cast<std::size_t>(i - 1)], b = way_[static_cast<std::size_t>(i)];
-        return bin_ * (static_cast<double>(i - 1) + (b > a ? (way - a) / (b - a) : 0));
+        return bin_ * (static_cast<double>(i - 1) + (b > a ? (distance - a) / (b - a) : 0));
     }
 
   private:
     double bin_;
-    std::vector<double> way_; // per height, in steps of bin_
+    std::vector<double> way_; // mm along the surface, per height in steps of bin_
 };
 
-// The area where rows are farther than kWide spacings apart, since the surface leans towards the plane there.
-struct Gaps {
-    double area = 0, most = 0; // mm2; spacings
-    Vec3 at;                   // of the widest
+// The area on which rows are more than kWide spacings apart, because the surface is almost parallel to the plane
+// there.
+struct RowGaps {
+    double area = 0, most = 0; // mm2; the greatest distance of rows, in spacings
+    Vec3 at;                   // a vertex where rows are farthest apart
 };
 void find_gaps(const Surface& s, const SeedSides& sides, std::uint32_t side, std::span<const double> height,
-               const Spread& spread, double spacing, Gaps& out) {
+               const HeightScale& spread, double spacing, RowGaps& out) {
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         if (sides.of[t] != side) continue;
         const auto& [a, b, c] = s.triangles[t];
-        const double way = spread.way((height[a] + height[b] + height[c]) / 3);
+        const double way = spread.distance((height[a] + height[b] + height[c]) / 3);
         const double rise = spread.height(way + spacing / 2) - spread.height(std::max(0.0, way - spacing / 2));
         const double gap = rise / std::max(1e-9, slope(s, t, height)) / spacing;
         if (gap <= kWide) continue;
@@ -141,14 +144,14 @@ Plan fexa(const surface::Sheet& sheet, const Options& o) {
         const auto& [a, b, c] = s.triangles[t];
         sides.of[t] = height[a] + height[b] + height[c] >= 0 ? 0 : 1;
     }
-    std::vector<rows::Raw> raw;
-    Gaps gaps;
+    std::vector<rows::UnclippedLine> raw;
+    RowGaps gaps;
     for (std::uint32_t side = 0; side < 2; ++side) {
         const double sign = side == 0 ? 1 : -1;
         std::vector<double> above(height), way;
         for (double& h : above) h *= sign;
-        const Spread spread(s, sides, side, above, o.spacing);
-        for (const double h : above) way.push_back(h > 0 ? spread.way(h) : h);
+        const HeightScale spread(s, sides, side, above, o.spacing);
+        for (const double h : above) way.push_back(h > 0 ? spread.distance(h) : h);
         const FarRim rim = far_rim(s, sides, side, way, o.spacing);
         const double d = step(rim, o.spacing), end = *std::max_element(way.begin(), way.end());
         std::vector<double> at = levels(end, d > 0 ? d : o.spacing);
@@ -157,7 +160,7 @@ Plan fexa(const surface::Sheet& sheet, const Options& o) {
         find_gaps(s, sides, side, above, spread, d > 0 ? d : o.spacing, gaps);
     }
     rows::leave_out(raw, o.beyond);
-    rows::Turning turns = rows::turning(o.spacing, o.least_radius);
+    rows::TurnOptions turns = rows::turn_options(o.spacing, o.least_radius);
     turns.staggered = o.beyond.empty();
     rows::Rows all = rows::rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
     rows::wind(s, all, o.spacing, true);

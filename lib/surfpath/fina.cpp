@@ -12,18 +12,18 @@ Plan fina(const surface::Sheet& sheet, const Options& o) {
     const Surface& s = sheet.surface;
     if (sheet.sources.segments.empty())
         throw Error(Exit::bad_input, "needs a seed curve; run geodesic --source plane:NX,NY,NZ,D first");
-    // Distances are measured past holes as if there were none: so rows stay straight behind them.
+    // Distances are measured on the surface with its holes closed, so that rows stay straight behind holes.
     const Surface closed = capped(s);
     const auto field = geodesic::exact(closed, bridged(s, closed, sheet.sources));
-    std::vector<rows::Raw> raw;
+    std::vector<rows::UnclippedLine> raw;
     double sign = 1;
-    const bool fitted = o.beyond.empty(); // a flange's own rim is no end of the part
+    const bool fitted = o.beyond.empty(); // the rim of a flange is not an end of the part
     for (const auto& side : side_rows(s, closed, field, sheet.sources, o.spacing, fitted)) {
         add(raw, side, sign);
         sign = -sign;
     }
     rows::leave_out(raw, o.beyond);
-    rows::Turning turns = rows::turning(o.spacing, o.least_radius);
+    rows::TurnOptions turns = rows::turn_options(o.spacing, o.least_radius);
     turns.staggered = o.beyond.empty();
     rows::Rows all = rows::rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
     rows::wind(s, all, o.spacing, true);

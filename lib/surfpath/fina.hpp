@@ -5,6 +5,8 @@
 
 namespace filum::surfpath {
 
+// Rows along lines of equal geodesic distance from the seed curve, `spacing` apart.
+// Throws Error(bad_input) if the sheet has no seed curve.
 Plan fina(const surface::Sheet& sheet, const Options& options);
 
 } // namespace filum::surfpath

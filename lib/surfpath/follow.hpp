@@ -1,4 +1,4 @@
-// Lines along a field of directions: field and hybrid.
+// The algorithms field and hybrid: lines along a field of directions.
 #pragma once
 
 #include "surface/sheet.hpp"
@@ -6,21 +6,23 @@
 
 namespace filum::surfpath {
 
-// Whether lines keep to the angle rather than the spacing, where both cannot be had.
+// Whether lines keep to the angle rather than to the spacing, where they cannot keep to both.
 bool keeps_angle(const Options& options);
 
-// Lines along what `options.follow` says (field/directions.hpp), the field smoothed until they bend no tighter than the
-// least radius, one spacing apart by stripes (field/stripes.hpp); where directions spread, lines are born in twos,
-// joined by a hairpin.  Closed lines become spirals, or part of lines beside them (loops.hpp).  Turns "wide" (and
-// "usual"): the lines are led into each other as rows are; "hairpin": by tight turns; "none": each is a stroke of its
-// own. Facts: rows, cuts, "tightest-bend" 1/mm of the field.  Notes: shifts that cross, where the field bends tighter
-// than the least radius though nothing is asked for there, where it leaves what is asked for to keep the radius, and
-// where what is to be followed is no number.
-// Throws Error(bad_input) if there is nothing to follow.
+// Lines along the directions that `options.follow` selects (field/directions.hpp). The directions are smoothed until
+// lines bend no tighter than the least radius; stripes (field/stripes.hpp) place the lines one spacing apart. Where
+// directions diverge, two new lines begin together, joined by a hairpin. Closed lines become spirals or are joined to
+// neighbouring lines (rows/loops.hpp).
+// Turns "wide" (the default) connect lines by turns of the least radius as rows are, "hairpin" by tight turns, "none"
+// leaves every line as a stroke.
+// Facts: rows, cuts, births, loops-joined, "tightest-bend" (1/mm, of the field). Notes: shifts that cross lines; where
+// the field bends tighter than the least radius although no direction is prescribed there; where it departs from the
+// prescribed directions to keep the radius; where a prescribed direction is not a finite number.
+// Throws Error(bad_input) if there is no direction to follow.
 Plan follow(const surface::Sheet& sheet, const Options& options);
 
-// Rings about all rims, and the sources of components without one, and lines between them where they meet: follow()
-// along the lines of equal distance from these.
+// Rings along all rims, and along the sources of components without a rim, with lines in between where rings meet:
+// follow() along the lines of equal distance from these.
 Plan hybrid(const surface::Sheet& sheet, const Options& options);
 
 } // namespace filum::surfpath

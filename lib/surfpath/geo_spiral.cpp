@@ -15,16 +15,16 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kFirst = 0.42; // of the least radius: that of the first lap
+constexpr double kFirst = 0.42; // radius of the first lap, in least radii
 
 bool is_point(const surface::Sources& sources) {
     if (sources.vertices.size() + sources.segments.size() != 1) return false;
     return sources.segments.empty() || sources.segments[0].a == sources.segments[0].b;
 }
 
-// Levels from `first` on, a spacing apart, but for a tenth so that the last lies half a spacing before the farthest
-// place (rings/branches.hpp), if the front is as long there as a turn all round by the least radius.  Else it ends in a
-// corner.
+// Levels of the laps: from `first` in steps of a spacing. If the last front is longer than a circle of the least
+// radius, the steps are stretched or shrunk by up to a tenth, so that the last lap lies half a spacing before the
+// farthest place (rings/branches.hpp). A shorter front ends in a corner and needs no lap there.
 std::vector<double> laps(const Surface& s, const geodesic::ExactField& field, double first, const Options& o,
                          Facts& facts) {
     const double spacing = o.spacing;
@@ -62,9 +62,9 @@ Plan geo_spiral(const surface::Sheet& sheet, const Options& o) {
     const double first = std::max(o.spacing / 2, kFirst * o.least_radius);
     Facts facts;
     const auto levels = laps(s, field, first, o, facts);
-    std::vector<rows::Raw> raw;
+    std::vector<rows::UnclippedLine> raw;
     add(raw, geodesic::isolines(s, field, levels), 1);
-    const rows::Turning turns = rows::turning(o.spacing, o.least_radius);
+    const rows::TurnOptions turns = rows::turn_options(o.spacing, o.least_radius);
     rows::Rows all = rows::rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
     rows::wind(s, all, o.spacing, false);
     Plan out = rows::boustrophedon(s, all, turns);

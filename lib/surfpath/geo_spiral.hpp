@@ -5,9 +5,9 @@
 
 namespace filum::surfpath {
 
-// A spiral about the seed point until its front meets a rim, then what is left in rows of arcs about the same point,
-// until all is covered.
-// Throws Error(bad_input) if the sheet's source is no single point.
+// A spiral around the seed point as long as its front meets no rim; the rest is covered by rows of arcs around the
+// same point.
+// Throws Error(bad_input) unless the sheet's source is one point.
 Plan geo_spiral(const surface::Sheet& sheet, const Options& options);
 
 } // namespace filum::surfpath

@@ -15,24 +15,25 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kFrontStep = 0.5; // spacings, from front to front
-constexpr double kGrain = 0.5;     // spacings, between the lines that tell where all others lead
+constexpr double kFrontStep = 0.5; // spacings between fronts
+constexpr double kGrain = 0.5;     // spacings between the lines whose course determines that of all others
 
-// The strand as a line, from its first spot on.
+// The strand as a line, starting at its first spot.
 Line drawn(const strands::Fronts& fronts, const strands::Strand& s) {
     Line out{{fronts.place(s.first, s.spots[0])}, false};
     for (std::size_t j = 1; j < s.spots.size(); ++j)
         surface::curve::append(
             out, surface::curve::join(fronts.surface(), out.places.back(), fronts.place(s.first + j, s.spots[j])));
-    if (s.end != strands::StrandEnd::law) surface::curve::append(out, fronts.last(s.last(), s.spots.back()));
+    if (s.end != strands::StrandEnd::interior) surface::curve::append(out, fronts.last(s.last(), s.spots.back()));
     return out;
 }
 
-// Who goes on where a strand begins (0) and where it ends (1): the one from the other side of the source, and the one
-// of two that are born, or die, together.
+// The strand that continues each one at its start (0) and at its end (1): the one on the other side of the source, or
+// the other one of a pair that is born or dies together.
 std::vector<std::array<std::uint32_t, 2>> partners(const std::vector<strands::Strand>& strands) {
     std::vector<std::array<std::uint32_t, 2>> out(strands.size(), {kNone, kNone});
-    std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> waiting; // by group and side
+    // strands that lack their partner, by group and side
+    std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> waiting;
     for (std::uint32_t i = 0; i < strands.size(); ++i) {
         out[i][0] = strands[i].mate;
         for (const std::size_t side : {0U, 1U}) {
@@ -48,7 +49,7 @@ std::vector<std::array<std::uint32_t, 2>> partners(const std::vector<strands::St
     return out;
 }
 
-// All lines, from strand to strand as far as they go on, in the order of their first strands.
+// All lines: strands connected to their partners, in the order of their first strands.
 std::vector<Line> lines(const strands::Fronts& fronts, const std::vector<strands::Strand>& strands, double spacing) {
     const auto next = partners(strands);
     std::vector<char> used(strands.size(), 0);
@@ -65,7 +66,7 @@ std::vector<Line> lines(const strands::Fronts& fronts, const std::vector<strands
                 turns = true;
             }
             surface::curve::append(all, more);
-            from = 1 - from; // it goes on at the other end, and from there on the same way round
+            from = 1 - from; // the next strand is entered at its other end, in the same direction
             i = next[i][from];
         }
         if (turns)
@@ -79,7 +80,7 @@ std::vector<Line> lines(const strands::Fronts& fronts, const std::vector<strands
                 if (!used[i]) follow(i, side);
                 break;
             }
-    for (std::uint32_t i = 0; i < strands.size(); ++i) // rounds
+    for (std::uint32_t i = 0; i < strands.size(); ++i) // closed lines
         if (!used[i]) follow(i, 0);
     return out;
 }
@@ -100,12 +101,12 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
     const strands::Strands found =
         strands::strands(fronts, {o.spacing, o.turns == RowTurns::hairpin ? 2U : 1U, o.min_length});
     auto all = lines(fronts, found.strands, o.spacing);
-    std::vector<rows::Raw> raw;
+    std::vector<rows::UnclippedLine> raw;
     for (std::size_t i = 0; i < all.size(); ++i) raw.push_back({std::move(all[i]), o.spacing * static_cast<double>(i)});
     rows::leave_out(raw, o.beyond);
     Plan out;
     if (alone) {
-        for (rows::Raw& row : raw) {
+        for (rows::UnclippedLine& row : raw) {
             if (out.strokes.size() % 2 == 1) surface::curve::reverse(row.line);
             out.strokes.push_back({{{std::move(row.line), false}}});
         }
@@ -119,7 +120,7 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
     fact(out, "deaths", found.died);
     fact(out, "births-lower-bound", found.bound);
     fact(out, "cuts", out.strokes.empty() ? 0 : out.strokes.size() - 1);
-    for (const strands::Strands::Short& left : found.left_out) {
+    for (const strands::Strands::ShortStrand& left : found.left_out) {
         const Vec3 p = fronts.place(left.level, left.spot).point;
         Note note{.code = NoteCode::line_too_short, .amount = left.length};
         note.x = p.x;

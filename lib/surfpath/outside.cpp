@@ -11,17 +11,18 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kTouches = 1e-6; // mm
-constexpr double kRunsOut = 1.5;  // depths: how far sources go on over the flange, which may be left at a slant
+constexpr double kTouches = 1e-6; // mm: a point nearer than this to a rim lies on it
+// flange depths: how far sources are extended over the flange, which they may cross at a slant
+constexpr double kRunsOut = 1.5;
 
-// Whether the point lies on a rim: perhaps at a vertex of it, in a triangle that has no side there.
+// Whether the point lies on a rim. It may be at a vertex of the rim, in a triangle without a side on it.
 bool on_rim(const Surface& s, const Vec3& p) {
     for (std::uint32_t h = 0; h < s.twin.size(); ++h)
         if (s.twin[h] == surface::kNone && surface::distance_to_side(s, h, p) < kTouches) return true;
     return false;
 }
 
-// Goes straight on from the end of a source that lies on a rim of `s`, over the flange.
+// If a source line ends on a rim of `s`, extends it straight over the flange by `length` mm.
 void go_on(const Surface& s, const Surface& flanged, Line line, double length, surface::Sources& to) {
     const std::size_t n = line.size();
     if (n < 2 || line.closed) return;
@@ -42,8 +43,8 @@ std::optional<Flange> flange(const surface::Sheet& sheet, const Options& o) {
     const double depth = o.turn_outside;
     if (depth == 0 || !has_rows(o.algorithm)) return {};
     if (depth < o.spacing)
-        throw Error(Exit::usage, "cannot turn within --turn-outside " + shortest_text(depth) +
-                                     " mm: less than a spacing; turns of a radius need that and half a spacing");
+        throw Error(Exit::usage, "--turn-outside " + shortest_text(depth) +
+                                     " mm is less than a spacing; a turn needs the least radius and half a spacing");
     auto grown_out = surface::flanged(sheet.surface, o.spacing / 2, depth);
     Flange out;
     out.part = grown_out.part;
@@ -74,7 +75,7 @@ Options on_flange(const Flange& flange, Options options) {
 
 void thread(const Surface& s, Plan& plan) {
     for (Stroke& stroke : plan.strokes)
-        for (Piece& piece : stroke.pieces) piece.line = surface::curve::threaded(s, piece.line);
+        for (Section& piece : stroke.sections) piece.line = surface::curve::threaded(s, piece.line);
 }
 
 Trims trims(const Plan& plan, std::uint32_t part) {
@@ -82,7 +83,7 @@ Trims trims(const Plan& plan, std::uint32_t part) {
     for (std::size_t k = 0; k < plan.strokes.size(); ++k) {
         double way = 0;
         std::optional<bool> before;
-        for (const Piece& piece : plan.strokes[k].pieces)
+        for (const Section& piece : plan.strokes[k].sections)
             for (std::size_t i = 0; i + 1 < piece.line.size(); ++i) {
                 const bool inside = piece.line.places[i].triangle < part;
                 const double length = distance(piece.line[i], piece.line[i + 1]);
@@ -95,7 +96,7 @@ Trims trims(const Plan& plan, std::uint32_t part) {
     return out;
 }
 
-void tell_trims(const Flange& flange, double depth, Plan& plan) {
+void report_trims(const Flange& flange, double depth, Plan& plan) {
     const Trims found = trims(plan, flange.part);
     plan.facts.push_back({"", "trims", static_cast<double>(found.all.size()), ""});
     plan.facts.push_back({"", "outside", found.outside, "mm"});

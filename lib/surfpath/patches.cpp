@@ -18,8 +18,8 @@ Note unplanned(const surface::Sheet& sheet) {
     return out;
 }
 
-// As error of one patch of several.
-plan::Plan told(const std::function<plan::Plan(std::size_t)>& plan, std::size_t k, const std::string& name) {
+// Plans patch `k`; errors name it.
+plan::Plan plan_patch(const std::function<plan::Plan(std::size_t)>& plan, std::size_t k, const std::string& name) {
     try {
         return plan(k);
     } catch (const Error& e) {
@@ -29,7 +29,7 @@ plan::Plan told(const std::function<plan::Plan(std::size_t)>& plan, std::size_t 
 
 } // namespace
 
-std::string spoken(std::span<const surface::Sheet> sheets, std::size_t k) {
+std::string label(std::span<const surface::Sheet> sheets, std::size_t k) {
     return sheets[k].name.empty() ? std::to_string(k + 1) : sheets[k].name;
 }
 
@@ -56,15 +56,15 @@ Patches each_patch(std::span<const surface::Sheet> sheets, const Algorithms& alg
         if (!algorithms[k])
             out.plans[k].notes.push_back(unplanned(sheets[k]));
         else
-            out.plans[k] = several ? told(plan, k, spoken(sheets, k)) : plan(k);
+            out.plans[k] = several ? plan_patch(plan, k, label(sheets, k)) : plan(k);
     });
     for (std::size_t k = 0; k < sheets.size(); ++k) {
         for (Note& note : out.plans[k].notes) {
-            if (several) note.patch = spoken(sheets, k);
+            if (several) note.patch = label(sheets, k);
             out.notes.push_back(std::move(note));
         }
         for (Fact& fact : out.plans[k].facts) {
-            if (several) fact.name = "patch." + spoken(sheets, k) + "." + fact.name;
+            if (several) fact.name = "patch." + label(sheets, k) + "." + fact.name;
             out.facts.push_back(std::move(fact));
         }
         out.plans[k].notes.clear();
@@ -74,9 +74,9 @@ Patches each_patch(std::span<const surface::Sheet> sheets, const Algorithms& alg
 }
 
 std::vector<toolpath::Span> spans(std::span<const surface::Sheet> sheets, std::span<const plan::Plan> plans,
-                                  const plan::Laying& laying) {
+                                  const plan::SpanOptions& options) {
     std::vector<toolpath::Span> out;
-    plan::Laying now = laying;
+    plan::SpanOptions now = options;
     for (std::size_t k = 0; k < sheets.size(); ++k) {
         plan::add_spans(sheets[k].surface, plans[k], now, out);
         now.stroke += static_cast<std::uint32_t>(plans[k].strokes.size());

@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "surface/curve/ease.hpp"
 #include "surface/curve/walk.hpp"
-#include "surfpath/lanes/seam.hpp"
+#include "surfpath/lanes/spiral.hpp"
 #include "surfpath/rings/rings.hpp"
 
 #include <algorithm>
@@ -14,12 +14,13 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kLeast = 0.3;    // spacings: no radius is less
-constexpr double kPathStep = 0.1; // least radii: between points of the path
-constexpr double kEase = 1.08;    // least radii: so that what remains keeps to it
+constexpr double kLeast = 0.3;    // spacings: lower limit of the least radius
+constexpr double kPathStep = 0.1; // least radii between points of the path
+// least radii: radius to which lines are eased, so that the resampled path keeps the least radius
+constexpr double kEase = 1.08;
 
-// The line with points where it crosses edges only if it would leave the surface by more than 0.004 mm between its own:
-// of two points that are next to nothing apart, each turns by any angle.
+// Adds points where the line crosses edges, but only if its own segments would leave the surface by more than kOff mm.
+// Points that almost coincide would turn by arbitrary angles.
 Line slim_threaded(const Surface& s, const Line& line) {
     constexpr double kOff = 4e-3;
     Line out;
@@ -37,7 +38,7 @@ Line slim_threaded(const Surface& s, const Line& line) {
     return out;
 }
 
-// The line eased, with points in equal steps, so that the noise of crossings with edges does not count as curvature.
+// The line eased and resampled in equal steps, so that noise from crossed edges does not count as curvature.
 Line gentle(const Surface& s, const Line& line, double radius, double spacing) {
     const auto eased =
         surface::curve::ease(s, line, {.radius = kEase * radius, .corridor = 0.25 * spacing, .step = 0.05 * radius});
@@ -46,16 +47,16 @@ Line gentle(const Surface& s, const Line& line, double radius, double spacing) {
     return slim_threaded(s, out);
 }
 
-// Notes strokes that are more than the components with rings, where the shortest begins.
-void tell_apart(const Surface& s, const rings::Rings& made, Plan& plan) {
+// Adds a note if there are more strokes than components with rings, at the start of the shortest stroke.
+void note_unjoined(const Surface& s, const rings::Rings& made, Plan& plan) {
     std::set<std::uint32_t> components;
     for (const Line& line : made.lines) components.insert(s.component[line.places[0].triangle]);
     const std::size_t apart = plan.strokes.size() - components.size();
     if (apart == 0) return;
-    const auto length = [](const Stroke& stroke) { return surface::curve::length(stroke.pieces[0].line); };
+    const auto length = [](const Stroke& stroke) { return surface::curve::length(stroke.sections[0].line); };
     const auto shortest = std::min_element(plan.strokes.begin(), plan.strokes.end(),
                                            [&](const auto& a, const auto& b) { return length(a) < length(b); });
-    const Vec3 at = shortest->pieces[0].line[0];
+    const Vec3 at = shortest->sections[0].line[0];
     plan.notes.push_back({NoteCode::ring_unjoined, static_cast<double>(apart), apart, -1, at.x, at.y, at.z});
 }
 
@@ -74,21 +75,21 @@ Plan ring_path(const surface::Sheet& sheet, const Options& given, int by) {
         if (made.level[l] == 0 && (start == surface::kNone || lanes.length(l) > lanes.length(start))) start = l;
     std::vector<std::uint32_t> merged;
     if (start != surface::kNone) {
-        const lanes::Rungs seam = lanes::seam_place(lanes, start, 2 * std::sqrt(o.least_radius * o.spacing * by));
-        if (seam.lanes() >= static_cast<std::size_t>(by) + 1) {
-            lanes::shift(weave, lanes, seam, by);
-            merged = seam.lane;
+        const lanes::Ladder ladder = lanes::spiral_ladder(lanes, start, 2 * std::sqrt(o.least_radius * o.spacing * by));
+        if (ladder.lanes() >= static_cast<std::size_t>(by) + 1) {
+            lanes::shift(weave, lanes, ladder, by);
+            merged = ladder.lane;
         }
-        out.facts.push_back({"", "seam-lanes", static_cast<double>(seam.lanes()), ""});
-        if (seam.lanes()) out.facts.push_back({"", "seam-length", shortest(lanes, seam), "mm"});
+        out.facts.push_back({"", "seam-lanes", static_cast<double>(ladder.lanes()), ""});
+        if (ladder.lanes()) out.facts.push_back({"", "seam-length", shortest(lanes, ladder), "mm"});
     }
     if (merged.empty() && start != surface::kNone) merged = {start};
-    lanes::cross_over(weave, lanes, merged, o.least_radius);
-    for (auto& course : weave.courses())
-        out.strokes.push_back({{{gentle(s, course.line, o.least_radius, o.spacing), false}}});
+    lanes::exchange_lanes(weave, lanes, merged, o.least_radius);
+    for (auto& path : weave.curves())
+        out.strokes.push_back({{{gentle(s, path.line, o.least_radius, o.spacing), false}}});
     if (out.strokes.empty())
         throw Error(Exit::failure, "cannot lay rings: none is closed; make other triangles by geodesic --remesh");
-    tell_apart(s, made, out);
+    note_unjoined(s, made, out);
     return out;
 }
 

@@ -15,11 +15,13 @@ using surface::Surface;
 
 namespace {
 
-constexpr double kAlong = 0.35;     // slope of the distance along a rim that runs along the seed, at most: 20 degrees
-constexpr double kLongRim = 5;      // spacings: of a rim that counts as an end, at least
-constexpr double kStretch = 0.1;    // of the spacing, at most
-constexpr double kUneven = 0.06;    // of the spacing: by how much it may differ on a side
-constexpr double kTolerance = 1e-3; // mm, of lines
+// steepest slope of the distance along a rim that still runs along the seed (20 degrees)
+constexpr double kAlong = 0.35;
+constexpr double kLongRim = 5;   // spacings: a shorter rim does not count as an end
+constexpr double kStretch = 0.1; // largest change of the spacing, as a share
+// largest variation of the width of a side, as a share, if its lines are to be fitted to both ends
+constexpr double kUneven = 0.06;
+constexpr double kTolerance = 1e-3; // mm: deviation of lines from the level set
 
 } // namespace
 
@@ -48,11 +50,11 @@ FarRim far_rim(const Surface& s, const SeedSides& sides, std::uint32_t side, std
 
 namespace {
 
-// Which side an isoline lies on.  Of one that runs through triangles of the seed only, that of a corner on the same
-// side of the seed segment there.
-class SideOf {
+// Determines the side on which an isoline lies. If the isoline only runs through triangles that contain the seed, the
+// side is that of a corner which lies on the same side of the seed segment.
+class SideClassifier {
   public:
-    SideOf(const Surface& s, const SeedSides& sides, const surface::Sources& seed)
+    SideClassifier(const Surface& s, const SeedSides& sides, const surface::Sources& seed)
         : surface_(s), sides_(sides), at_(s.vertices.size(), kNone) {
         for (std::uint32_t t = 0; t < s.triangles.size(); ++t)
             if (sides.of[t] != kNone)
@@ -87,19 +89,20 @@ class SideOf {
 
     const Surface& surface_;
     const SeedSides& sides_;
-    std::vector<std::uint32_t> at_; // per vertex: of a triangle there
+    std::vector<std::uint32_t> at_; // per vertex: the side of a triangle there
     std::vector<surface::Segment> seed_;
 };
 
-// Distance between seed and end as a share of the way between both, times its mean.
-class Between {
+// The distance from the seed, divided by the sum of the distances from seed and far rim, times the mean distance
+// between these: its level sets adapt gradually from the seed to the far rim.
+class BlendedDistance {
   public:
-    Between(const Surface& s, const geodesic::ExactField& seed, const geodesic::ExactField& end, double mean)
+    BlendedDistance(const Surface& s, const geodesic::ExactField& seed, const geodesic::ExactField& end, double mean)
         : surface_(s), seed_(seed), end_(end), mean_(mean) {
         for (std::size_t v = 0; v < s.vertices.size(); ++v) value_.push_back(share(seed.distance[v], end_.distance[v]));
     }
 
-    // Whether lines at equal steps of it are about equally far apart on the side.
+    // Whether level sets at equal steps are about equally far apart everywhere on the side.
     [[nodiscard]] bool even(const SeedSides& sides, std::uint32_t side) const {
         for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
             if (sides.of[t] == side)
@@ -124,7 +127,7 @@ class Between {
         return share(geodesic::distance_at(surface_, seed_, t, p), geodesic::distance_at(surface_, end_, t, p));
     }
 
-    // Where an edge passes the level: regula falsi (Illinois).
+    // Where an edge crosses the level, by regula falsi (Illinois).
     void cross(std::uint32_t h, double level, std::vector<double>& out) const {
         out.clear();
         const Vec3 &a = surface_.vertices[surface_.tail(h)], &b = surface_.vertices[surface_.head(h)];
@@ -201,19 +204,20 @@ std::vector<std::vector<Isoline>> side_rows(const Surface& s, const Surface& clo
             for (const std::uint32_t v : s.triangles[t])
                 if (std::isfinite(field.distance[v])) tip[side] = std::max(tip[side], field.distance[v]);
     std::vector<FarRim> rims;
-    surface::Sources ends; // of all sides: none is nearer to that of another, or its rows would not be even
+    // of all sides, because a field per side would cost a propagation each; the nearest one counts
+    surface::Sources ends;
     for (std::uint32_t side = 0; side < sides.count; ++side) {
         rims.push_back(fitted ? far_rim(s, sides, side, field.distance, spacing) : FarRim{});
         const auto& rim = rims.back().rim.segments;
         if (step(rims.back(), spacing) > 0) ends.segments.insert(ends.segments.end(), rim.begin(), rim.end());
     }
     const auto end = ends.empty() ? geodesic::ExactField{} : geodesic::exact(closed, ends);
-    const SideOf side_of(s, sides, seed);
+    const SideClassifier side_of(s, sides, seed);
     std::vector<std::vector<Isoline>> out(sides.count);
     for (std::uint32_t side = 0; side < sides.count; ++side) {
         const double d = step(rims[side], spacing);
         if (d > 0)
-            if (const Between between(s, field, end, rims[side].mean); between.even(sides, side))
+            if (const BlendedDistance between(s, field, end, rims[side].mean); between.even(sides, side))
                 out[side] = between.lines(levels(rims[side].mean, d));
         if (out[side].empty()) out[side] = geodesic::isolines(s, field, levels(tip[side], d > 0 ? d : spacing));
         std::erase_if(out[side], [&](const Isoline& l) { return side_of(l) != side; });

@@ -1,4 +1,4 @@
-// What lies on either side of a seed curve, and lines along it.
+// The two sides of a seed curve, and lines along it.
 #pragma once
 
 #include "geodesic/exact.hpp"
@@ -8,33 +8,34 @@
 
 namespace filum::surfpath {
 
-// Triangles that hang together when all that hold seed segments are left out.
+// The sides of a seed: connected sets of triangles that contain no seed segment.
 struct SeedSides {
     std::vector<std::uint32_t> of; // per triangle, kNone on the seed
     std::uint32_t count = 0;
 };
 SeedSides seed_sides(const surface::Surface& s, const surface::Sources& seed);
 
-// The rim at which a side ends: what runs along the isolines of `distance` (per vertex) within 1.5 spacings of the
-// farthest such place.
+// The rim at which a side ends: sides of rims along which `distance` (per vertex) is almost constant, within 1.5
+// spacings of the farthest of these.
 struct FarRim {
     surface::Sources rim;
-    double mean = 0, length = 0; // mm: distance, size
+    double mean = 0, length = 0; // mm: distance from the seed, and length of the rim
 };
 FarRim far_rim(const surface::Surface& s, const SeedSides& sides, std::uint32_t side, std::span<const double> distance,
                double spacing);
 
-// The spacing nearest to `spacing` at which the last line is half a spacing from the far rim; 0 if that is short, or
-// more than 10 % off.
+// The spacing nearest to `spacing` at which the last line lies half a spacing from the far rim. 0 if that rim is
+// short, or if the spacing would change by more than 10 %.
 double step(const FarRim& rim, double spacing);
 
-// step / 2, and on in steps, less than `end`.
+// step / 2, 3 step / 2 and so on, as long as they are less than `end`.
 std::vector<double> levels(double end, double step);
 
-// Per side of the seed, lines along it, `spacing` apart, the first one half a spacing away.  If they are to be `fitted`
-// and the side ends in a rim that runs along the seed, within 10 % of `spacing` they lie so that the last one is half a
-// spacing from that rim all along: level sets of the distance from the seed as a share of that from both; else of the
-// distance from the seed.  `field` and what else is measured is so on `closed`, which begins with the triangles of `s`.
+// Per side of the seed the lines along it, `spacing` apart, the first one half a spacing away. They are level sets of
+// the distance from the seed. If they are to be `fitted` and the side ends in a rim that runs along the seed, the
+// spacing changes by up to 10 % so that the last line lies half a spacing from that rim; the lines are then level sets
+// of the distance from the seed as a share of the distances from seed and rim. `field` and all distances are measured
+// on `closed`, which begins with the triangles of `s`.
 std::vector<std::vector<surface::Isoline>> side_rows(const surface::Surface& s, const surface::Surface& closed,
                                                      const geodesic::ExactField& field, const surface::Sources& seed,
                                                      double spacing, bool fitted);

@@ -10,12 +10,12 @@
 #include "surfpath/geo_contour.hpp"
 #include "surfpath/geo_fiso.hpp"
 #include "surfpath/geo_spiral.hpp"
-#include "surfpath/opened.hpp"
 #include "surfpath/ortheo.hpp"
-#include "surfpath/plan/bare.hpp"
 #include "surfpath/plan/declare.hpp"
-#include "surfpath/plan/fine.hpp"
 #include "surfpath/plan/ground.hpp"
+#include "surfpath/plan/refined.hpp"
+#include "surfpath/plan/voids.hpp"
+#include "surfpath/slits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,11 +25,11 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kLongest = 2;        // spacings: sides of the triangles that lines are found on
-constexpr double kLongestStriped = 1; // likewise, of those that stripes are found on,
-constexpr double kLongestTrue = 0.5;  // and of those on which they keep to an angle: what lines are off halves with it
-constexpr double kBeside = 0.5; // mm beside a tight turn that are declared with it, or half a spacing: by whatever
-                                // stretch of the path curvature is measured, it shows there
+constexpr double kLongest = 2;        // spacings: longest side of the triangles on which lines are traced
+constexpr double kLongestStriped = 1; // spacings: of those for stripes that keep the spacing
+constexpr double kLongestTrue = 0.5;  // spacings: of those for stripes that keep the angle, whose error is proportional
+constexpr double kBeside = 0.5; // mm: path on either side of a tight turn that is declared with it, at least; however
+                                // long the stretch over which curvature is measured, the excess lies within
 
 Plan lines(const surface::Sheet& sheet, const Options& options) {
     switch (options.algorithm) {
@@ -53,13 +53,13 @@ Plan lines(const surface::Sheet& sheet, const Options& options) {
     throw std::logic_error("no such algorithm");
 }
 
-// Whether its lines begin at rims and sources.
+// Whether the algorithm's lines start beside rims and sources.
 bool has_rings(const Options& o) {
     return o.algorithm == Algorithm::geo_fiso || o.algorithm == Algorithm::geo_contour ||
            o.algorithm == Algorithm::hybrid || (o.algorithm == Algorithm::field && o.follow.rings > 0);
 }
 
-// What field may follow.
+// The fields of the sheet that `field` may follow.
 std::vector<surface::Field> directions(const surface::Sheet& sheet) {
     std::vector<surface::Field> out;
     for (const auto& f : sheet.fields)
@@ -70,7 +70,7 @@ std::vector<surface::Field> directions(const surface::Sheet& sheet) {
 Plan of_component(const surface::Sheet& sheet, const Options& options) {
     const bool by_field = options.algorithm == Algorithm::field || options.algorithm == Algorithm::hybrid;
     const double longest = !by_field ? kLongest : keeps_angle(options) ? kLongestTrue : kLongestStriped;
-    plan::Fine small = plan::fine(sheet, longest * options.spacing);
+    plan::RefinedSheet small = plan::refined(sheet, longest * options.spacing);
     if (by_field)
         small.sheet.fields = surface::curve::transferred(sheet.surface, directions(sheet), small.sheet.surface);
     Options on_small = options;
@@ -79,13 +79,13 @@ Plan of_component(const surface::Sheet& sheet, const Options& options) {
         for (const std::uint32_t t : small.parent) on_small.beyond.push_back(options.beyond[t]);
     Notes opened;
     if (has_rings(options)) {
-        const surface::Sources seam = seams(small.sheet, opened);
+        const surface::Sources seam = slits(small.sheet, opened);
         auto& to = small.sheet.sources.segments;
         to.insert(to.end(), seam.segments.begin(), seam.segments.end());
     }
     Plan out = lines(small.sheet, on_small);
     out.notes.insert(out.notes.end(), opened.begin(), opened.end());
-    plan::back(out, small);
+    plan::to_parents(out, small);
     plan::keep_to_surface(sheet.surface, out);
     return out;
 }
@@ -100,7 +100,7 @@ Plan plan_paths(const surface::Sheet& sheet, const Options& options) {
 
 void finish(const Surface& surface, Plan& plan, const Options& o) {
     const double beside = std::max(kBeside, o.spacing / 2);
-    const plan::Tight tight = plan::declare(surface, plan, o.least_radius, beside, o.offset);
+    const plan::TightTurns tight = plan::declare(surface, plan, o.least_radius, beside, o.offset);
     if (o.strict && tight.count > 0)
         throw Error(Exit::failure, "cannot keep turns to " + shortest_text(o.least_radius) + " mm: one of " +
                                        fixed_text(tight.least, 2) + " mm at " + text(tight.at) + ", " +
@@ -112,7 +112,7 @@ void finish(const Surface& surface, Plan& plan, const Options& o) {
     if (tight.count > 0)
         plan.notes.push_back(
             {NoteCode::bend_too_tight, tight.length, tight.count, -1, tight.at.x, tight.at.y, tight.at.z});
-    plan::tell_cover(surface, plan, o.spacing, o.part);
+    plan::report_coverage(surface, plan, o.spacing, o.part);
 }
 
 } // namespace filum::surfpath

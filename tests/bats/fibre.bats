@@ -141,7 +141,7 @@ setup() {
     done
     run surfpath field --follow stress=1 dome.surface -o none
     [ "$status" -eq 3 ]
-    [[ $output == *"the surface carries none that pulls; run stressfield first"* ]]
+    [[ $output == *"the surface carries no tensile stress; run stressfield first"* ]]
     run surfpath field --follow wind=1 dome.surface -o none
     [ "$status" -eq 2 ]
     [[ $output == *"cannot follow 'wind'; --follow knows direction, stress, angle, rim and rings"* ]]
@@ -170,7 +170,7 @@ setup() {
     [ "$(metrics --surface tee.surface --format tsv tee.toolpath | awk '$1 == "cuts" { print $2 }')" = 0 ]
     run surfpath hybrid --method kipping2022 plate.surface -o none
     [ "$status" -eq 2 ]
-    [[ $output == *"cannot lay hybrid as Kipping et al. 2022 did"* ]]
+    [[ $output == *"--method kipping2022 has no algorithm hybrid"* ]]
 }
 
 # docs/metrics.md has a table of what surfpath says; the facts themselves carry no meaning.

@@ -72,7 +72,7 @@ value() { peek "$2" | awk -v n="$1" '$1 == "fact" && $2 == "partition:" && $3 ==
     complaint partition
     partition plate.surface --output plate.patches
     expect 2 partition plate.patches plate.patches
-    [[ $err == *"two are named 'A'"* ]]
+    [[ $err == *"two have the name 'A'"* ]]
 }
 
 @test "a field of vectors and the shape divide, too" {

@@ -2,8 +2,8 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "geodesic/choose.hpp"
 #include "geodesic/measure.hpp"
+#include "geodesic/named_sources.hpp"
 #include "surfpath/surfpath.hpp"
 
 #include "judge.hpp"
@@ -52,10 +52,11 @@ Filled fill(Mesh mesh, surfpath::Options o, const From& from, const Motion& moti
     for (Vec3& v : mesh.vertices) v = motion.point(v);
     surface::Sheet sheet;
     sheet.surface = surface::connect(std::move(mesh), notes);
-    geodesic::measure(sheet, geodesic::choose(sheet.surface, source(o.algorithm, from, motion), notes), {}, notes);
+    geodesic::measure(sheet, geodesic::named_sources(sheet.surface, source(o.algorithm, from, motion), notes), {},
+                      notes);
     surfpath::Plan plan = surfpath::plan_paths(sheet, o);
     surfpath::finish(sheet.surface, plan, o);
-    surfpath::plan::Laying laying;
+    surfpath::plan::SpanOptions laying;
     laying.width = o.spacing;
     return {judge(sheet.surface, surfpath::plan::spans(sheet.surface, plan, laying),
                   {o.spacing, o.least_radius, true, false, {}}),

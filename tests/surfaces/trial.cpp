@@ -3,9 +3,9 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "baselines/kipping2022/kipping2022.hpp"
-#include "geodesic/choose.hpp"
 #include "geodesic/lines.hpp"
 #include "geodesic/measure.hpp"
+#include "geodesic/named_sources.hpp"
 #include "surface/remesh.hpp"
 #include "surfpath/plan/plan.hpp"
 
@@ -107,7 +107,7 @@ Sources sources(const Surface& s, surfpath::Algorithm algorithm, Random& r, std:
                : dice < 0.95                                          ? "line"
                                                                       : plane(s, r);
     words += " from " + (what.empty() ? "nothing" : what);
-    if (what != "line") return geodesic::choose(s, what, notes);
+    if (what != "line") return geodesic::named_sources(s, what, notes);
     Sources out;
     line(s, r, out, notes);
     return out;
@@ -152,7 +152,7 @@ Outcome run(const Trial& t) {
         surfpath::Plan plan =
             ours ? surfpath::plan_paths(t.sheet, t.options) : baselines::kipping2022::plan(t.sheet, t.paper);
         surfpath::finish(t.sheet.surface, plan, t.options);
-        surfpath::plan::Laying laying;
+        surfpath::plan::SpanOptions laying;
         laying.width = t.options.spacing;
         const auto spans = surfpath::plan::spans(t.sheet.surface, plan, laying);
         out.judged = judge(t.sheet.surface, spans, asked);

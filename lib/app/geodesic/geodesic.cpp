@@ -2,8 +2,8 @@
 
 #include "base/error.hpp"
 #include "cli/step_options.hpp"
-#include "geodesic/choose.hpp"
 #include "geodesic/lines.hpp"
+#include "geodesic/named_sources.hpp"
 #include "surface/facing.hpp"
 
 namespace filum::app::geodesic {
@@ -12,7 +12,7 @@ namespace {
 
 // Notes a surface that faces inwards: its path would be printed from the inside.
 void tell_inward(const surface::Surface& s, Notes& notes) {
-    const surface::Inward in = surface::inward(s);
+    const surface::InwardArea in = surface::inward(s);
     if (in.components > 0)
         notes.push_back(
             {NoteCode::surface_faces_inwards, in.area, in.components, -1, in.place.x, in.place.y, in.place.z});
@@ -20,7 +20,7 @@ void tell_inward(const surface::Surface& s, Notes& notes) {
 
 filum::geodesic::Sources sources(const Options& o, const Model& model, cli::Io& self, Notes& notes, Facts& facts) {
     const surface::Surface& s = model.sheet.surface;
-    auto out = filum::geodesic::choose(s, o.source, notes, model.of_file);
+    auto out = filum::geodesic::named_sources(s, o.source, notes, model.of_file);
     if (!o.lines.empty()) {
         const mesh::Bytes text = load(o.lines, "source_lines_crc32c", self);
         filum::geodesic::add_lines(out, s, filum::geodesic::read_lines(text.view(), "'" + o.lines + "'"), notes);

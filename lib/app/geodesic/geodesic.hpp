@@ -11,7 +11,7 @@ namespace filum::app::geodesic {
 struct Options {
     mesh::Placement place;
     Shaping shape;
-    std::string source;      // where distance is 0, as geodesic::choose reads it; none: only make the surface
+    std::string source; // where distance is 0, in the words of geodesic::named_sources; none: only the surface is made
     std::string lines, mesh; // files of further sources
     filum::geodesic::Options measure;
     mesh::step::Tessellation step;

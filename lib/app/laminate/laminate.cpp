@@ -84,9 +84,9 @@ double ramp(const std::string& words) {
     return run / rise;
 }
 
-filum::laminate::Within within(const std::string& word) {
+filum::laminate::Area within(const std::string& word) {
     constexpr std::string_view kFaces = "faces:";
-    filum::laminate::Within out;
+    filum::laminate::Area out;
     if (!word.starts_with(kFaces)) {
         out.curves = geodesic::read_lines(text_of(word, "column 'within' of --table"), "'" + word + "'");
         for (const auto& curve : out.curves)
@@ -132,7 +132,7 @@ void run(const Options& o, const cli::Io& io) {
         Laminate made = filum::laminate::laminate(sheets[k], plies, how, io.threads);
         filum::laminate::add_spans(made, plies, how, 0, spans);
         add_trims(made, stroke, trims);
-        gather(made, sheets.size() > 1 ? filum::surfpath::spoken(sheets, k) : "", found);
+        gather(made, sheets.size() > 1 ? filum::surfpath::label(sheets, k) : "", found);
         if (!o.map.empty()) maps.push_back(metrics::surface::sheet_of(made.map, sheets[k].name));
     }
     auto header = cli::header(io, stream::Payload::toolpath, {&before.header});

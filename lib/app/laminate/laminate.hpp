@@ -20,7 +20,7 @@ struct Options {
 double ramp(const std::string& words);
 
 // What a table's word says of where plies lie: "faces:3,4", or a file of curves.  Throws Error: usage, io, bad_input.
-filum::laminate::Within within(const std::string& word);
+filum::laminate::Area within(const std::string& word);
 
 // Reads surfaces, lays the plies on each, and writes one toolpath; the map's surfaces to a file if asked.
 // Throws Error as laminate() does, or as plies are read.

@@ -26,7 +26,8 @@ using geom::Vec3;
 
 using filum::surfpath::Flange;
 
-filum::surfpath::Plan lay(const surface::Sheet& sheet, const Flange* flange, const Options& o, Algorithm algorithm) {
+filum::surfpath::Plan plan_sheet(const surface::Sheet& sheet, const Flange* flange, const Options& o,
+                                 Algorithm algorithm) {
     filum::surfpath::Options asked = flange ? filum::surfpath::on_flange(*flange, o.plan) : o.plan;
     asked.algorithm = algorithm;
     asked.offset = o.laying.offset;
@@ -46,19 +47,21 @@ filum::surfpath::Plan lay(const surface::Sheet& sheet, const Flange* flange, con
                                                                    : filum::surfpath::plan_paths(sheet, asked);
         if (flange) filum::surfpath::thread(sheet.surface, out);
         filum::surfpath::finish(sheet.surface, out, asked);
-        filum::surfpath::plan::tell_least_cuts(sheet.surface, {asked.spacing, asked.cut_length, flange == nullptr},
-                                               out);
+        filum::surfpath::plan::report_cuts_bound(sheet.surface, {asked.spacing, asked.cut_length, flange == nullptr},
+                                                 out);
     };
-    std::optional<filum::surfpath::rings::Reach> reach; // needs no lines, so it is found beside them
-    const auto bound = [&] { reach = filum::surfpath::rings::reach(sheet.surface, asked.spacing, asked.least_radius); };
+    std::optional<filum::surfpath::rings::RingBound> reach; // needs no lines, so it is found beside them
+    const auto bound = [&] {
+        reach = filum::surfpath::rings::ring_bound(sheet.surface, asked.spacing, asked.least_radius);
+    };
     parallel::for_chunks(filum::surfpath::runs_round(algorithm) ? 2 : 1, 1, 0, [&](std::size_t i, std::size_t) {
         if (i == 0)
             lines();
         else
             bound();
     });
-    if (reach) filum::surfpath::rings::tell_reach(*reach, out);
-    if (flange) filum::surfpath::tell_trims(*flange, o.plan.turn_outside, out);
+    if (reach) filum::surfpath::rings::report_ring_bound(*reach, out);
+    if (flange) filum::surfpath::report_trims(*flange, o.plan.turn_outside, out);
     return out;
 }
 
@@ -90,23 +93,23 @@ std::string trim_table(std::span<const filum::surfpath::Plan> plans, std::span<c
 // "a, b and c" of all that field can follow.
 std::string known_sources() {
     std::string out;
-    const std::size_t n = std::size(filum::surfpath::field::kSources);
+    const std::size_t n = std::size(filum::surfpath::field::kNamedWeights);
     for (std::size_t i = 0; i < n; ++i)
-        out += std::string(i == 0 ? "" : i + 1 < n ? ", " : " and ") + filum::surfpath::field::kSources[i].name;
+        out += std::string(i == 0 ? "" : i + 1 < n ? ", " : " and ") + filum::surfpath::field::kNamedWeights[i].name;
     return out;
 }
 
 // What field is to follow; the angle alone if that is all that is said.
-filum::surfpath::field::Sources followed(const Options& o) {
-    using filum::surfpath::field::kSources;
-    using filum::surfpath::field::NamedSource;
-    filum::surfpath::field::Sources out;
+filum::surfpath::field::DirectionMix followed(const Options& o) {
+    using filum::surfpath::field::kNamedWeights;
+    using filum::surfpath::field::NamedWeight;
+    filum::surfpath::field::DirectionMix out;
     out.turn = geom::radians(o.angle_deg);
     out.reference = reference(o.reference);
     for (const auto& [name, weight] : parse_weights(o.follow, "--follow")) {
-        const auto* source = std::find_if(std::begin(kSources), std::end(kSources),
-                                          [&wanted = name](const NamedSource& known) { return wanted == known.name; });
-        if (source == std::end(kSources))
+        const auto* source = std::find_if(std::begin(kNamedWeights), std::end(kNamedWeights),
+                                          [&wanted = name](const NamedWeight& known) { return wanted == known.name; });
+        if (source == std::end(kNamedWeights))
             throw Error(Exit::usage, "cannot follow '" + name + "'; --follow knows " + known_sources());
         out.*source->weight = weight;
     }
@@ -180,12 +183,12 @@ void run(const Options& o, const cli::Io& io) {
     if (sheets.size() > 1) progress.emplace(io, sheets.size());
     std::mutex telling;
     auto patches = filum::surfpath::each_patch(sheets, algorithms, io.threads, [&](std::size_t k) {
-        auto plan = lay(sheets[k], outside[k] ? &*outside[k] : nullptr, asked, *algorithms[k]);
+        auto plan = plan_sheet(sheets[k], outside[k] ? &*outside[k] : nullptr, asked, *algorithms[k]);
         const std::lock_guard lock(telling);
         if (progress) progress->step();
         return plan;
     });
-    filum::surfpath::plan::Laying laying = o.laying;
+    filum::surfpath::plan::SpanOptions laying = o.laying;
     laying.width = o.plan.spacing;
     laying.layer = static_cast<std::uint32_t>(o.ply);
     const auto spans = filum::surfpath::spans(sheets, patches.plans, laying);

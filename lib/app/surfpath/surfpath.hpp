@@ -11,7 +11,7 @@ namespace filum::app::surfpath {
 struct Options {
     std::string algorithm = "planned"; // by what the surfaces carry, or a name
     filum::surfpath::Options plan;
-    filum::surfpath::plan::Laying laying;
+    filum::surfpath::plan::SpanOptions laying;
     std::string trim_list;               // file of where to trim; "": none
     std::string machine;                 // profile that must allow turns outside; "": not asked
     std::string follow, reference = "X"; // of field, as users have them

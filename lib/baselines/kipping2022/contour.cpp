@@ -11,10 +11,11 @@ namespace {
 
 using surfpath::plan::Plan;
 
-constexpr double kAtMaximum = 0.1; // d: of what counts as the greatest distance
-constexpr double kApart = 0.25;    // d: between points there
+constexpr double kAtMaximum = 0.1; // d: values this near to the greatest count as the maximum
+constexpr double kApart = 0.25;    // d: least distance between points there
 
-// The contours of a component of the tree without those that branch, from one end to the other; begins at the lesser.
+// The contours of a component of the tree without those that branch, from one end to the other, starting at the lower
+// one.
 std::vector<std::uint32_t> chain(const std::vector<Node>& nodes, std::uint32_t from, std::vector<char>& seen) {
     const auto next = [&](std::uint32_t n) {
         for (const std::uint32_t m : nodes[n].neighbours)
@@ -35,7 +36,7 @@ std::vector<std::uint32_t> chain(const std::vector<Node>& nodes, std::uint32_t f
     return out;
 }
 
-// Parts of the chain along which levels only rise or only fall, each inwards.
+// Parts of the chain along which levels only rise or only fall, each directed inwards.
 std::vector<std::vector<std::uint32_t>> monotone(const std::vector<Node>& nodes,
                                                  const std::vector<std::uint32_t>& chain) {
     const auto level = [&](std::uint32_t n) { return nodes[n].contour.level; };
@@ -52,12 +53,12 @@ std::vector<std::vector<std::uint32_t>> monotone(const std::vector<Node>& nodes,
     return out;
 }
 
-class Spirals {
+class SpiralBuilder {
   public:
-    Spirals(const surface::Sheet& sheet, const std::vector<double>& phi, const Tree& tree, const Options& o)
+    SpiralBuilder(const surface::Sheet& sheet, const std::vector<double>& phi, const Tree& tree, const Options& o)
         : surface_(sheet.surface), phi_(phi), nodes_(tree.nodes), o_(o), seen_(phi.size(), 0) {}
 
-    // Ring by ring inwards, and along the maximum; several lines where that has to be cut.
+    // The spiral ring by ring inwards, then along the maximum; several lines where it must be cut.
     std::vector<Points> spiral(const std::vector<std::uint32_t>& rings) {
         const Points ridge = ridge_in(rings.back());
         const std::vector<std::uint32_t> starts = begins(rings, ridge);
@@ -80,7 +81,7 @@ class Spirals {
     std::size_t maxima = 0;
 
   private:
-    // The line through the maximum inside a ring that has no other one inside.
+    // The line through the maximum inside a ring without other rings inside.
     Points ridge_in(std::uint32_t node) {
         const Node& n = nodes_[node];
         for (const std::uint32_t m : n.neighbours)
@@ -95,8 +96,9 @@ class Spirals {
         return {};
     }
 
-    // Where rings begin: each nearest to the beginning of the one inside.  The innermost one is tried from n_thresh to
-    // n_thresh points, nearest to the maximum first, until all are within reach; else the first with the fewest cuts.
+    // The start of each ring, nearest to that of the ring inside. For the innermost one starts are tried in the order
+    // of their distance from the maximum until all connections are within reach; otherwise the first with the fewest
+    // cuts.
     [[nodiscard]] std::vector<std::uint32_t> begins(const std::vector<std::uint32_t>& rings,
                                                     const Points& ridge) const {
         const Points& inner = nodes_[rings.back()].points();
@@ -128,7 +130,7 @@ class Spirals {
         return nodes_[node].points()[start];
     }
 
-    // Begins a new line if the next point is too far from where this one was to go on.
+    // Starts a new line if the next point is too far from the place where the present one would continue.
     void go_on(std::vector<Points>& lines, const Vec3& next, const Vec3& place) const {
         if (distance(next, place) > o_.reach) lines.emplace_back();
     }
@@ -137,7 +139,7 @@ class Spirals {
     const std::vector<double>& phi_;
     const std::vector<Node>& nodes_;
     const Options& o_;
-    std::vector<char> seen_; // vertices at maxima that a spiral ends in
+    std::vector<char> seen_; // vertices at maxima in which a spiral ends
 };
 
 } // namespace
@@ -148,7 +150,7 @@ Plan geo_contour(const surface::Sheet& sheet, const Options& o) {
     const Tree all = tree(sheet, phi, o, plan.notes);
     note_unreached(sheet.surface, phi, plan.notes);
     const Strokes strokes(sheet.surface, o);
-    Spirals spirals(sheet, phi, all, o);
+    SpiralBuilder spirals(sheet, phi, all, o);
     std::vector<char> seen(all.nodes.size(), 0);
     std::size_t count = 0, rerouting = 0;
     const auto branches = [&](std::uint32_t n) { return all.nodes[n].neighbours.size() > 2; };

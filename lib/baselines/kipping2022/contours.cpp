@@ -39,7 +39,7 @@ std::vector<std::vector<Contour>> contours(const Surface& s, std::span<const dou
     for (const double v : values)
         if (std::isfinite(v)) farthest = std::max(farthest, v);
     if (farthest / step > kMaxLevels)
-        throw Error(Exit::usage, "cannot lay more than 100000 levels; raise --spacing or --d-iso");
+        throw Error(Exit::usage, "cannot plan more than 100000 levels; raise --spacing or --d-iso");
     std::vector<double> levels;
     for (std::uint32_t i = 1; (i + kAtLevel) * step <= farthest; ++i) levels.push_back(i * step);
     std::vector<double> snapped(values.begin(), values.end());
@@ -62,7 +62,7 @@ std::vector<std::vector<Contour>> contours(const Surface& s, std::span<const dou
 const std::vector<double>& distances(const surface::Sheet& sheet, const char* need) {
     for (const auto& field : sheet.fields)
         if (field.name == "distance" && field.components == 1) return field.values;
-    throw Error(Exit::bad_input, std::string("cannot find the field 'distance' in the surface; ") + need);
+    throw Error(Exit::bad_input, std::string("the surface has no field 'distance'; ") + need);
 }
 
 void note_unreached(const Surface& s, std::span<const double> values, Notes& notes) {

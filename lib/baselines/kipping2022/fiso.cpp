@@ -12,13 +12,13 @@ using surfpath::plan::Plan;
 
 constexpr const char* kNeedsBoundary = "run geodesic --source boundary first";
 
-// First in, spiral out: the recursion of the paper, with a stack of its own.
+// The recursion of the paper, with a stack of its own.
 class Traversal {
   public:
     Traversal(const Tree& tree, const Options& o) : nodes_(tree.nodes), o_(o), seen_(tree.nodes.size(), 0) {}
 
-    // The path from the `start`-th point of a contour through all that it leads to.  Those that no place for rerouting
-    // was found for are appended to `left`, each after its parent.
+    // The path from point `start` of a contour through all contours reached from it. Contours without a place for
+    // rerouting are appended to `left`, each after its parent.
     Points run(std::uint32_t root, std::size_t start, std::deque<std::pair<std::uint32_t, std::uint32_t>>& left) {
         Points path;
         seen_[root] = 1;
@@ -50,7 +50,7 @@ class Traversal {
     std::size_t rerouted = 0;
 
   private:
-    // A contour that is being traversed.
+    // A contour during its traversal.
     struct Visit {
         std::uint32_t node;
         std::size_t start, count, done; // points
@@ -93,7 +93,7 @@ class Traversal {
         return surface::kNone;
     }
 
-    // Round the child from the point nearest to `from` to the one nearest to `to`, the long way.
+    // The traversal of the child from the point nearest to `from` to the one nearest to `to`, by the long way.
     [[nodiscard]] Visit enter(std::uint32_t child, const Vec3& from, const Vec3& to, bool forwards) const {
         const std::size_t n = nodes_[child].points().size();
         const std::size_t a = nodes_[child].cloud.nearest(from).index, b = nodes_[child].cloud.nearest(to).index;
@@ -117,7 +117,7 @@ Plan geo_fiso(const surface::Sheet& sheet, const Options& o) {
     Traversal traversal(all, o);
     std::size_t lost = 0;
     for (const std::uint32_t root : all.roots) {
-        std::deque<std::pair<std::uint32_t, std::uint32_t>> left; // contours, and their parents
+        std::deque<std::pair<std::uint32_t, std::uint32_t>> left; // contours and their parents
         strokes.lay(traversal.run(root, 0, left), plan);
         for (; !left.empty(); left.pop_front(), ++lost) {
             const auto [child, parent] = left.front();

@@ -30,8 +30,8 @@ surfpath::plan::Plan run(const surface::Sheet& sheet, const Options& o) {
         return geo_spiral(sheet, o);
     case Algorithm::field:
     case Algorithm::hybrid:
-        throw Error(Exit::usage, "cannot lay " + std::string(surfpath::name(o.algorithm)) +
-                                     " as Kipping et al. 2022 did; leave out --method");
+        throw Error(Exit::usage, "--method kipping2022 has no algorithm " + std::string(surfpath::name(o.algorithm)) +
+                                     "; leave out --method");
     }
     throw std::logic_error("no such algorithm");
 }
@@ -45,20 +45,20 @@ Options settled(Options o) {
     if (!(o.reach > 0)) o.reach = 1.2 * o.spacing;
     if (o.run <= 0) o.run = static_cast<std::int64_t>(std::ceil(o.spacing / o.resample - 1e-9));
     if (o.resample < o.spacing / 1000)
-        throw Error(Exit::usage, "cannot step along paths by less than a thousandth of the spacing; raise --resample");
-    if (o.window % 2 == 0) throw Error(Exit::usage, "cannot smooth with an even --savgol-window; give an odd one");
+        throw Error(Exit::usage, "--resample must be at least a thousandth of the spacing");
+    if (o.window % 2 == 0) throw Error(Exit::usage, "--savgol-window must be odd");
     if (o.window > 1 && o.degree >= o.window)
-        throw Error(Exit::usage, "cannot smooth with a --savgol-degree that is not below --savgol-window");
+        throw Error(Exit::usage, "--savgol-degree must be less than --savgol-window");
     return o;
 }
 
 surfpath::plan::Plan plan(const surface::Sheet& sheet, const Options& options) {
     const Options o = settled(options);
     if (o.plane && !(norm(o.plane->normal) > 0))
-        throw Error(Exit::usage, "cannot use a --plane whose normal has no length; give NX,NY,NZ,D");
+        throw Error(Exit::usage, "the normal of --plane must not be (0, 0, 0); give NX,NY,NZ,D");
     surfpath::plan::Plan out = run(sheet, o);
     if (out.strokes.empty())
-        throw Error(Exit::usage, "cannot lay a path: every line is shorter than a step of it; lower --resample");
+        throw Error(Exit::usage, "there is no path: every line is shorter than a step of it; lower --resample");
     const Facts given = {{"", "resample", o.resample, "mm"},
                          {"", "savgol-window", static_cast<double>(o.window), "points"},
                          {"", "savgol-degree", static_cast<double>(o.degree), ""}};

@@ -1,20 +1,20 @@
 // The six algorithms of J. Kipping, Z. Kallai, T. Schueppstuhl, "A Set of Novel Procedures for Carbon Fiber
-// Reinforcement on Complex Curved Surfaces Using Multi Axis Additive Manufacturing", Appl. Sci. 12, 5819, 2022, section
-// 3, as they stand there; kept to be compared against.  Nothing is repaired: the first row lies one spacing from the
-// seed curve on both its sides, rows are joined wherever their ends are, rings leave voids at maxima of the distance,
-// and smoothing leaves the surface.
+// Reinforcement on Complex Curved Surfaces Using Multi Axis Additive Manufacturing", Appl. Sci. 12, 5819, 2022,
+// section 3, exactly as described there, for comparison. Nothing is improved: the first row is one spacing from the
+// seed curve on both sides, rows are joined wherever their ends are, rings leave voids at maxima of the distance, and
+// smoothing leaves the surface.
 //
-// The text leaves room; each reading taken here:
+// Where the text leaves room, these readings are used:
 //  - phi is the sheet's field "distance", linear in triangles; the authors' own is that of `geodesic --method heat
 //    --paper`.  Levels are i d, i = 1, 2, ...; gamma itself is not laid.
 //  - "the path is resampled to obtain an even point distribution and smoothed by a Savitzky-Golay filter": every stroke
-//    by itself (what lies between travels), all coordinates, its ends by the polynomials of the first and last window,
+//    by itself (the part between travels), all coordinates, the ends by the polynomials of the first and last window,
 //    as scipy's default does.  r_resample, window and degree are not given: options.
-//    By default d / 4, 5 and 2: of windows 5 to 11 and degrees 2 and 3 what brings the curvatures of samples like the
-//    authors' nearest to those of their Table 1.
+//    By default d / 4, 5 and 2: of windows 5 to 11 and degrees 2 and 3 the choice for which the curvatures of samples
+//    like the authors' are nearest to those of their Table 1.
 //  - "offsetting the respective boundary point by the travel height along the normal": surfpath::plan::spans does that.
 //  - what is dropped or not reached is noted with its length or area.
-// More stand at the head of rows.hpp, ortheo.hpp, rings.hpp and spiral.hpp.
+// Further readings are in rows.hpp, ortheo.hpp, rings.hpp and spiral.hpp.
 #pragma once
 
 #include "baselines/kipping2022/options.hpp"
@@ -23,9 +23,9 @@
 
 namespace filum::baselines::kipping2022 {
 
-// Strokes on the surface, resampled and smoothed: their points may lie off it, their triangles are the nearest ones.
-// Throws Error(usage) for options that cannot be followed, or where no level lies on the surface; Error(bad_input) if
-// the sheet lacks what the algorithm needs.
+// Strokes on the surface, resampled and smoothed: their points may be off it; their triangles are the nearest ones.
+// Throws Error(usage) for options that cannot be followed, or if no level is on the surface; Error(bad_input) if the
+// sheet lacks what the algorithm needs.
 surfpath::plan::Plan plan(const surface::Sheet& sheet, const Options& options);
 
 } // namespace filum::baselines::kipping2022

@@ -6,7 +6,7 @@ namespace filum::baselines::kipping2022 {
 
 namespace {
 
-// All vertices that one comes to from `from` without going below the level; none if one of them was seen.
+// All vertices connected to `from` above the level; none if one of them was seen before.
 std::vector<std::uint32_t> above(const Surface& s, std::span<const double> values, double level, std::uint32_t from,
                                  std::vector<char>& seen) {
     std::vector<std::uint32_t> out;
@@ -25,7 +25,7 @@ std::vector<std::uint32_t> above(const Surface& s, std::span<const double> value
     return out;
 }
 
-// The point farthest from the middle, then always the nearest one left.
+// Starts with the point farthest from the centre; next is always the nearest remaining one.
 Points ordered(Points points) {
     if (points.empty()) return points;
     Vec3 middle;

@@ -15,23 +15,23 @@ namespace {
 
 using surfpath::plan::Plan;
 
-constexpr double kFarthest = 2; // d_iso: to the next isocontour
-constexpr double kNoise = 0.01; // of d: of what still does not exceed it
+constexpr double kFarthest = 2; // d_iso: largest step to the next isocontour
+constexpr double kNoise = 0.01; // d: tolerance of spacings
 
-// The isocontours of one level, to find the closest points on.
+// The isocontours of one level, with a search for the closest points on them.
 class Level {
   public:
     Level(const std::vector<Contour>& pieces, double step) : cloud_(all(pieces, step)), step_(step) {}
 
-    struct Found {
+    struct ClosestPoint {
         Vec3 point;
         double distance = std::numeric_limits<double>::infinity();
     };
-    [[nodiscard]] Found closest(const Vec3& p, double reach) const {
+    [[nodiscard]] ClosestPoint closest(const Vec3& p, double reach) const {
         const auto near = cloud_.nearest(p, reach);
         if (near.index == surface::kNone) return {};
         const auto& points = cloud_.points();
-        Found out{points[near.index], near.distance};
+        ClosestPoint out{points[near.index], near.distance};
         for (const std::uint32_t to : {before_[near.index], after_[near.index]}) {
             const Vec3 way = points[to] - points[near.index];
             const double l2 = dot(way, way), f = l2 > 0 ? dot(p - points[near.index], way) / l2 : 0;
@@ -46,7 +46,7 @@ class Level {
     }
     void mark(const Vec3& p) { lines_.push_back(p); }
 
-    // What lies farther than `reach` from every line that comes here.
+    // A note if parts of the level are farther than `reach` from every line that ends here.
     [[nodiscard]] std::optional<Note> bare(double reach) {
         const geom::PointTree lines(std::move(lines_));
         const auto far = [&](const Vec3& p) { return lines.nearest(p, reach).index == surface::kNone; };
@@ -78,10 +78,10 @@ class Level {
     Points lines_;
 };
 
-// The lines that grow from one seed line, beside each other.
-class Strands {
+// The lines that grow from one seed line, side by side.
+class LineFamily {
   public:
-    Strands(const SeedLine& seed, const Options& o) : closed_(seed.closed), o_(o) {
+    LineFamily(const SeedLine& seed, const Options& o) : closed_(seed.closed), o_(o) {
         const double l = length(seed.points, seed.closed);
         const auto n = static_cast<std::size_t>(std::ceil(l / o.spacing - 1e-9));
         double before = 0;
@@ -99,7 +99,7 @@ class Strands {
         }
     }
 
-    // Up to the next isocontour; new lines begin there if it is not the last.
+    // Extends the lines to the next isocontour; new lines start there if it is not the last.
     void grow(Level& level, bool last) {
         std::vector<std::uint32_t> left;
         for (const std::uint32_t j : row_) {
@@ -146,10 +146,10 @@ class Strands {
 
     bool closed_;
     const Options& o_;
-    std::vector<std::uint32_t> row_; // that still grow, in the order of the seed line
+    std::vector<std::uint32_t> row_; // growing lines, in the order of the seed line
 };
 
-// phi on either side of the sources' plane where that parts the surface, else phi.
+// phi on either side of the sources' plane if that separates the surface, otherwise phi.
 std::vector<std::vector<double>> halves(const surface::Sheet& sheet, const std::vector<double>& phi, const Options& o) {
     const auto plane = o.plane ? o.plane : plane_of(sheet.surface, sheet.sources);
     auto one = plane ? signed_distances(sheet.surface, phi, *plane, o.spacing) : std::nullopt;
@@ -175,14 +175,14 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
         const auto lines = contours(sheet.surface, values, o.iso, o.resample, plan.notes);
         if (lines.empty()) continue;
         levels += lines.size();
-        std::vector<Strands> all;
+        std::vector<LineFamily> all;
         for (const SeedLine& seed : seeds) all.emplace_back(seed, o);
         for (const auto& pieces : lines) {
             Level level(pieces, o.resample);
-            for (Strands& strands : all) strands.grow(level, &pieces == &lines.back());
+            for (LineFamily& strands : all) strands.grow(level, &pieces == &lines.back());
             if (const auto note = level.bare(o.spacing)) plan.notes.push_back(*note);
         }
-        for (const Strands& strands : all) {
+        for (const LineFamily& strands : all) {
             inserted += strands.inserted;
             ended += strands.ended;
             for (const Points& line : strands.lines)
@@ -190,7 +190,7 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
         }
     }
     if (levels == 0)
-        throw Error(Exit::usage, "cannot grow lines: no place is a step away from the seed curve; lower --d-iso");
+        throw Error(Exit::usage, "there is no line: no place is a step away from the seed curve; lower --d-iso");
     plan.facts = {{"", "levels", static_cast<double>(levels), ""},
                   {"", "insertions", static_cast<double>(inserted), "lines"},
                   {"", "endings", static_cast<double>(ended), "lines"},

@@ -8,7 +8,7 @@ namespace filum::baselines::kipping2022 {
 
 namespace {
 
-// Row k: what the values in a window weigh in the polynomial's value at its k-th point.
+// Row k: the weights of the values in a window in the polynomial's value at its k-th point.
 Eigen::MatrixXd weights(std::size_t window, std::size_t degree) {
     const auto w = static_cast<Eigen::Index>(window), n = static_cast<Eigen::Index>(degree) + 1;
     const double half = static_cast<double>(window - 1) / 2;
@@ -65,7 +65,7 @@ void Strokes::lay(std::span<const Vec3> points, surfpath::plan::Plan& to) const 
         return;
     }
     const Points even = resampled(points, false, o_.resample);
-    surfpath::plan::Piece piece;
+    surfpath::plan::Section piece;
     for (const Vec3& p : smoothed(even, static_cast<std::size_t>(o_.window), static_cast<std::size_t>(o_.degree)))
         piece.line.places.push_back({locator_.nearest(p).triangle, p});
     to.strokes.push_back({{std::move(piece)}});

@@ -21,15 +21,15 @@ Plane seed_plane(const surface::Sheet& sheet, const Options& o) {
     if (o.plane) return *o.plane;
     const auto found = plane_of(sheet.surface, sheet.sources);
     if (!found)
-        throw Error(Exit::usage, "cannot tell the two sides of the seed curve: the sources do not lie in a plane; "
+        throw Error(Exit::usage, "the sides of the seed curve are undefined: the sources are not in a plane; "
                                  "give --plane NX,NY,NZ,D");
     return *found;
 }
 
-// The direction in which the plane's cut through the surface extends most.
+// The direction of greatest extent of the section of the surface with the plane.
 Vec3 direction(const Surface& s, const Plane& plane) {
     const auto cut = surface::section(s, plane);
-    if (cut.empty()) throw Error(Exit::usage, "cannot lay rows beside the --plane: it does not meet the surface");
+    if (cut.empty()) throw Error(Exit::usage, "--plane does not meet the surface");
     const auto farthest = [&](const Vec3& from) {
         Vec3 best = from;
         for (const auto& segment : cut)
@@ -41,7 +41,7 @@ Vec3 direction(const Surface& s, const Plane& plane) {
     return geom::unit(way, {1, 0, 0});
 }
 
-// The pieces of a level in the order of `axis`, each running along it.
+// Sorts the pieces of a level along `axis` and directs each along it.
 void arrange(std::vector<Contour>& level, const Vec3& axis) {
     for (Contour& c : level)
         if (!c.closed && dot(c.points.back() - c.points.front(), axis) < 0)
@@ -51,7 +51,7 @@ void arrange(std::vector<Contour>& level, const Vec3& axis) {
                      [&](const Contour& a, const Contour& b) { return middle(a) < middle(b); });
 }
 
-// A closed piece as an open one, from and to its point nearest to `from`.
+// Opens a closed piece at its point nearest to `from`.
 void open(Contour& c, const Vec3& from) {
     if (!c.closed) return;
     const auto nearest = std::min_element(c.points.begin(), c.points.end(), [&](const Vec3& a, const Vec3& b) {
@@ -61,7 +61,7 @@ void open(Contour& c, const Vec3& from) {
     c.points.push_back(c.points.front());
 }
 
-// The rows of a half, back and forth from the seed curve outwards; what is laid without a travel, together.
+// The rows of a half, back and forth from the seed curve outwards; rows without a travel in between are one line.
 std::vector<Points> half(std::vector<std::vector<Contour>> levels, const Vec3& axis) {
     std::vector<Points> out;
     bool back = false;
@@ -98,7 +98,7 @@ Plan rows(const Surface& s, std::vector<double> values, const Plane& plane, cons
     for (double& v : values) v = -v;
     std::vector<Points> other = lay();
     if (one.empty() && other.empty())
-        throw Error(Exit::usage, "cannot lay a row: no place is a spacing away from the plane; lower --spacing");
+        throw Error(Exit::usage, "there is no row: no place is a spacing away from the plane; lower --spacing");
     std::reverse(one.begin(), one.end());
     for (Points& p : one) std::reverse(p.begin(), p.end());
     if (!one.empty() && !other.empty()) {
@@ -119,8 +119,9 @@ Plan fina(const surface::Sheet& sheet, const Options& o) {
     const Plane plane = seed_plane(sheet, o);
     const auto values = signed_distances(sheet.surface, phi, plane, o.spacing);
     if (!values)
-        throw Error(Exit::usage, "cannot tell the sides of the seed curve by its plane: it meets the surface where the "
-                                 "distance is not 0 as well; give a --plane that does not");
+        throw Error(Exit::usage,
+                    "the plane does not separate the sides of the seed curve: it meets the surface where the "
+                    "distance is not 0; give another --plane");
     return rows(sheet.surface, *values, plane, o);
 }
 

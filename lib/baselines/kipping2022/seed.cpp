@@ -8,8 +8,8 @@ namespace filum::baselines::kipping2022 {
 
 namespace {
 
-constexpr double kFlat = 1e-5;  // of the sources' extent: off a plane or a line
-constexpr double kJoint = 1e-6; // mm: between ends of segments that meet
+constexpr double kFlat = 1e-5;  // extents of the sources: tolerance of planes and lines
+constexpr double kJoint = 1e-6; // mm between ends of segments that meet
 
 Points ends(const surface::Sources& sources) {
     Points out;
@@ -20,17 +20,17 @@ Points ends(const surface::Sources& sources) {
     return out;
 }
 
-// Ends of segments by place, to find what meets them.
-class Ends {
+// The ends of segments sorted by place.
+class SegmentEnds {
   public:
-    explicit Ends(const Points& points) : points_(points), order_(points.size()) {
+    explicit SegmentEnds(const Points& points) : points_(points), order_(points.size()) {
         for (std::uint32_t i = 0; i < order_.size(); ++i) order_[i] = i;
         std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
             return points[a].x != points[b].x ? points[a].x < points[b].x : a < b;
         });
     }
 
-    // The least other end that lies at `end` and is of a segment not yet taken; kNone if there is none.
+    // The lowest other end at the place of `end` that belongs to an unused segment; kNone if there is none.
     [[nodiscard]] std::uint32_t meets(std::uint32_t end, const std::vector<char>& taken) const {
         const Vec3& p = points_[end];
         auto i = std::lower_bound(order_.begin(), order_.end(), p.x - kJoint,
@@ -62,7 +62,7 @@ std::optional<surface::Plane> plane_of(const Surface& s, const surface::Sources&
     const Vec3 axis = 1 / extent * (other - one);
     const auto aside = [&](const Vec3& p) { return norm(cross(axis, p - one)); };
     const Vec3 third = farthest(aside);
-    Vec3 within = third - one; // of the plane, beside the axis
+    Vec3 within = third - one; // in the plane, beside the axis
     if (aside(third) <= kFlat * extent) {
         within = {};
         for (const auto& segment : sources.segments)
@@ -90,13 +90,13 @@ std::optional<std::vector<double>> signed_distances(const Surface& s, std::span<
 
 std::vector<SeedLine> seed_lines(const surface::Sources& sources) {
     const Points points = ends(sources);
-    const Ends all(points);
+    const SegmentEnds all(points);
     std::vector<char> taken(sources.segments.size(), 0);
     std::vector<SeedLine> out;
     for (std::uint32_t i = 0; i < taken.size(); ++i) {
         if (taken[i] != 0) continue;
         taken[i] = 1;
-        std::array<Points, 2> ways; // from the segment's first end, from its second one
+        std::array<Points, 2> ways; // from the segment's first end, and from its second one
         for (const std::uint32_t side : {0U, 1U}) {
             ways[side].push_back(points[2 * i + side]);
             std::uint32_t end = 2 * i + side;

@@ -8,16 +8,16 @@
 
 namespace filum::baselines::kipping2022 {
 
-// The plane that all sources lie in; of a straight line, the one that stands upright on the surface there.  None if
-// they lie in none, or in a point.
+// The plane of all sources; for a straight line the one perpendicular to the surface there. None if they are not
+// coplanar, or in one point.
 std::optional<surface::Plane> plane_of(const Surface& s, const surface::Sources& sources);
 
-// The distances with the sign of the side of the plane.  None if the plane meets the surface where they are beyond
-// what `spacing` and the size of the triangles account for: it does not follow the seed curve there.
+// The distances with the sign of the plane's side. None if the plane meets the surface at distances greater than
+// `spacing` and the size of triangles account for, as it then does not follow the seed curve.
 std::optional<std::vector<double>> signed_distances(const Surface& s, std::span<const double> phi,
                                                     const surface::Plane& plane, double spacing);
 
-// The sources' segments as polylines: each begins at the first segment that is not in one yet.
+// The sources' segments as polylines; each starts at the first unused segment.
 struct SeedLine {
     bool closed = false;
     Points points;

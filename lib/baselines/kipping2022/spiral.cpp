@@ -12,14 +12,14 @@ namespace {
 
 using surfpath::plan::Plan;
 
-// One seed point: a vertex, or a segment without length.
+// The seed point: a vertex, or a segment without length.
 Vec3 seed(const surface::Sheet& sheet) {
     const auto& [vertices, segments] = sheet.sources;
     if (vertices.size() + segments.size() == 1) {
         if (!vertices.empty()) return sheet.surface.vertices[vertices[0]];
         if (segments[0].a == segments[0].b) return segments[0].a;
     }
-    throw Error(Exit::usage, "cannot wind a spiral without one seed point; run geodesic --source point:X,Y,Z first");
+    throw Error(Exit::usage, "a spiral needs exactly one seed point; run geodesic --source point:X,Y,Z first");
 }
 
 geom::PointTree rim_vertices(const Surface& s) {
@@ -48,7 +48,7 @@ class Spiral {
     Points path;
 
   private:
-    // Begins the closed contour at its start, and leaves out the points before that.
+    // Starts the closed contour at its start, without the points before that.
     void open(Points& points) {
         std::size_t start = 0;
         double least = std::numeric_limits<double>::infinity();
@@ -66,7 +66,7 @@ class Spiral {
         points.resize(points.size() - std::min(static_cast<std::size_t>(o_.run), points.size() / 2));
     }
 
-    // Remembers which way an open contour went: isolines of one field all run the same way beside each other.
+    // Records the direction of an open contour: isolines of one field side by side have the same direction.
     void follow(const Contour& c, const Points& points) {
         opened_ = true;
         forwards_ = distance(points.front(), c.points.front()) > distance(points.front(), c.points.back());
@@ -75,7 +75,7 @@ class Spiral {
     geom::PointTree rims_;
     const Options& o_;
     Vec3 place_, begin_;
-    bool opened_ = false, forwards_ = true; // of open contours: the next one
+    bool opened_ = false, forwards_ = true; // of open contours: direction of the next one
 };
 
 } // namespace
@@ -87,7 +87,7 @@ Plan geo_spiral(const surface::Sheet& sheet, const Options& o) {
     note_unreached(sheet.surface, phi, plan.notes);
     const auto levels = contours(sheet.surface, phi, o.spacing, o.resample, plan.notes);
     if (levels.empty())
-        throw Error(Exit::usage, "cannot wind a spiral: no place is a spacing away from the seed; lower --spacing");
+        throw Error(Exit::usage, "there is no spiral: no place is a spacing away from the seed; lower --spacing");
     std::size_t laid = 0;
     while (laid < levels.size() && levels[laid].size() == 1) spiral.add(levels[laid++][0]);
     for (std::size_t i = laid; i < levels.size(); ++i)

@@ -13,9 +13,9 @@ namespace filum::baselines::kipping2022 {
 
 namespace {
 
-constexpr double kOuter = 1.5; // d: how near the outermost contour is to its rim
+constexpr double kOuter = 1.5; // d: largest distance of the outermost contour from its rim
 
-// The least distance between points of both.
+// The least distance between points of the two contours.
 double gap(const Node& a, const Node& b) {
     const bool swap = a.points().size() > b.points().size();
     const Node &few = swap ? b : a, &many = swap ? a : b;
@@ -32,7 +32,7 @@ struct Edge {
     }
 };
 
-// All pairs of contours of one component and neighbouring levels.
+// All pairs of contours of one component at neighbouring levels.
 std::vector<Edge> edges(const std::vector<Node>& nodes) {
     std::vector<Edge> out;
     for (std::uint32_t a = 0; a < nodes.size(); ++a)
@@ -56,7 +56,7 @@ void span(std::vector<Node>& nodes) {
     for (Node& n : nodes) std::sort(n.neighbours.begin(), n.neighbours.end());
 }
 
-// Of every component the outermost contour; kNone where there is none.
+// The outermost contour of every component; kNone where there is none.
 std::vector<std::uint32_t> outermost(const Surface& s, const std::vector<Node>& nodes, double spacing) {
     std::vector<std::uint32_t> best(s.components, surface::kNone);
     std::vector<std::pair<bool, double>> rank(s.components, {false, -1});
@@ -100,14 +100,13 @@ std::vector<std::uint32_t> roots(const Surface& s, const std::vector<Node>& node
     return out;
 }
 
-// Rims are sources: the heat method's distances there are not quite 0, so that those of the sources' ends are not
-// asked.
+// Checks that rims are sources. Only middles of sides are tested, since distances by the heat method are not exactly 0
+// at sources.
 void check_rims(const surface::Sheet& sheet, const std::vector<double>& phi, double spacing) {
     const Surface& s = sheet.surface;
     if (s.rims.empty())
-        throw Error(Exit::bad_input,
-                    "cannot lay rings on a closed surface: it has no rim to begin at; cut it open with "
-                    "geodesic --cut");
+        throw Error(Exit::bad_input, "cannot lay rings on a closed surface: it has no rim; cut it open with "
+                                     "geodesic --cut");
     const auto less = [](const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
     Points ends;
     for (const auto& segment : sheet.sources.segments) {
@@ -121,7 +120,7 @@ void check_rims(const surface::Sheet& sheet, const std::vector<double>& phi, dou
             const std::uint32_t v = s.tail(h);
             if (phi[v] >= spacing && std::isfinite(phi[v]) &&
                 !std::binary_search(ends.begin(), ends.end(), s.vertices[v], less))
-                throw Error(Exit::usage, "cannot lay rings by a distance that is not from all rims; run geodesic "
+                throw Error(Exit::usage, "the distance is not measured from all rims; run geodesic "
                                          "--source boundary first");
         }
 }
@@ -144,7 +143,7 @@ Tree tree(const surface::Sheet& sheet, const std::vector<double>& phi, const Opt
             out.nodes.push_back({std::move(c), std::move(cloud), component});
         }
     if (out.nodes.empty())
-        throw Error(Exit::usage, "cannot lay a ring: no place is a spacing away from the rims; lower --spacing");
+        throw Error(Exit::usage, "there is no ring: no place is a spacing away from the rims; lower --spacing");
     span(out.nodes);
     out.roots = roots(s, out.nodes, o.spacing);
     return out;

@@ -1,4 +1,4 @@
-// Which contour is reached from which: minimum spanning trees of isocontours (section 3.2.1).
+// Minimum spanning trees of isocontours (section 3.2.1).
 #pragma once
 
 #include "baselines/kipping2022/contours.hpp"
@@ -11,7 +11,7 @@ namespace filum::baselines::kipping2022 {
 // A closed contour, resampled.
 struct Node {
     Contour contour;       // without its points
-    geom::PointTree cloud; // has them, in order
+    geom::PointTree cloud; // its points in order
     std::uint32_t component = 0;
     std::vector<std::uint32_t> neighbours{}; // in the spanning tree, ascending
 
@@ -19,14 +19,14 @@ struct Node {
 };
 
 struct Tree {
-    std::vector<Node> nodes;          // by level, then as isolines come
-    std::vector<std::uint32_t> roots; // of each tree: the outermost contour first, ascending by component
+    std::vector<Node> nodes;          // by level, then in the order of isolines
+    std::vector<std::uint32_t> roots; // of each tree: the outermost contour, ascending by component
 };
 
-// The isocontours at i d of the distance from the rims, and their trees.  Open ones, which there are only where the
-// field is not 0 at rims, are no nodes but noted.
-// Throws Error(bad_input) if the surface has no rim, Error(usage) if the distance is not that from all rims, or no
-// level lies on the surface.
+// The isocontours at i d of the distance from the rims, and their trees. Open ones, which exist only where the field
+// is not 0 at rims, are left out with a note.
+// Throws Error(bad_input) if the surface has no rim, Error(usage) if the distance is not that from all rims, or if no
+// level is on the surface.
 Tree tree(const surface::Sheet& sheet, const std::vector<double>& phi, const Options& settled, Notes& notes);
 
 } // namespace filum::baselines::kipping2022

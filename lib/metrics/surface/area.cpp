@@ -82,7 +82,7 @@ class Sweeper {
         double least = kFar, longest = 0;
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
             least = std::min(least, rims_->distance[surface_.tail(h)]);
-            longest = std::max(longest, rims_->ground->frame[h].length);
+            longest = std::max(longest, rims_->unfolding->frame[h].length);
         }
         return least <= strip_ + longest;
     }

@@ -20,7 +20,7 @@ class Ground {
     Ground& operator=(const Ground&) = delete;
 
     const Surface& surface;
-    filum::surface::Finer finer;
+    filum::surface::FinerSurface finer;
 
     // The place of the given surface (or of the finer one) nearest to `p`; if `axis` is not (0, 0, 0), among triangles
     // that face its way, unless those are more than two `edge` farther off: so a thin wall's skins are told apart.

@@ -44,7 +44,7 @@ std::vector<double> areas(const Surface& s) {
 // Points of one surface carried to another of the same vertices and triangles.
 class Carried {
   public:
-    Carried(const Surface& base, const filum::surface::Finer& finer) : at_(finer.surface.vertices.size()) {
+    Carried(const Surface& base, const filum::surface::FinerSurface& finer) : at_(finer.surface.vertices.size()) {
         for (std::uint32_t t = 0; t < finer.parent.size(); ++t)
             for (const std::uint32_t v : finer.surface.triangles[t]) {
                 const Place place{finer.parent[t], finer.surface.vertices[v]};

@@ -42,12 +42,12 @@ struct PlyMap {
 };
 
 struct Map {
-    filum::surface::Finer ground;  // the base in triangles with sides of at most a third of the narrowest bead
-    std::vector<double> area;      // mm2, per vertex
-    std::vector<PlyMap> plies;     // as the beds
-    std::vector<double> nominal;   // mm: the sum of heights of the plies that are to lie there
-    std::vector<double> thickness; // mm: the sum of passes times heights
-    std::vector<double> even;      // mm: likewise of amounts: as thick as if beads flowed by their width
+    filum::surface::FinerSurface ground; // the base in triangles with sides of at most a third of the narrowest bead
+    std::vector<double> area;            // mm2, per vertex
+    std::vector<PlyMap> plies;           // as the beds
+    std::vector<double> nominal;         // mm: the sum of heights of the plies that are to lie there
+    std::vector<double> thickness;       // mm: the sum of passes times heights
+    std::vector<double> even;            // mm: likewise of amounts: as thick as if beads flowed by their width
 };
 
 // The map of the fibres on `base`, whose triangles the beds' grounds have.  Same result for any `threads`.

@@ -58,7 +58,7 @@ class Distances {
 
   private:
     const Ground& ground_;
-    filum::surface::Finer fine_;
+    filum::surface::FinerSurface fine_;
     std::vector<std::uint32_t> in_;
     std::vector<double> values_;
 };

@@ -10,13 +10,14 @@ namespace filum::surface::curve {
 namespace {
 
 constexpr int kRounds = 4000;
-constexpr double kPace = 0.4;   // of the way to the middle of the neighbours; below 0.5: stable
-constexpr double kStill = 1e-4; // mm: what moves less has not moved
-constexpr double kSlack = 1.02; // of the curvature allowed
+constexpr double kPace = 0.4;   // share of the way to the middle of the neighbours per step; stable below 0.5
+constexpr double kStill = 1e-4; // mm: points that moved less count as unmoved
+constexpr double kSlack = 1.02; // factor of the allowed curvature
 
-class Flow {
+class CurvatureFlow {
   public:
-    Flow(const Surface& s, Line& line, const Ease& o) : surface_(s), line_(line), o_(o), n_(line.size()) {
+    CurvatureFlow(const Surface& s, Line& line, const EaseOptions& o)
+        : surface_(s), line_(line), o_(o), n_(line.size()) {
         start_.reserve(n_);
         for (const auto& p : line.places) start_.push_back(p.point);
         normal_.reserve(n_);
@@ -26,7 +27,7 @@ class Flow {
 
     void hold(std::size_t i) { held_[i] = 1; }
 
-    // Moves points until nothing turns too much, or nothing can move.
+    // Moves points until no turn is too tight, or no point can move.
     void run() {
         std::vector<std::size_t> active(n_), next;
         for (std::size_t i = 0; i < n_; ++i) active[i] = i;
@@ -48,7 +49,7 @@ class Flow {
 
     [[nodiscard]] double moved(std::size_t i) const { return distance(line_[i], start_[i]); }
 
-    // Turning per length at a point, 1/mm, along the surface.
+    // Geodesic curvature at a point, 1/mm.
     [[nodiscard]] double curvature(std::size_t i) const {
         if (!line_.closed && (i == 0 || i + 1 == n_)) return 0;
         const Vec3 a = line_[i] - line_[before(i)], b = line_[after(i)] - line_[i], &n = normal_[i];
@@ -61,7 +62,7 @@ class Flow {
     [[nodiscard]] std::size_t before(std::size_t i) const { return i > 0 ? i - 1 : line_.closed ? n_ - 1 : 0; }
     [[nodiscard]] std::size_t after(std::size_t i) const { return i + 1 < n_ ? i + 1 : line_.closed ? 0 : i; }
 
-    // One step of point i; false if it stays.
+    // One step of point i; false if it does not move.
     bool nudge(std::size_t i) {
         if (held_[i]) return false;
         const double k = curvature(i), most = 1 / o_.radius;
@@ -83,14 +84,15 @@ class Flow {
 
     const Surface& surface_;
     Line& line_;
-    const Ease& o_;
+    const EaseOptions& o_;
     std::size_t n_;
     std::vector<Vec3> start_, normal_;
     std::vector<char> held_;
 };
 
-// The line with the points that moved in place of what they moved from.
-Line merged(const Surface& s, const Line& line, std::span<const double> ways, const Line& points, const Flow& flow) {
+// The line with its moved parts replaced by the moved points.
+Line merged(const Surface& s, const Line& line, std::span<const double> ways, const Line& points,
+            const CurvatureFlow& flow) {
     Line out{{}, line.closed};
     const std::size_t n = points.size();
     const double all = ways.back(), unit = all / static_cast<double>(line.closed ? n : n - 1);
@@ -107,14 +109,14 @@ Line merged(const Surface& s, const Line& line, std::span<const double> ways, co
 
 } // namespace
 
-Eased ease(const Surface& s, const Line& given, const Ease& options) {
-    Ease o = options;
+EaseResult ease(const Surface& s, const Line& given, const EaseOptions& options) {
+    EaseOptions o = options;
     if (!(o.step > 0)) o.step = o.radius / 10;
-    Eased out{given, 0, 0};
+    EaseResult out{given, 0, 0};
     if (given.size() < 3) return out;
     const Line line = threaded(s, given);
     Line points = resampled(line, o.step);
-    Flow flow(s, points, o);
+    CurvatureFlow flow(s, points, o);
     const std::size_t n = points.size();
     if (!line.closed) {
         flow.hold(0);

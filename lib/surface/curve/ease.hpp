@@ -1,26 +1,26 @@
-// Lines made gentle without leaving the surface.
+// Rounds tight turns of lines on a surface.
 #pragma once
 
 #include "surface/curve/line.hpp"
 
 namespace filum::surface::curve {
 
-struct Ease {
-    double radius = 0;      // mm: of the tightest turn to leave
-    double corridor = 0;    // mm: no point moves farther than this
-    double step = 0;        // mm: of the points of what is changed; 0: a tenth of the radius
-    bool fixed_ends = true; // of an open line: its first and last `radius` mm stay
+struct EaseOptions {
+    double radius = 0;      // mm: radius of the tightest turn that may remain
+    double corridor = 0;    // mm: greatest movement of a point
+    double step = 0;        // mm between points of changed parts; 0: a tenth of the radius
+    bool fixed_ends = true; // whether the first and last `radius` mm of an open line stay
 };
 
-// The line with turns rounded that are tighter than the radius, on the surface: what turns more than that goes towards
-// its inner side until it does not, or has moved by the corridor (curve shortening, but only by the curvature in
-// excess; geodesic curvature counts, that of the surface does not).  What has not moved by 1e-4 mm stays as it was.
-// Every point lies in its triangle, and changed stretches have points wherever they cross edges.
-struct Eased {
+// Rounds the turns of the line that are tighter than the radius: points move towards the inside of the turn until its
+// curvature is low enough or they have moved by the corridor (curve shortening, driven by the excess of geodesic
+// curvature only). Parts that moved by less than 1e-4 mm stay exactly as they were. Every point is in its triangle;
+// changed parts have points where they cross edges.
+struct EaseResult {
     Line line;
-    double moved = 0;     // mm: the most that a point moved
-    double too_tight = 0; // mm: length of what still turns more than 1.05 / radius
+    double moved = 0;     // mm: greatest movement of a point
+    double too_tight = 0; // mm of line whose curvature still exceeds 1.05 / radius
 };
-Eased ease(const Surface& s, const Line& line, const Ease& options);
+EaseResult ease(const Surface& s, const Line& line, const EaseOptions& options);
 
 } // namespace filum::surface::curve

@@ -9,10 +9,10 @@ namespace filum::surface::curve {
 
 namespace {
 
-constexpr double kSame = 1e-9;     // mm
-constexpr double kNoNormal = 1e-6; // rad: of the sum of unit normals by their angles; less is none
+constexpr double kSame = 1e-9;     // mm: nearer points are equal
+constexpr double kNoNormal = 1e-6; // rad: a shorter sum of unit normals weighted by angles has no direction
 
-// `way` between 0 and the end, or round again.
+// Limits `way` to the line, or wraps it around a closed one.
 double wrapped(const Line& line, std::span<const double> ways, double way) {
     const double all = ways.back();
     if (!line.closed || !(all > 0)) return std::clamp(way, 0.0, all);
@@ -20,7 +20,7 @@ double wrapped(const Line& line, std::span<const double> ways, double way) {
     return way < 0 ? way + all : way;
 }
 
-// The stretch that holds `way`, which is wrapped.
+// The segment that contains the wrapped arc length `way`.
 std::size_t stretch(std::span<const double> ways, double way) {
     const auto after = std::upper_bound(ways.begin(), ways.end(), way);
     const auto i = static_cast<std::size_t>(after - ways.begin());
@@ -75,7 +75,7 @@ Line part(const Line& line, std::span<const double> ways, double from, double to
         const std::size_t laps = i / n;
         const double here = ways[i % n] + (line.closed ? all * static_cast<double>(laps) : 0);
         if (!(here < to - kSame) || (!line.closed && i >= n)) break;
-        // A point just behind the begin takes its place: the next stretch lies in that one's triangle.
+        // A point just behind the start replaces it: the next segment is in that point's triangle.
         if (here > from + kSame)
             out.places.push_back(line.places[i % n % line.size()]);
         else
@@ -112,7 +112,8 @@ void append(Line& line, const Line& more) {
     line.places.insert(line.places.end(), more.places.begin(), more.places.end());
 }
 
-// Where a sliver lies folded over what is beside it, normals by angles may cancel: there by areas.
+// Where slivers are folded over their neighbours, normals weighted by angles may cancel; there they are weighted by
+// area.
 static void by_area(const Surface& s, std::vector<Vec3>& normals) {
     std::vector<char> none(normals.size(), 0);
     for (std::size_t v = 0; v < normals.size(); ++v)

@@ -1,4 +1,4 @@
-// Lines on a surface: what paths on curved surfaces are made of.
+// Lines on a surface: the parts of paths on curved surfaces.
 #pragma once
 
 #include "surface/sheet.hpp"
@@ -12,15 +12,16 @@ using geom::Vec3;
 using surface::kNone;
 using surface::Surface;
 
-// A point of a surface and a triangle in which it lies, borders included.
+// A point of a surface with a triangle that contains it, borders included.
 struct Place {
     std::uint32_t triangle = 0;
     Vec3 point; // mm
 };
 
-// A polyline whose points lie on the surface.  It is threaded if every stretch lies in the triangle of its first place,
-// so that there are places wherever it crosses edges; else stretches leave the surface by the sag of their chord.  All
-// here keep lines threaded that are, but for resampled().  A closed line runs on from its last point to its first.
+// A polyline with its points on the surface. It is threaded if every segment lies in the triangle of its first place,
+// that is, if it has places wherever it crosses edges; segments of other lines leave the surface by the sag of their
+// chords. All functions here keep threaded lines threaded, except resampled(). A closed line continues from its last
+// point to its first.
 struct Line {
     std::vector<Place> places;
     bool closed = false;
@@ -31,31 +32,31 @@ struct Line {
 
 Line line(const surface::Isoline& isoline);
 
-double length(const Line& line); // mm, its closing stretch included
+double length(const Line& line); // mm, including the closing segment
 
-// Per point the way to it from the first, mm; one more for the end of a closed line, which is its length.
+// Arc length of every point from the first, mm, and for a closed line one more, its length.
 std::vector<double> arc_lengths(const Line& line);
 
-// The place `way` mm along the threaded line (as by ways).  Ways beyond the ends: the ends; of a closed line: round
-// again.
+// The place at arc length `way` of the threaded line; `ways` are its arc lengths. Arc lengths beyond the ends give the
+// ends; on a closed line they wrap around.
 Place at(const Line& line, std::span<const double> ways, double way);
 
-// The stretch of the line from `from` to `to` mm along it, open, with all points between; of a closed line `to` may be
-// less than `from`, or up to its length beyond: it runs on over the first point.
+// The part of the line between arc lengths `from` and `to`, open, with all points in between. On a closed line `to`
+// may be less than `from`, or exceed it by up to the length: the part then contains the first point.
 Line part(const Line& line, std::span<const double> ways, double from, double to);
 
-// Places of the threaded line in equal distances along it, as near to `step` mm as may be; ends stay.
+// Places of the threaded line at equal distances, as near to `step` mm as possible; ends stay.
 Line resampled(const Line& line, double step);
 
 void reverse(Line& line);
 
-// Appends the open line `more`, which begins where `line` ends: within 1e-9 mm the last point of `line` is left out.
+// Appends the open line `more`, which begins where `line` ends; within 1e-9 mm the last point of `line` is left out.
 void append(Line& line, const Line& more);
 
-// Per vertex the mean normal of its triangles, weighted by their angles there; unit.
+// Per vertex the mean normal of its triangles weighted by their angles there; unit.
 std::vector<Vec3> vertex_normals(const Surface& s);
 
-// The normal at a place, unit: those of the corners, interpolated.
+// The unit normal at a place, interpolated from the corners' normals.
 Vec3 normal_at(const Surface& s, std::span<const Vec3> vertex_normals, const Place& place);
 
 } // namespace filum::surface::curve

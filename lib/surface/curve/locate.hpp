@@ -1,4 +1,4 @@
-// The nearest places of a surface, of many points.
+// Finds the places of a surface nearest to many points.
 #pragma once
 
 #include "geom/bvh.hpp"
@@ -8,16 +8,16 @@
 
 namespace filum::surface::curve {
 
-// Finds triangles of a surface, which must outlive it.
+// A search tree over the triangles of a surface, which must outlive it.
 class Locator {
   public:
     explicit Locator(const Surface& surface);
 
-    // The nearest place; of equally near ones that of the first triangle.
+    // The nearest place; ties: the first triangle.
     [[nodiscard]] Place nearest(const Vec3& p) const { return search(p, nullptr, kFar); }
 
-    // The nearest place on a triangle that faces as `normal` does (less than 90 degrees between them): so a point of a
-    // thin wall is not taken for one of its other skin.  A place with triangle kNone if there is none within `most` mm.
+    // The nearest place on a triangle that faces as `normal` does (less than 90 degrees apart), so that a point of a
+    // thin wall is not assigned to the opposite skin. Triangle kNone if there is none within `most` mm.
     [[nodiscard]] Place nearest(const Vec3& p, const Vec3& normal, double most = kFar) const {
         return search(p, &normal, most);
     }

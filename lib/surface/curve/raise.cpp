@@ -12,14 +12,14 @@ namespace filum::surface::curve {
 
 namespace {
 
-constexpr int kSteps = 20;             // towards the level, at most
-constexpr int kSpreads = 30;           // rounds of spreading folds, at most
-constexpr double kOnLevel = 1e-6;      // of the distance: as near as steps go
-constexpr double kOffLevel = 0.01;     // of the greatest distance: more is told
-constexpr std::size_t kVertices = 512; // of a piece of work
+constexpr int kSteps = 20;             // most steps towards the level
+constexpr int kSpreads = 30;           // most rounds that spread folds
+constexpr double kOnLevel = 1e-6;      // relative accuracy of a vertex's distance
+constexpr double kOffLevel = 0.01;     // greatest distances: larger errors are reported
+constexpr std::size_t kVertices = 512; // vertices per task
 
-// A surface, and how far off it a point above each of its places is to be.
-struct Levels {
+// A surface and the intended distance above each of its vertices.
+struct RaiseTarget {
     const Surface& surface;
     std::span<const double> distance; // mm, per vertex
     Locator near;
@@ -31,12 +31,13 @@ struct Levels {
     }
 };
 
-// `p` moved away from, or towards, the nearest place until that is as far off as asked, on the side that it faces.
-Vec3 on_level(const Levels& levels, Vec3 p) {
+// Moves `p` along the line to its nearest place until that is at the intended distance, on the side that the surface
+// faces.
+Vec3 on_level(const RaiseTarget& target, Vec3 p) {
     for (int step = 0; step < kSteps; ++step) {
-        const Place foot = levels.near.nearest(p);
-        const double asked = levels.at(foot);
-        const Vec3 off = p - foot.point, up = surface::normal(levels.surface, foot.triangle);
+        const Place foot = target.near.nearest(p);
+        const double asked = target.at(foot);
+        const Vec3 off = p - foot.point, up = surface::normal(target.surface, foot.triangle);
         const bool above = dot(off, up) > 0;
         const double d = above ? norm(off) : -norm(off);
         if (std::abs(d - asked) <= kOnLevel * asked) break;
@@ -57,9 +58,9 @@ std::vector<char> folds(const Surface& s, const std::vector<Vec3>& at) {
     return out;
 }
 
-// Every inner corner of a fold and of its neighbours to the middle of those around it.
-bool spread(const Levels& levels, std::vector<Vec3>& at) {
-    const Surface& s = levels.surface;
+// Moves every inner corner of a fold, and of its neighbours, to the mean of the vertices around it.
+bool spread(const RaiseTarget& target, std::vector<Vec3>& at) {
+    const Surface& s = target.surface;
     const auto folded = folds(s, at);
     std::vector<char> moves(s.vertices.size(), 0);
     for (int ring = 0; ring < 2; ++ring) {
@@ -81,18 +82,18 @@ bool spread(const Levels& levels, std::vector<Vec3>& at) {
             sum = sum + old[s.head(h)];
             ++n;
         });
-        at[v] = on_level(levels, 1 / n * sum);
+        at[v] = on_level(target, 1 / n * sum);
     }
     return true;
 }
 
-void judge(const Levels& levels, const std::vector<Vec3>& at, Raised& out) {
-    const Surface& s = levels.surface;
-    const double most = *std::max_element(levels.distance.begin(), levels.distance.end());
+void judge(const RaiseTarget& target, const std::vector<Vec3>& at, RaisedSurface& out) {
+    const Surface& s = target.surface;
+    const double most = *std::max_element(target.distance.begin(), target.distance.end());
     std::vector<char> close(s.vertices.size(), 0);
     for (std::size_t v = 0; v < at.size(); ++v) {
-        const Place foot = levels.near.nearest(at[v]);
-        const double off = levels.at(foot) - geom::distance(at[v], foot.point);
+        const Place foot = target.near.nearest(at[v]);
+        const double off = target.at(foot) - geom::distance(at[v], foot.point);
         out.worst = std::max(out.worst, std::abs(off));
         close[v] = off > kOffLevel * most ? 1 : 0;
     }
@@ -112,23 +113,23 @@ void judge(const Levels& levels, const std::vector<Vec3>& at, Raised& out) {
 
 } // namespace
 
-Raised raised(const Surface& s, std::span<const double> distance) {
-    Raised out{s, 0, 0, 0, {}, {}};
+RaisedSurface raised(const Surface& s, std::span<const double> distance) {
+    RaisedSurface out{s, 0, 0, 0, {}, {}};
     if (std::none_of(distance.begin(), distance.end(), [](double d) { return d > 0; })) return out;
     const auto ways = vertex_normals(s);
-    const Levels levels{s, distance, Locator(s)};
+    const RaiseTarget target{s, distance, Locator(s)};
     std::vector<Vec3> at(s.vertices.size());
     parallel::for_chunks(at.size(), kVertices, 0, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v) at[v] = on_level(levels, s.vertices[v] + distance[v] * ways[v]);
+        for (std::size_t v = begin; v < end; ++v) at[v] = on_level(target, s.vertices[v] + distance[v] * ways[v]);
     });
-    for (int round = 0; round < kSpreads && spread(levels, at); ++round) {
+    for (int round = 0; round < kSpreads && spread(target, at); ++round) {
     }
-    judge(levels, at, out);
+    judge(target, at, out);
     out.surface.vertices = std::move(at);
     return out;
 }
 
-Raised raised(const Surface& s, double distance) {
+RaisedSurface raised(const Surface& s, double distance) {
     const std::vector<double> all(s.vertices.size(), distance);
     return raised(s, all);
 }

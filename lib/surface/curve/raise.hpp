@@ -1,29 +1,29 @@
-// The surface at a distance from another: what a ply lies on.
+// Offset surfaces, on which plies lie.
 #pragma once
 
 #include "surface/curve/line.hpp"
 
 namespace filum::surface::curve {
 
-struct Raised {
-    Surface surface;    // the same triangles, vertices moved
-    double worst = 0;   // mm: the most that a vertex is off the asked distance
-    double folded = 0;  // mm2, of the given surface: triangles that face the other way now
-    double blocked = 0; // mm2, likewise: triangles with a corner that is nearer than asked to some other part
+struct RaisedSurface {
+    Surface surface;    // the same triangles with moved vertices
+    double worst = 0;   // mm: greatest error of a vertex's distance
+    double folded = 0;  // mm2 of the given surface: triangles that now face the other way
+    double blocked = 0; // mm2 of the given surface: triangles with a corner too near to another part
     Vec3 folded_at{}, blocked_at{};
 };
 
-// The surface whose points are `distance` mm from the given one, on the side that it faces: not along old normals only,
-// but every vertex on the level of the true distance, so that it keeps off the other side of a groove, too.  Where a
-// groove is narrower than its plies, triangles fold; they are spread along the level until they do not, or told.
-// Across sharp edges it is as round as triangles are small.
-Raised raised(const Surface& s, double distance);
+// The offset surface at `distance` mm on the side that the surface faces. Every vertex moves to the true distance from
+// the whole surface, rather than along its normal, so it also keeps the distance from the other side of a groove.
+// Where a groove is narrower than its plies, triangles fold; folds are spread along the level until they vanish, or
+// reported. Beyond sharp edges the offset is as round as the size of triangles allows.
+RaisedSurface raised(const Surface& s, double distance);
 
-// Likewise, each place as far as `distance` has it, mm per vertex, 0 or more.  What slopes steeply lies nearer than
-// that.
-Raised raised(const Surface& s, std::span<const double> distance);
+// The same with a distance per vertex, mm, at least 0. Where it changes steeply, the result is nearer to the surface
+// than it says.
+RaisedSurface raised(const Surface& s, std::span<const double> distance);
 
-// The same surface, seen from its back: triangles and half-edges turned round, in the same order.
+// The same surface seen from its back: triangles and half-edges reversed, in the same order.
 Surface turned_over(const Surface& s);
 
 } // namespace filum::surface::curve

@@ -9,13 +9,13 @@ namespace filum::surface::curve {
 namespace {
 
 constexpr int kMostRounds = 100;            // of shortening
-constexpr double kAtRest = 1e-9;            // of the reach: what moves by less has come to rest
+constexpr double kAtRest = 1e-9;            // reaches: shortening ends when no place moves farther
 constexpr std::size_t kMostTriangles = 1e5; // triangles
 
-// The half-edges that are crossed, in the order of the way.
+// The half-edges that are crossed from a to b, in order.
 std::vector<std::uint32_t> strip(const Surface& s, const Place& a, const Place& b, double reach) {
     std::map<std::uint32_t, std::uint32_t> entry{
-        {a.triangle, kNone}}; // per triangle, the half-edge out of the one before
+        {a.triangle, kNone}}; // per triangle the half-edge by which it is entered
     std::vector<std::uint32_t> front{a.triangle};
     for (std::size_t i = 0; i < front.size() && entry.count(b.triangle) == 0 && i < kMostTriangles; ++i)
         for (std::uint32_t h = 3 * front[i]; h < 3 * front[i] + 3; ++h) {
@@ -32,7 +32,7 @@ std::vector<std::uint32_t> strip(const Surface& s, const Place& a, const Place& 
     return out;
 }
 
-// The place on a half-edge on the way from one point to another if both triangles beside it were one plane.
+// Where the straight way between two points crosses a half-edge if its two triangles are unfolded into a plane.
 Vec3 crossing(const Surface& s, std::uint32_t h, const Vec3& from, const Vec3& to) {
     const Vec3 &p = s.vertices[s.tail(h)], d = s.vertices[s.head(h)] - p;
     const double l = norm(d);

@@ -11,17 +11,17 @@ namespace filum::surface::curve {
 namespace {
 
 constexpr double far = std::numeric_limits<double>::infinity();
-constexpr double kCounts = 1e-9; // weights below it do not
-constexpr double kNear = 0.1;    // mean edges: as near as the nearest place
+constexpr double kCounts = 1e-9; // smaller weights do not count
+constexpr double kNear = 0.1;    // mean edges: places this much farther count as equally near
 
-struct Corners {
+struct CornerWeights {
     std::uint32_t vertex[3];
     double weight[3];
 };
 
-Corners corners_at(const Surface& s, const Place& place) {
+CornerWeights corners_at(const Surface& s, const Place& place) {
     const auto w = barycentric(s, place);
-    Corners out{};
+    CornerWeights out{};
     double sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         out.vertex[k] = s.triangles[place.triangle][k];
@@ -31,7 +31,7 @@ Corners corners_at(const Surface& s, const Place& place) {
     return out;
 }
 
-double number(const surface::Field& f, const Corners& c) {
+double number(const surface::Field& f, const CornerWeights& c) {
     double sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         if (c.weight[k] == 0) continue;
@@ -41,7 +41,7 @@ double number(const surface::Field& f, const Corners& c) {
     return sum;
 }
 
-Vec3 vector(const surface::Field& f, const Corners& c) {
+Vec3 vector(const surface::Field& f, const CornerWeights& c) {
     const Vec3 lead = f.vector(c.vertex[std::max_element(c.weight, c.weight + 3) - c.weight]);
     Vec3 sum;
     double length = 0;
@@ -55,7 +55,7 @@ Vec3 vector(const surface::Field& f, const Corners& c) {
     return norm(sum) > 0 ? length / norm(sum) * sum : Vec3{};
 }
 
-// The nearest place of `locator` to p, of places that are nearer to each other than `near` one that faces as `normal`.
+// The nearest place to p; if one that faces as `normal` is at most `near` mm farther, that one.
 Place place_like(const Locator& locator, const Vec3& p, const Vec3& normal, double near) {
     const Place any = locator.nearest(p), facing = locator.nearest(p, normal);
     const double more = facing.triangle == kNone ? far : distance(facing.point, p);
@@ -88,7 +88,7 @@ std::vector<surface::Field> transferred(const Surface& from, std::span<const sur
     const auto normals = vertex_normals(to);
     const double near = kNear * surface::mean_edge(to);
     for (std::size_t v = 0; v < to.vertices.size(); ++v) {
-        const Corners c = corners_at(from, place_like(locator, to.vertices[v], normals[v], near));
+        const CornerWeights c = corners_at(from, place_like(locator, to.vertices[v], normals[v], near));
         for (std::size_t i = 0; i < fields.size(); ++i) {
             if (fields[i].components == 1) {
                 out[i].values.push_back(number(fields[i], c));

@@ -12,13 +12,13 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double kLookStep = kTurnReach / 5; // mm between places that are looked at
+constexpr double kLookStep = kTurnReach / 5; // mm between places at which the radius is measured
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// A place that moves on along a path.
-class Runner {
+// A position that moves forwards along a path.
+class PathCursor {
   public:
-    Runner(std::span<const Vec3> points, std::span<const Vec3> normals, std::span<const double> ways)
+    PathCursor(std::span<const Vec3> points, std::span<const Vec3> normals, std::span<const double> ways)
         : points_(points), normals_(normals), ways_(ways) {}
 
     void go_to(double way) {
@@ -40,17 +40,17 @@ class Runner {
     double part_ = 0;
 };
 
-// The radius of the circle through a - b - c, as they lie on the plane across the normal.
+// Radius of the circle through a, b and c in projection along the normal.
 double radius_through(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
     const auto flat = [&](const Vec3& v) { return v - dot(v, normal) * normal; };
     const Vec3 u = flat(b - a), v = flat(c - b);
-    if (dot(u, v) < 0) return kTurnReach / 2; // it comes back, if not on itself: then there is no circle
+    if (dot(u, v) < 0) return kTurnReach / 2; // the path reverses; the circle does not describe that
     const double area = norm(cross(u, v)), sides = norm(u) * norm(v) * norm(u + v);
     return area > 0 ? std::max(kTurnReach / 2, sides / (2 * area)) : kNever;
 }
 
-// The ways to look at, ascending: evenly apart, and wherever one of the three points passes a point of the path, where
-// a corner shows most.
+// The arc lengths at which to measure, ascending: at equal steps, and wherever one of the three points passes a point
+// of the path, where a corner has most effect.
 std::vector<double> places_to_look(std::span<const double> ways) {
     const double first = kTurnReach, last = ways.back() - kTurnReach;
     const auto n = static_cast<std::size_t>(std::ceil((last - first) / kLookStep));
@@ -65,17 +65,17 @@ std::vector<double> places_to_look(std::span<const double> ways) {
     return out;
 }
 
-struct Look {
+struct RadiusSample {
     double way, radius;
 };
 
-std::vector<Look> looks(std::span<const Vec3> points, std::span<const Vec3> normals) {
+std::vector<RadiusSample> looks(std::span<const Vec3> points, std::span<const Vec3> normals) {
     if (points.size() < 3) return {};
     const std::vector<double> ways = geom::arc_lengths(points);
     if (!(ways.back() >= 2 * kTurnReach)) return {};
-    std::vector<Look> out;
-    Runner before(points, normals, ways);
-    Runner here = before, behind = before;
+    std::vector<RadiusSample> out;
+    PathCursor before(points, normals, ways);
+    PathCursor here = before, behind = before;
     for (const double way : places_to_look(ways)) {
         before.go_to(way - kTurnReach);
         here.go_to(way);
@@ -90,7 +90,7 @@ std::vector<Look> looks(std::span<const Vec3> points, std::span<const Vec3> norm
 std::vector<TightTurn> tight_turns(std::span<const Vec3> points, std::span<const Vec3> normals, double radius) {
     std::vector<TightTurn> out;
     const auto all = looks(points, normals);
-    for (std::size_t i = 0; i < all.size(); ++i) { // each stands for half the way to the next, on both sides
+    for (std::size_t i = 0; i < all.size(); ++i) { // each sample stands for half of the way to its neighbours
         const auto& [way, r] = all[i];
         if (!(r < radius)) continue;
         if (i == 0 || !(all[i - 1].radius < radius))
@@ -106,7 +106,7 @@ std::vector<TightTurn> tight_turns(std::span<const Vec3> points, std::span<const
 
 double least_radius(std::span<const Vec3> points, std::span<const Vec3> normals) {
     double out = kNever;
-    for (const Look& l : looks(points, normals)) out = std::min(out, l.radius);
+    for (const RadiusSample& l : looks(points, normals)) out = std::min(out, l.radius);
     return out;
 }
 

@@ -7,22 +7,22 @@ namespace filum::surface::curve {
 
 namespace {
 
-constexpr double kSteep = 0.17;    // cosine of the angle between a chart and a triangle, at least
+constexpr double kSteep = 0.17;    // least cosine of the angle between a chart and a triangle
 constexpr std::size_t kMost = 1e6; // edges crossed
-constexpr double kOutside = -1e-7; // weight of a corner: a point with less lies outside
-constexpr double kAbove = 1e-5;    // mm: a point farther from a triangle's plane lies above it, or below
+constexpr double kOutside = -1e-7; // barycentric weight below which a point is outside the triangle
+constexpr double kAbove = 1e-5;    // mm from a triangle's plane beyond which a point is off it
 
-// The way within one triangle: by how much each weight changes over it, and where it leaves.
-struct Crossing {
-    std::uint32_t side = kNone; // the half-edge through which it leaves; none: it ends within
-    double part = 1;            // of the way that is done then
+// The way through one triangle: the side by which it leaves.
+struct TriangleExit {
+    std::uint32_t side = kNone; // the half-edge; kNone: the way ends inside
+    double part = 1;            // share of the way up to there
 };
 
-Crossing leave(const std::array<double, 3>& at, const std::array<double, 3>& to, std::uint32_t triangle,
-               std::uint32_t entry) {
-    Crossing out;
+TriangleExit leave(const std::array<double, 3>& at, const std::array<double, 3>& to, std::uint32_t triangle,
+                   std::uint32_t entry) {
+    TriangleExit out;
     for (std::uint32_t k = 0; k < 3; ++k) {
-        // Corner k's weight falls to 0 on the side across from it.
+        // Corner k's weight falls to 0 on the side opposite to it.
         const std::uint32_t side = 3 * triangle + (k + 1) % 3;
         const double change = to[k] - at[k];
         if (side == entry || !(change < 0) || !(to[k] < 0)) continue;
@@ -34,20 +34,20 @@ Crossing leave(const std::array<double, 3>& at, const std::array<double, 3>& to,
 
 Vec3 in_plane(const Vec3& v, const Vec3& normal) { return v - dot(v, normal) * normal; }
 
-// The vector, lying in the triangle of half-edge `h`, as it lies in the triangle across.
+// A vector in the triangle of half-edge `h`, rotated around it into the triangle across.
 Vec3 turned_over(const Surface& s, std::uint32_t h, const Vec3& v, const Vec3& from, const Vec3& to) {
     const Vec3 edge = s.vertices[s.head(h)] - s.vertices[s.tail(h)];
     const Vec3 along = 1 / norm(edge) * edge;
     return dot(v, along) * along + dot(v, cross(along, from)) * cross(along, to);
 }
 
-// The point where the side is crossed, on it exactly, ends included.
+// The point moved exactly onto the side, ends included.
 Vec3 on_side(const Surface& s, std::uint32_t h, const Vec3& p) {
     const Vec3 &a = s.vertices[s.tail(h)], d = s.vertices[s.head(h)] - a;
     return a + std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0) * d;
 }
 
-// Follows the chart towards `target` from `at`; true if it comes there.
+// Follows the chart from `at` to `target`; whether it arrives.
 bool follow(const Surface& s, const Chart& chart, Place& at, Vec2 target, Line& out) {
     std::uint32_t entry = kNone;
     for (std::size_t n = 0; n < kMost; ++n) {
@@ -119,8 +119,8 @@ Chart chart(const Place& place, const Vec3& normal, const Vec3& heading) {
     return {place.point, x, cross(normal, x), normal};
 }
 
-Laid lay(const Surface& s, const Chart& chart, const Place& from, std::span<const Vec2> way) {
-    Laid out{{{from}, false}, true};
+ChartLine from_chart(const Surface& s, const Chart& chart, const Place& from, std::span<const Vec2> way) {
+    ChartLine out{{{from}, false}, true};
     Place at = from;
     for (std::size_t i = 1; i < way.size(); ++i)
         if (!follow(s, chart, at, way[i], out.line)) {
@@ -135,7 +135,7 @@ Line join(const Surface& s, const Place& a, const Place& b) {
     if (a.triangle == b.triangle || !(norm(sum) > 0) || !(norm(cross(way, sum)) > 0)) return {{a, b}, false};
     const Chart flat = chart(a, 1 / norm(sum) * sum, way);
     const Vec2 ends[] = {{0, 0}, flat.to(b.point)};
-    auto laid = lay(s, flat, a, ends);
+    auto laid = from_chart(s, flat, a, ends);
     if (!laid.whole || distance(laid.line.places.back().point, b.point) > 1e-6 * norm(way)) return {{a, b}, false};
     laid.line.places.back() = b;
     return std::move(laid.line);

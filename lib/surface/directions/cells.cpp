@@ -8,17 +8,17 @@ namespace filum::surface::directions {
 
 namespace {
 
-// Keep diffusion from going backwards over obtuse angles, and slivers from spoiling the system.
+// Limits that prevent negative diffusion across obtuse angles, and keep slivers from spoiling the system.
 constexpr double kLeastConductance = 0.01, kMostConductance = 100;
 
-// Cotangent of the angle at the corner opposite to side `h`.
+// Cotangent of the angle opposite to side `h`.
 double cotangent(const Surface& s, std::uint32_t h) {
     const Vec3 at = s.vertices[s.tail(surface::prev(h))];
     const Vec3 u = s.vertices[s.tail(h)] - at, v = s.vertices[s.head(h)] - at;
     return dot(u, v) / norm(cross(u, v));
 }
 
-// From the middle of side `h` to the middle of its triangle.
+// Distance from the middle of side `h` to the middle of its triangle.
 double half_border(const Surface& s, std::uint32_t h) {
     const Vec3 a = s.vertices[s.tail(h)], b = s.vertices[s.head(h)], c = s.vertices[s.tail(surface::prev(h))];
     return distance(0.5 * (a + b), (1.0 / 3) * (a + b + c));
@@ -39,7 +39,7 @@ Cells cells(const Surface& s) {
             out.total += area;
         }
         if (twin != kNone && twin < h) continue;
-        Side side{.a = std::min(s.tail(h), s.head(h)), .b = std::max(s.tail(h), s.head(h))};
+        CellBorder side{.a = std::min(s.tail(h), s.head(h)), .b = std::max(s.tail(h), s.head(h))};
         const Vec3 way = s.vertices[side.b] - s.vertices[side.a];
         side.way = 1 / norm(way) * way;
         side.border = half_border(s, h);
@@ -53,14 +53,14 @@ Cells cells(const Surface& s) {
         out.sides.push_back(side);
     }
     std::sort(out.sides.begin(), out.sides.end(),
-              [](const Side& x, const Side& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+              [](const CellBorder& x, const CellBorder& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
     out.mean_side = length / static_cast<double>(out.sides.size());
     return out;
 }
 
 Vec3 turned(const Vec3& v, const Vec3& from, const Vec3& to) {
     const double c = dot(from, to);
-    if (c < -1 + 1e-12) return v - 2 * dot(v, across(from)) * across(from); // half round: the axis is a choice
+    if (c < -1 + 1e-12) return v - 2 * dot(v, across(from)) * across(from); // half a turn: the axis is arbitrary
     const Vec3 axis = cross(from, to);
     return v + cross(axis, v) + 1 / (1 + c) * cross(axis, cross(axis, v));
 }

@@ -9,12 +9,12 @@ namespace filum::surface::directions {
 
 namespace {
 
-constexpr double kFull = 0.9;  // share of the area below the load of full trust
-constexpr double kLeast = 0.2; // trust of directions where there is next to no load
+constexpr double kFull = 0.9;  // share of the area below the load that gives full trust
+constexpr double kLeast = 0.2; // trust of directions where there is almost no load
 
-struct Case {
+struct LoadCase {
     const surface::Field* d = nullptr;
-    const surface::Field* s = nullptr; // none: the vector's length
+    const surface::Field* s = nullptr; // none: the length of the vector
 };
 
 const surface::Field* find(const surface::Sheet& sheet, const std::string& name, std::uint32_t components) {
@@ -22,21 +22,21 @@ const surface::Field* find(const surface::Sheet& sheet, const std::string& name,
         if (f.name != name) continue;
         if (f.components != components)
             throw Error(Exit::bad_input,
-                        "cannot use field '" + name + "': it holds no " + (components == 3 ? "vectors" : "numbers"));
+                        "cannot use field '" + name + "': it contains no " + (components == 3 ? "vectors" : "numbers"));
         return &f;
     }
     return nullptr;
 }
 
-std::vector<Case> cases_of(const surface::Sheet& sheet, const PullOptions& o) {
+std::vector<LoadCase> cases_of(const surface::Sheet& sheet, const PullOptions& o) {
     if (!o.field.empty()) {
         if (const auto* f = find(sheet, o.field, 3)) return {{f, nullptr}};
         throw Error(Exit::usage, "cannot use --field: the surface has no field '" + o.field + "'; see 'peek --text'");
     }
-    std::vector<Case> out;
-    if (o.by == PullOptions::By::shape) return out;
+    std::vector<LoadCase> out;
+    if (o.by == PullOptions::Basis::shape) return out;
     const auto add = [&](const std::string& name) {
-        const Case c{find(sheet, "stress." + name + ".d1", 3), find(sheet, "stress." + name + ".s1", 1)};
+        const LoadCase c{find(sheet, "stress." + name + ".d1", 3), find(sheet, "stress." + name + ".s1", 1)};
         if (c.d == nullptr)
             throw Error(Exit::usage, "cannot use case '" + name + "': the surface has no field 'stress." + name +
                                          ".d1'; use 'stressfield'");
@@ -46,14 +46,14 @@ std::vector<Case> cases_of(const surface::Sheet& sheet, const PullOptions& o) {
     for (const auto& f : sheet.fields)
         if (o.cases.empty() && f.name.starts_with("stress.") && f.name.ends_with(".d1"))
             add(f.name.substr(7, f.name.size() - 10));
-    if (out.empty() && o.by == PullOptions::By::stress)
+    if (out.empty() && o.by == PullOptions::Basis::stress)
         throw Error(Exit::usage, "cannot divide by stress: the surface has no field 'stress.CASE.d1'; use "
                                  "'stressfield', --field or --by shape");
     return out;
 }
 
-// What a case does at a vertex: its direction there times the load, (0, 0, 0) if it is none.
-Vec3 pulled(const Case& c, std::size_t v, const Vec3& n) {
+// The tension of a case at a vertex: its tangential direction times the load, (0, 0, 0) if there is none.
+Vec3 pulled(const LoadCase& c, std::size_t v, const Vec3& n) {
     const Vec3 d = c.d->vector(v);
     const double length = norm(d), s = c.s != nullptr ? c.s->values[v] : length;
     if (!std::isfinite(length) || !std::isfinite(s) || !(length > 0) || !(s > 0)) return {};
@@ -69,7 +69,7 @@ Pull pull(const surface::Sheet& sheet, const Cells& cells, const PullOptions& op
     Pull out{std::vector<Vec3>(n), std::vector<double>(n, 0), std::vector<double>(n, 0)};
     std::vector<std::pair<double, double>> loads;
     for (std::size_t v = 0; v < n; ++v) {
-        for (const Case& c : cases) {
+        for (const LoadCase& c : cases) {
             const Vec3 d = pulled(c, v, cells.normal[v]);
             if (const double load = norm(d); load > out.load[v]) {
                 out.load[v] = load;

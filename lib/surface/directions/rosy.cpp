@@ -6,11 +6,11 @@ namespace filum::surface::directions {
 
 namespace {
 
-constexpr double kNothing = 1e-9; // keeps the system definite where nothing is known
+constexpr double kNothing = 1e-9; // keeps the system definite where no direction is known
 
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-// A factor of a number at b for one at a, or the same real and imaginary parts of each; the lower triangle alone.
+// Adds a complex factor of the unknown `column` in the equation `row` as a real 2 x 2 block; lower triangle only.
 void add(std::uint32_t row, std::uint32_t column, const Complex& x, Entries& to) {
     const int r = 2 * static_cast<int>(row), c = 2 * static_cast<int>(column);
     to.emplace_back(r, c, x.real());
@@ -23,7 +23,7 @@ sparse::Matrix system(const Cells& cells, std::span<const double> weight, double
     Entries entries;
     entries.reserve(3 * weight.size() + 10 * cells.sides.size());
     for (std::uint32_t v = 0; v < weight.size(); ++v) add(v, v, cells.area[v] * (kNothing + weight[v]), entries);
-    for (const Side& side : cells.sides) {
+    for (const CellBorder& side : cells.sides) {
         const double w = length * length * side.conductance;
         add(side.a, side.a, w, entries);
         add(side.b, side.b, w, entries);

@@ -9,10 +9,10 @@ namespace filum::surface::fit {
 
 namespace {
 
-constexpr std::size_t kTrianglesAtOnce = 1024; // of a piece of work
-constexpr double kMostPieces = 100;            // of a side
+constexpr std::size_t kTrianglesAtOnce = 1024; // triangles per task
+constexpr double kMostPieces = 100;            // most sample points per side
 
-// Calls visit(point) for the points of a triangle, those of a side for the first of its two half-edges only.
+// Calls visit(point) for the sample points of a triangle; points of a side only for the first of its half-edges.
 template <class Visit>
 void each_point(const Surface& s, std::uint32_t t, double step, const Visit& visit) {
     Vec3 middle;
@@ -29,8 +29,8 @@ void each_point(const Surface& s, std::uint32_t t, double step, const Visit& vis
 
 } // namespace
 
-std::vector<Apart> apart(const Surface& from, const curve::Locator& to, double step) {
-    std::vector<Apart> out(from.triangles.size());
+std::vector<Deviation> deviations(const Surface& from, const curve::Locator& to, double step) {
+    std::vector<Deviation> out(from.triangles.size());
     parallel::for_chunks(out.size(), kTrianglesAtOnce, 0, [&](std::size_t begin, std::size_t end) {
         for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
             each_point(from, t, step, [&](const Vec3& p) {

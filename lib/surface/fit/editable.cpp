@@ -6,15 +6,16 @@ namespace filum::surface::fit {
 
 namespace {
 
-constexpr double kTurned = 0.5; // cosine between normals: what turns by more than 60 degrees turns over in two steps
-constexpr double kThin = 0.05;  // height over longest side: of a triangle with an angle below 6 degrees
+// cosine between normals: after two turns of more than 60 degrees a triangle could be turned over
+constexpr double kTurned = 0.5;
+constexpr double kThin = 0.05; // height over longest side: of a triangle with an angle below 6 degrees
 
 void join(Editable& m, std::uint32_t h, std::uint32_t g) {
     if (h != kNone) m.twin[h] = g;
     if (g != kNone) m.twin[g] = h;
 }
 
-// Lets the fan of `v` begin at its rim, if it has one; h leaves v.
+// Sets the half-edge of `v` from which its fan starts: h, or the one at its rim, if it has one.
 void set_out(Editable& m, std::uint32_t v, std::uint32_t h) {
     m.out[v] = h;
     for (std::uint32_t k = h; m.twin[k] != kNone;) {
@@ -31,15 +32,15 @@ std::uint32_t add_triangle(Editable& m) {
     return static_cast<std::uint32_t>(m.triangles.size() - 1);
 }
 
-// What lies beyond a half-edge, and whether it is part of a line: to be set where its triangle has changed.
-struct Side {
+// The twin of a half-edge and whether it is part of a line, to be set where its triangle has changed.
+struct SideState {
     std::uint32_t beyond;
     char line;
 };
 
-Side side(const Editable& m, std::uint32_t h) { return {m.twin[h], m.line[h]}; }
+SideState side(const Editable& m, std::uint32_t h) { return {m.twin[h], m.line[h]}; }
 
-void set(Editable& m, std::uint32_t h, const Side& to) {
+void set(Editable& m, std::uint32_t h, const SideState& to) {
     join(m, h, to.beyond);
     if (to.beyond == kNone) m.twin[h] = kNone;
     m.line[h] = to.line;
@@ -95,21 +96,21 @@ std::uint32_t split(Editable& m, std::uint32_t h) {
     if (g != kNone) up = line != 0 ? Vec3{} : up + upright(corners(m, m.triangles[g / 3]));
     m.at.push_back(0.5 * (m.at[a] + m.at[b]));
     m.size.push_back((m.size[a] + m.size[b]) / 2);
-    m.kind.push_back(line != 0 ? Kind::on_line : Kind::free);
+    m.kind.push_back(line != 0 ? VertexKind::on_line : VertexKind::free);
     m.up.push_back(up);
     m.out.push_back(kNone);
-    // a b c becomes a v c, and v b c besides
+    // a b c becomes a v c, and v b c is added.
     const std::uint32_t far = add_triangle(m), hn = next(h);
-    const Side bc = side(m, hn);
+    const SideState bc = side(m, hn);
     m.triangles[far] = {v, b, c};
     m.triangles[h / 3][hn % 3] = v;
     set(m, 3 * far + 1, bc);
     set(m, hn, {3 * far + 2, 0});
     m.line[3 * far + 2] = 0;
     set(m, 3 * far, {kNone, line});
-    if (g != kNone) { // b a d becomes v a d, and b v d besides
+    if (g != kNone) { // b a d becomes v a d, and b v d is added
         const std::uint32_t d = m.apex(g), other = add_triangle(m), gp = prev(g);
-        const Side db = side(m, gp);
+        const SideState db = side(m, gp);
         m.triangles[other] = {b, v, d};
         m.triangles[g / 3][g % 3] = v;
         set(m, 3 * other + 2, db);
@@ -128,15 +129,15 @@ std::uint32_t split(Editable& m, std::uint32_t h) {
 
 bool joins_cleanly(const Editable& m, std::uint32_t h) {
     const std::uint32_t a = m.tail(h), b = m.head(h), g = m.twin[h];
-    if (m.kind[a] == Kind::fixed || (m.kind[a] == Kind::on_line && m.line[h] == 0)) return false;
+    if (m.kind[a] == VertexKind::fixed || (m.kind[a] == VertexKind::on_line && m.line[h] == 0)) return false;
     const bool rim_a = m.twin[m.out[a]] == kNone, rim_b = m.twin[m.out[b]] == kNone;
     if (rim_a && rim_b && g != kNone) return false;
-    for (const std::uint32_t t : {h, g}) { // the two sides of a triangle that become one
+    for (const std::uint32_t t : {h, g}) { // the two other sides of each triangle become one
         if (t == kNone) continue;
         if (m.twin[next(t)] == kNone && m.twin[prev(t)] == kNone) return false;
         if (m.line[next(t)] != 0 && m.line[prev(t)] != 0) return false;
     }
-    // What both have for a neighbour are the corners of the triangles at h alone.
+    // The only common neighbours must be the third corners of the triangles at h.
     std::vector<std::uint32_t> around;
     const auto neighbours = [&](std::uint32_t v) {
         std::vector<std::uint32_t> out;
@@ -195,7 +196,7 @@ bool flippable(const Editable& m, std::uint32_t h) {
 void flip(Editable& m, std::uint32_t h) {
     const std::uint32_t g = m.twin[h], t = h / 3, u = g / 3;
     const std::uint32_t a = m.tail(h), b = m.head(h), c = m.apex(h), d = m.apex(g);
-    const Side bc = side(m, next(h)), ca = side(m, prev(h)), ad = side(m, next(g)), db = side(m, prev(g));
+    const SideState bc = side(m, next(h)), ca = side(m, prev(h)), ad = side(m, next(g)), db = side(m, prev(g));
     m.triangles[t] = {c, a, d};
     m.triangles[u] = {d, b, c};
     set(m, 3 * t, ca);

@@ -16,15 +16,15 @@ namespace {
 using curve::Locator;
 
 constexpr double kMostTriangles = 2e7;
-constexpr int kCorrections = 2;                // of sizes, where surfaces are farther apart than they may be
-constexpr double kPieces = 2, kFinePieces = 8; // of sides, to look how far they are apart, and to tell it
+constexpr int kCorrections = 2;                // most corrections of sizes where the surfaces are too far apart
+constexpr double kPieces = 2, kFinePieces = 8; // sample points per side: to check the distance, and to report it
 
 double longest_side(const Surface& s, std::uint32_t t) {
     return std::max({side_length(s, 3 * t), side_length(s, 3 * t + 1), side_length(s, 3 * t + 2)});
 }
 
-// Makes sizes shorter where `now` is farther from `s` than the tolerance, or `s` from it; false if nowhere.
-bool corrected(const Surface& s, std::span<const Apart> there, const Surface& now, std::span<const Apart> back,
+// Reduces sizes where the distance between `s` and `now` exceeds the tolerance; returns whether any changed.
+bool corrected(const Surface& s, std::span<const Deviation> there, const Surface& now, std::span<const Deviation> back,
                double tolerance, Sizes& sizes) {
     bool out = false;
     const auto shorten = [&](double far, std::uint32_t old, std::uint32_t fitted) {
@@ -70,7 +70,7 @@ Surface evened(const Surface& s, const Options& o) {
     return compact(fitter.result());
 }
 
-Fitted fitted(const Surface& s, const Options& o) {
+FittedSurface fitted(const Surface& s, const Options& o) {
     Sizes size = checked_sizes(s, o);
     const Locator locator(s);
     Fitter fitter(s, locator, size.wanted, editable(s, size.wanted, o.tolerance));
@@ -78,15 +78,16 @@ Fitted fitted(const Surface& s, const Options& o) {
     Surface now = compact(fitter.result());
     for (int k = 0; k < kCorrections; ++k) {
         const double step = mean_edge(now) / kPieces;
-        if (!corrected(s, apart(now, locator, step), now, apart(s, Locator(now), step), o.tolerance, size)) break;
+        if (!corrected(s, deviations(now, locator, step), now, deviations(s, Locator(now), step), o.tolerance, size))
+            break;
         fitter.resize();
         fitter.run();
         now = compact(fitter.result());
     }
     const double step = mean_edge(now) / kFinePieces;
-    Apart most;
-    for (const auto& list : {apart(now, locator, step), apart(s, Locator(now), step)})
-        for (const Apart& a : list)
+    Deviation most;
+    for (const auto& list : {deviations(now, locator, step), deviations(s, Locator(now), step)})
+        for (const Deviation& a : list)
             if (a.far > most.far) most = a;
     return {std::move(now), most.far, most.at};
 }

@@ -14,10 +14,10 @@ namespace {
 
 using curve::Place;
 
-constexpr int kRounds = 3;                    // of all four steps; then triangles hardly change
-constexpr int kMostFlips = 20;                // sweeps; on bent surfaces flips may go round in a circle
-constexpr double kFlat = 1e-9;                // rad over half a turn: opposite angles of a side that is flipped
-constexpr std::size_t kVerticesAtOnce = 1024; // vertices of a piece of work
+constexpr int kRounds = 3;                    // rounds of all four steps; afterwards triangles hardly change
+constexpr int kMostFlips = 20;                // sweeps; on curved surfaces flips may cycle
+constexpr double kFlat = 1e-9;                // rad: least excess of opposite angles over half a turn for a flip
+constexpr std::size_t kVerticesAtOnce = 1024; // vertices per task
 
 } // namespace
 
@@ -57,9 +57,9 @@ double Fitter::size_at(const Place& p) const {
     return out;
 }
 
-// The longest for its size first: so what comes of it is shorter.
+// Splits the side that is longest relative to its size first, so new sides are shorter.
 void Fitter::split_long(double scale) {
-    std::priority_queue<std::pair<double, std::uint32_t>> open; // lengths, in sizes; half-edges
+    std::priority_queue<std::pair<double, std::uint32_t>> open; // lengths in sizes; half-edges
     const auto sizes = [&](std::uint32_t h) { return m_.length(h) / target(m_.tail(h), m_.head(h)); };
     const auto add = [&](std::uint32_t h) {
         if (const double now = sizes(h); now > kLong * scale) open.emplace(now, h);
@@ -69,9 +69,9 @@ void Fitter::split_long(double scale) {
     while (!open.empty()) {
         const auto [was, h] = open.top();
         open.pop();
-        if (sizes(h) != was) continue; // split since
+        if (sizes(h) != was) continue; // it has been split since
         const std::uint32_t v = split(m_, h);
-        each_leaving(m_, v, [&](std::uint32_t k) { // sides about it have other numbers now
+        each_leaving(m_, v, [&](std::uint32_t k) { // sides around it have new numbers
             for (const std::uint32_t side : {k, next(k), prev(k)}) add(side);
         });
     }
@@ -84,7 +84,7 @@ void Fitter::collapse_short(double scale) {
             collapse(m_, h);
 }
 
-// By the greater sum of angles, as Delaunay: all sides, then those about what was flipped, and so on.
+// Flips sides by the Delaunay criterion: first checks all sides, then those around flipped ones, and so on.
 void Fitter::flip_all() {
     std::vector<std::uint32_t> open, about;
     for (std::uint32_t h = 0; h < m_.twin.size(); ++h)
@@ -101,7 +101,7 @@ void Fitter::flip_all() {
     }
 }
 
-// What the angles opposite of a side make more than half a turn, rad.
+// Sum of the angles opposite to a side minus half a turn, rad.
 double Fitter::opposite(std::uint32_t h) const {
     const auto at = [&](std::uint32_t k) {
         const Vec3 a = m_.at[m_.tail(k)] - m_.at[m_.apex(k)], b = m_.at[m_.head(k)] - m_.at[m_.apex(k)];
@@ -110,7 +110,7 @@ double Fitter::opposite(std::uint32_t h) const {
     return at(h) + at(m_.twin[h]) - std::numbers::pi;
 }
 
-// Of its fan, in which each triangle counts by how many of the wanted size it is.
+// Centre of the vertex's fan, in which each triangle is weighted by its area in intended sizes.
 Vec3 Fitter::middle(std::uint32_t v) const {
     Vec3 sum;
     double all = 0;
@@ -124,13 +124,13 @@ Vec3 Fitter::middle(std::uint32_t v) const {
     return all > 0 ? 1 / all * sum : m_.at[v];
 }
 
-// Every free vertex to the middle of its fan, as that lies now, and from there onto the surface, where it faces as the
+// Moves every free vertex to the centre of its current fan, and from there to the surface, where that faces as the
 // vertex does.
 void Fitter::move_all() {
     std::vector<Place> to(m_.at.size(), Place{kNone, {}});
     parallel::for_chunks(to.size(), kVerticesAtOnce, 0, [&](std::size_t begin, std::size_t end) {
         for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v)
-            if (m_.out[v] != kNone && m_.kind[v] == Kind::free)
+            if (m_.out[v] != kNone && m_.kind[v] == VertexKind::free)
                 to[v] = locator_.nearest(middle(v), m_.up[v], m_.size[v]);
     });
     for (std::uint32_t v = 0; v < to.size(); ++v) {

@@ -1,4 +1,4 @@
-// Bringing triangles to sizes that are given on a surface.
+// Brings triangles to given sizes on a surface.
 #pragma once
 
 #include "surface/curve/locate.hpp"
@@ -6,24 +6,24 @@
 
 namespace filum::surface::fit {
 
-// Sides longer than this are halved, and shorter ones collapsed, of their sizes (Botsch, Kobbelt 2004).
+// Sizes above which sides are halved, and below which they are collapsed (Botsch, Kobbelt 2004).
 inline constexpr double kLong = 4.0 / 3, kShort = 4.0 / 5;
 
 class Fitter {
   public:
-    // `from`, whose places `locator` finds, is where vertices stay; `m` are its triangles; sizes are per vertex of it,
-    // linear between.  All but `m` must outlive this.
+    // Vertices stay on `from`, whose places `locator` finds; `m` are the triangles. `sizes` are per vertex of `from`,
+    // linear in between. All except `m` must outlive the object.
     Fitter(const Surface& from, const curve::Locator& locator, std::span<const double> sizes, Editable m)
         : from_(from), locator_(locator), sizes_(sizes), m_(std::move(m)) {}
 
-    // Splits long sides, collapses short ones, flips and moves, some rounds of it.
+    // Splits long sides, collapses short ones, flips and moves, in several rounds.
     void run();
 
-    // The same, but halves the longest sides first, and collapses short ones before it halves the next: of long thin
-    // triangles there are never many more than in the end.
+    // The same, but halves the longest sides first and collapses short ones before the next halving, so that long thin
+    // triangles never create many more triangles than there are in the end.
     void run_by_halves();
 
-    // Looks up the sizes, which have changed.
+    // Updates the sizes at vertices after they have changed.
     void resize();
 
     [[nodiscard]] const Editable& result() const { return m_; }
@@ -33,7 +33,7 @@ class Fitter {
     [[nodiscard]] double size_at(const curve::Place& p) const;
     [[nodiscard]] double opposite(std::uint32_t h) const;
     [[nodiscard]] Vec3 middle(std::uint32_t vertex) const;
-    // With sides up to `scale` times as long as they shall be in the end.
+    // With sides up to `scale` times their final length.
     void split_long(double scale = 1);
     void collapse_short(double scale = 1);
     void flip_all();

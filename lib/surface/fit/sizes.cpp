@@ -11,32 +11,31 @@ namespace filum::surface::fit {
 
 namespace {
 
-constexpr double kGrading = 0.5; // mm of a side, for each mm along the surface: neighbours differ by half at most
+constexpr double kGrading = 0.5; // change of size per mm along the surface: neighbours differ by half at most
 
-// Between the normals at a side, rad; 0 at a rim.
+// Angle between the normals at a side, rad; 0 at a rim.
 double bend(const Surface& s, std::uint32_t h) {
     return s.twin[h] == kNone ? 0 : angle(normal(s, h / 3), normal(s, s.twin[h] / 3));
 }
 
 bool on_line(const Surface& s, std::uint32_t h) { return s.twin[h] == kNone || bend(s, h) > kSharp; }
 
-// How far the two triangles at a side reach away from it, mm, in the mean.
+// Mean height of the two triangles at a side, mm.
 double height(const Surface& s, std::uint32_t h) {
     return (area(s, h / 3) + area(s, s.twin[h] / 3)) / side_length(s, h);
 }
 
-// The line that goes on from half-edge h at its head, which is no corner: the half-edge that leaves there, or one that
-// comes in as seen from its own triangle.
-struct Step {
+// The continuation of a line at the head of half-edge h, which is not a corner.
+struct LineStep {
     std::uint32_t h = kNone;
-    bool forward = true; // along it
+    bool forward = true; // whether the line follows its direction
 
     [[nodiscard]] std::uint32_t end(const Surface& s) const { return forward ? s.head(h) : s.tail(h); }
 };
 
-// The sides of lines at each vertex, outwards.
-std::vector<std::vector<Step>> lines_at(const Surface& s) {
-    std::vector<std::vector<Step>> out(s.vertices.size());
+// The line sides at each vertex, outwards.
+std::vector<std::vector<LineStep>> lines_at(const Surface& s) {
+    std::vector<std::vector<LineStep>> out(s.vertices.size());
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
         if ((s.twin[h] != kNone && s.twin[h] < h) || !on_line(s, h)) continue;
         out[s.tail(h)].push_back({h, true});
@@ -45,13 +44,13 @@ std::vector<std::vector<Step>> lines_at(const Surface& s) {
     return out;
 }
 
-bool corner(const Surface& s, std::uint32_t v, const std::vector<Step>& lines) {
+bool corner(const Surface& s, std::uint32_t v, const std::vector<LineStep>& lines) {
     if (lines.size() != 2) return !lines.empty();
     const Vec3 a = s.vertices[v] - s.vertices[lines[0].end(s)], b = s.vertices[lines[1].end(s)] - s.vertices[v];
     return angle(a, b) > kSharp;
 }
 
-// Fixes as many vertices between the ends of a chain as it takes.
+// Fixes as many vertices between the ends of a chain as necessary.
 void thin(const Surface& s, const std::vector<std::uint32_t>& chain, double tolerance, Editable& m) {
     const auto fits = [&](std::size_t i, std::size_t j) {
         const Vec3 &a = s.vertices[chain[i]], &b = s.vertices[chain[j]];
@@ -63,11 +62,11 @@ void thin(const Surface& s, const std::vector<std::uint32_t>& chain, double tole
         }
         return distance(a, b) <= least;
     };
-    m.kind[chain.front()] = m.kind[chain.back()] = Kind::fixed;
+    m.kind[chain.front()] = m.kind[chain.back()] = VertexKind::fixed;
     for (std::size_t i = 0; i + 1 < chain.size();) {
         std::size_t j = i + 1;
         while (j + 1 < chain.size() && fits(i, j + 1)) ++j;
-        m.kind[chain[j]] = Kind::fixed;
+        m.kind[chain[j]] = VertexKind::fixed;
         i = j;
     }
 }
@@ -75,25 +74,25 @@ void thin(const Surface& s, const std::vector<std::uint32_t>& chain, double tole
 void fix_lines(const Surface& s, double tolerance, Editable& m) {
     const auto lines = lines_at(s);
     for (std::uint32_t v = 0; v < lines.size(); ++v)
-        if (!lines[v].empty()) m.kind[v] = corner(s, v, lines[v]) ? Kind::fixed : Kind::on_line;
+        if (!lines[v].empty()) m.kind[v] = corner(s, v, lines[v]) ? VertexKind::fixed : VertexKind::on_line;
     const auto corners = m.kind;
     std::vector<char> seen(s.twin.size(), 0);
-    const auto follow = [&](std::uint32_t from, const Step& first) {
+    const auto follow = [&](std::uint32_t from, const LineStep& first) {
         if (seen[first.h]) return;
         std::vector<std::uint32_t> chain{from};
-        for (Step at = first;;) {
+        for (LineStep at = first;;) {
             seen[at.h] = 1;
             const std::uint32_t v = at.end(s);
             chain.push_back(v);
-            if (v == from || corners[v] == Kind::fixed) break;
+            if (v == from || corners[v] == VertexKind::fixed) break;
             at = lines[v][0].h == at.h ? lines[v][1] : lines[v][0];
         }
         thin(s, chain, tolerance, m);
     };
-    for (const bool ends : {true, false}) // from corners on, then lines without any
+    for (const bool ends : {true, false}) // lines from corners first, then closed ones without corners
         for (std::uint32_t v = 0; v < lines.size(); ++v)
-            if ((corners[v] == Kind::fixed) == ends)
-                for (const Step& step : lines[v]) follow(v, step);
+            if ((corners[v] == VertexKind::fixed) == ends)
+                for (const LineStep& step : lines[v]) follow(v, step);
 }
 
 } // namespace
@@ -126,7 +125,7 @@ Sizes sizes(const Surface& s, double longest, double tolerance) {
         const double turn = on_line(s, h) ? 0 : bend(s, h);
         if (!(turn > 0)) continue;
         const double across = height(s, h), least = std::max(kLeast * tolerance, across);
-        const double chord = std::sqrt(6 * tolerance * across / turn); // of a ball that bends so
+        const double chord = std::sqrt(6 * tolerance * across / turn); // chord on a sphere of that curvature
         for (const std::uint32_t v : {s.tail(h), s.head(h)}) {
             out.least[v] = std::min(out.least[v], least);
             out.wanted[v] = std::min(out.wanted[v], std::max(least, chord / kLong));
@@ -140,7 +139,7 @@ Editable editable(const Surface& s, std::vector<double> sizes, double tolerance)
     Editable m;
     m.at = s.vertices;
     m.size = std::move(sizes);
-    m.kind.assign(s.vertices.size(), Kind::free);
+    m.kind.assign(s.vertices.size(), VertexKind::free);
     m.triangles = s.triangles;
     m.twin = s.twin;
     m.out = s.outgoing;

@@ -1,4 +1,4 @@
-// How long sides of triangles shall be, and which corners of rims and sharp edges stay.
+// The intended lengths of sides, and the corners of rims and sharp edges that stay.
 #pragma once
 
 #include "geom/angle.hpp"
@@ -7,28 +7,28 @@
 
 namespace filum::surface::fit {
 
-inline constexpr double kSharp = 30 * geom::kDegree; // rad between normals: an edge, or a corner of one
+inline constexpr double kSharp = 30 * geom::kDegree; // rad between normals at an edge, or between sides at a corner
 
-// The shortest sizes that a tolerance ever asks for, of it: on a ball, the longest side that is left by them turns by
-// kSharp, and is off by the tolerance.
+// Tolerances: shortest size that a tolerance can demand. On a sphere the longest side allowed turns by kSharp and
+// deviates by the tolerance.
 inline constexpr double kLeast = 8 / (kLong * kSharp);
 
 struct Sizes {
     std::vector<double> wanted; // mm, per vertex
-    std::vector<double> least;  // mm, per vertex: what bends ask for, at most
+    std::vector<double> least;  // mm, per vertex: the most that curvature may demand
 };
 
-// At most `longest`; so short that chords are about `tolerance` off the surface, as its edges bend, but no shorter than
-// triangles beside these are high, nor than kLeast asks for: what the surface is within its own triangles, these cannot
-// tell; and nowhere growing faster than half a millimetre for each along an edge.
+// Sizes of at most `longest` such that chords deviate by about `tolerance` from the curved surface, but at least the
+// height of the triangles at its bends, whose interior shape is unknown, and at least kLeast tolerances; growing by at
+// most half a millimetre per millimetre along edges.
 Sizes sizes(const Surface& s, double longest, double tolerance);
 
-// Makes sizes so that they grow no faster than that.
+// Reduces sizes until they grow no faster than that.
 void grade(const Surface& s, std::vector<double>& sizes);
 
-// The surface, to be changed.  Corners where lines meet, end or bend by kSharp are fixed, and as many along lines that
-// what lies between is nowhere farther than `tolerance` from its chord, and no chord longer than the least size beside
-// it.
+// The surface as an editable mesh. Corners where lines meet, end or bend by kSharp are fixed, and as many vertices
+// along lines that the line is nowhere farther than `tolerance` from its chords and no chord is longer than the least
+// size beside it.
 Editable editable(const Surface& s, std::vector<double> sizes, double tolerance);
 
 } // namespace filum::surface::fit

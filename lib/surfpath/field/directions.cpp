@@ -17,28 +17,28 @@ using surface::directions::direction;
 using surface::directions::doubled;
 using surface::directions::transport;
 
-constexpr double kFall = 0.25;       // of a weight: what is left of it after a round
-constexpr double kLeastShare = 1e-4; // of a weight: less of it is none
-constexpr int kRounds = 40;          // of lowering weights, at most
-constexpr int kPatience = 3;         // rounds that may help nothing
-constexpr double kAround = 0.25;     // least radii about what is too tight where weights are lowered, too
-constexpr double kUnknown = 1e-6;    // |z|: less of it is no direction
+constexpr double kFall = 0.25;       // factor of a weight in every round
+constexpr double kLeastShare = 1e-4; // weights below this share of the prescribed one become 0
+constexpr int kRounds = 40;          // most rounds of lowering weights
+constexpr int kPatience = 3;         // rounds without improvement before the search ends
+constexpr double kAround = 0.25;     // least radii around a place that bends too much in which weights are lowered, too
+constexpr double kUnknown = 1e-6;    // |z|: a smaller vector has no direction
 
-void add_stress(const surface::Sheet& sheet, const Cells& cells, double share, Wanted& out) {
+void add_stress(const surface::Sheet& sheet, const Cells& cells, double share, PrescribedDirections& out) {
     const auto pull = surface::directions::pull(sheet, cells, {});
     if (std::none_of(pull.trust.begin(), pull.trust.end(), [](double t) { return t > 0; }))
-        throw Error(Exit::bad_input, "cannot follow the stress: the surface carries none that pulls; run stressfield "
+        throw Error(Exit::bad_input, "cannot follow the stress: the surface carries no tensile stress; run stressfield "
                                      "first");
     for (std::size_t v = 0; v < out.z.size(); ++v)
         out.z[v] += share * pull.trust[v] * doubled(pull.along[v], cells.normal[v]);
 }
 
-void add_given(const surface::Sheet& sheet, const Cells& cells, const Sources& o, Wanted& out) {
+void add_given(const surface::Sheet& sheet, const Cells& cells, const DirectionMix& o, PrescribedDirections& out) {
     const auto it = std::find_if(sheet.fields.begin(), sheet.fields.end(),
                                  [&](const surface::Field& f) { return f.name == o.field && f.components == 3; });
     if (it == sheet.fields.end())
-        throw Error(Exit::bad_input, "cannot follow a direction: the surface carries no field of vectors '" +
-                                         std::string(o.field) + "'");
+        throw Error(Exit::bad_input,
+                    "cannot follow a direction: the surface carries no vector field '" + std::string(o.field) + "'");
     for (std::size_t v = 0; v < out.z.size(); ++v) {
         const Vec3 d = it->vector(v);
         if (const double l = norm(d); l > 0 && std::isfinite(l))
@@ -46,8 +46,8 @@ void add_given(const surface::Sheet& sheet, const Cells& cells, const Sources& o
     }
 }
 
-// Where a field that is followed holds what is no number.
-void find_unknown(const surface::Sheet& sheet, const Cells& cells, const Sources& o, Wanted& out) {
+// Finds the vertices at which a prescribed field is not a finite number.
+void find_unknown(const surface::Sheet& sheet, const Cells& cells, const DirectionMix& o, PrescribedDirections& out) {
     std::vector<char> unknown(out.z.size(), 0);
     for (const auto& f : sheet.fields) {
         const bool pull = f.name.starts_with("stress.") && (f.name.ends_with(".d1") || f.name.ends_with(".s1"));
@@ -62,14 +62,14 @@ void find_unknown(const surface::Sheet& sheet, const Cells& cells, const Sources
     }
 }
 
-void add_angle(const Cells& cells, const Sources& o, Wanted& out) {
+void add_angle(const Cells& cells, const DirectionMix& o, PrescribedDirections& out) {
     const Vec3 to = 1 / norm(o.reference) * o.reference;
     const Complex turned = std::polar(1.0, 2 * o.turn);
-    for (std::size_t v = 0; v < out.z.size(); ++v) // of the length squared of its part along the surface
+    for (std::size_t v = 0; v < out.z.size(); ++v) // doubled() has the squared length of the tangential part
         out.z[v] += o.angle * turned * doubled(to, cells.normal[v]);
 }
 
-void add_rims(const Surface& s, const Cells& cells, double share, Wanted& out) {
+void add_rims(const Surface& s, const Cells& cells, double share, PrescribedDirections& out) {
     for (const auto& rim : s.rims)
         for (const std::uint32_t h : rim.sides) {
             const Vec3 d = s.vertices[s.head(h)] - s.vertices[s.tail(h)];
@@ -80,7 +80,7 @@ void add_rims(const Surface& s, const Cells& cells, double share, Wanted& out) {
         }
 }
 
-// What lines through a triangle turn on their way, 1/mm: the slope of their angle along them.
+// Curvature of the lines through a triangle, 1/mm: the derivative of their angle along them.
 double bend(const Surface& s, const Cells& cells, std::span<const Complex> z, std::uint32_t t) {
     const auto& c = s.triangles[t];
     const Vec3 n = surface::normal(s, t);
@@ -96,7 +96,7 @@ double bend(const Surface& s, const Cells& cells, std::span<const Complex> z, st
     const Vec3 d = direction(sum, n);
     Vec3 slope;
     const double twice_area = 2 * surface::area(s, t);
-    for (std::size_t k = 0; k < 3; ++k) { // half of the doubled angle, from the mean on
+    for (std::size_t k = 0; k < 3; ++k) { // half of the doubled angle, relative to the mean
         const double angle = std::arg(u[k] * std::conj(sum)) / 2;
         slope = slope + angle / twice_area * cross(n, s.vertices[c[(k + 2) % 3]] - s.vertices[c[(k + 1) % 3]]);
     }
@@ -105,15 +105,15 @@ double bend(const Surface& s, const Cells& cells, std::span<const Complex> z, st
 
 } // namespace
 
-Wanted wanted(const surface::Sheet& sheet, const Cells& cells, const Sources& o) {
+PrescribedDirections prescribed(const surface::Sheet& sheet, const Cells& cells, const DirectionMix& o) {
     const std::size_t n = sheet.surface.vertices.size();
-    Wanted out{std::vector<Complex>(n), std::vector<double>(n, 0), 0, {}};
+    PrescribedDirections out{std::vector<Complex>(n), std::vector<double>(n, 0), 0, {}};
     if (o.given > 0) add_given(sheet, cells, o, out);
     if (o.stress > 0) add_stress(sheet, cells, o.stress, out);
     if (o.angle > 0) add_angle(cells, o, out);
     if (o.rim > 0) add_rims(sheet.surface, cells, o.rim, out);
     if (o.rings > 0) {
-        const Rings found = rings(sheet, cells);
+        const RingField found = ring_field(sheet, cells);
         for (std::size_t v = 0; v < n; ++v) out.z[v] += o.rings * found.z[v];
     }
     find_unknown(sheet, cells, o, out);
@@ -123,22 +123,22 @@ Wanted wanted(const surface::Sheet& sheet, const Cells& cells, const Sources& o)
         if (much > 0) out.z[v] /= much;
     }
     if (std::none_of(out.weight.begin(), out.weight.end(), [](double w) { return w > kUnknown; }))
-        throw Error(Exit::bad_input, "cannot follow a direction: none is given anywhere on the surface; see --follow "
+        throw Error(Exit::bad_input, "cannot follow a direction: none is defined on the surface; see --follow "
                                      "and --reference");
     return out;
 }
 
 namespace {
 
-struct Bends {
-    double most = 0, tight = 0; // 1/mm; mm2 where it is above 1 / radius
-    double excess = 0;          // mm: what bends more than 1 / radius, over the area
-    Vec3 at;                    // of the most
-    std::vector<char> where;    // per vertex: a corner of those triangles
+struct BendStatistics {
+    double most = 0, tight = 0; // greatest curvature, 1/mm; mm2 where it is above 1 / radius
+    double excess = 0;          // mm: the integral of the curvature above 1 / radius
+    Vec3 at;                    // place of the greatest
+    std::vector<char> where;    // per vertex: whether it is a corner of a triangle that bends too much
 };
 
-Bends bends(const Surface& s, const Cells& cells, std::span<const Complex> z, double radius) {
-    Bends out;
+BendStatistics bends(const Surface& s, const Cells& cells, std::span<const Complex> z, double radius) {
+    BendStatistics out;
     out.where.assign(z.size(), 0);
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const double k = bend(s, cells, z, t);
@@ -154,7 +154,7 @@ Bends bends(const Surface& s, const Cells& cells, std::span<const Complex> z, do
     return out;
 }
 
-// Adds what is up to `reach` mm from what is marked, along edges, as these go on the average.
+// Extends the marked set by about `reach` mm, in steps of a mean edge.
 void widen(const Cells& cells, double reach, std::vector<char>& where) {
     for (double done = 0; done < reach; done += cells.mean_side) {
         auto wider = where;
@@ -166,17 +166,18 @@ void widen(const Cells& cells, double reach, std::vector<char>& where) {
 
 } // namespace
 
-Directions smooth(const Surface& s, const Cells& cells, const Wanted& wanted, double length, double radius) {
+Directions smooth(const Surface& s, const Cells& cells, const PrescribedDirections& prescribed, double length,
+                  double radius) {
     const std::size_t n = s.vertices.size();
-    std::vector<double> share(n, 1), best_share, weight = wanted.weight;
+    std::vector<double> share(n, 1), best_share, weight = prescribed.weight;
     std::vector<Complex> best;
-    const double let_go = 4 * length * length / (radius * radius); // over half a radius in a round
-    Bends least;
-    auto given = wanted.z;
+    const double let_go = 4 * length * length / (radius * radius); // diffuses over half a radius in a round
+    BendStatistics least;
+    auto given = prescribed.z;
     surface::directions::Smoother smoother(cells, length);
     for (int round = 0, idle = 0; round < kRounds && idle <= kPatience; ++round) {
         const auto z = smoother.smoothed(given, weight);
-        Bends now = bends(s, cells, z, radius);
+        BendStatistics now = bends(s, cells, z, radius);
         idle = best.empty() || now.excess < least.excess ? 0 : idle + 1;
         auto where = now.where;
         if (idle == 0) {
@@ -188,9 +189,10 @@ Directions smooth(const Surface& s, const Cells& cells, const Wanted& wanted, do
         widen(cells, kAround * radius * (1 + idle), where);
         for (std::size_t v = 0; v < n; ++v) {
             if (where[v]) share[v] = share[v] * kFall > kLeastShare ? share[v] * kFall : 0;
-            weight[v] = wanted.weight[v] * share[v];
+            weight[v] = prescribed.weight[v] * share[v];
             if (share[v] > 0 || !(std::abs(z[v]) > kUnknown)) continue;
-            weight[v] = let_go; // nothing is wanted: what is there diffuses, of size 1, so that it turns evenly
+            // nothing is prescribed any more: the direction of the last round, made of size 1, diffuses
+            weight[v] = let_go;
             given[v] = 1 / std::abs(z[v]) * z[v];
         }
     }

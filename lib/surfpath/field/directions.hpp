@@ -1,5 +1,5 @@
-// Along what lines shall run, everywhere on a surface: given, mixed, and smoothed until they bend no tighter than
-// asked.
+// The directions of the lines at every vertex of a surface: prescribed, mixed, and smoothed until lines along them
+// bend no tighter than a radius.
 #pragma once
 
 #include "base/note.hpp"
@@ -13,60 +13,62 @@ using surface::Surface;
 using surface::directions::Cells;
 using surface::directions::Complex;
 
-// Per vertex a direction as its doubled angle (rosy.hpp), and how much it counts, 0 to 1.
-struct Wanted {
+// Prescribed directions: per vertex the doubled angle (surface/directions/rosy.hpp) and its weight from 0 to 1.
+struct PrescribedDirections {
     std::vector<Complex> z;
     std::vector<double> weight;
-    double unknown = 0; // mm2 where a field that is to be followed holds no number: there nothing is wanted
+    double unknown = 0; // mm2 on which a prescribed field is not a finite number; nothing is prescribed there
     Vec3 unknown_at;    // one of these places
 };
 
-// What of it is wanted, and how much: weights of 0 leave it out.
-struct Sources {
-    double given = 0;                // along the field of vectors that is named below
-    double stress = 0;               // along the greatest pull of any load case
-    double angle = 0;                // at `turn` from the reference direction
-    double rim = 0;                  // along the rims, where one is near
-    double rings = 0;                // along the lines of equal distance from the rims, everywhere
-    double turn = 0;                 // rad, counter-clockwise seen from the side that the surface faces
-    const char* field = "direction"; // of that
-    Vec3 reference{1, 0, 0};         // laid onto the surface; where it stands upright on that it says nothing
+// The mixture of directions that lines follow; parts with a weight of 0 are left out.
+struct DirectionMix {
+    double given = 0;                // weight of the vector field named below
+    double stress = 0;               // weight of the greatest tension of any load case
+    double angle = 0;                // weight of the direction at `turn` from the reference direction
+    double rim = 0;                  // weight of the direction of rims, at their vertices
+    double rings = 0;                // weight of the lines of equal distance from the rims, everywhere
+    double turn = 0;                 // rad, counter-clockwise as seen from the side that the surface faces
+    const char* field = "direction"; // name of the vector field
+    Vec3 reference{1, 0, 0};         // projected onto the surface; no direction where it is normal to that
 
-    // Whether this is wanted, and nothing else; of none, whether nothing is.
-    [[nodiscard]] bool only(double Sources::*weight) const;
+    // Whether `weight` is the only weight above 0; for nullptr: whether there is none.
+    [[nodiscard]] bool only(double DirectionMix::*weight) const;
 };
 
-// The weights, as users have them.
-struct NamedSource {
+// The weights with their names in options.
+struct NamedWeight {
     const char* name;
-    double Sources::*weight;
+    double DirectionMix::*weight;
 };
-inline constexpr NamedSource kSources[] = {{"direction", &Sources::given},
-                                           {"stress", &Sources::stress},
-                                           {"angle", &Sources::angle},
-                                           {"rim", &Sources::rim},
-                                           {"rings", &Sources::rings}};
+inline constexpr NamedWeight kNamedWeights[] = {{"direction", &DirectionMix::given},
+                                                {"stress", &DirectionMix::stress},
+                                                {"angle", &DirectionMix::angle},
+                                                {"rim", &DirectionMix::rim},
+                                                {"rings", &DirectionMix::rings}};
 
-inline bool Sources::only(double Sources::*weight) const {
-    for (const NamedSource& source : kSources)
+inline bool DirectionMix::only(double DirectionMix::*weight) const {
+    for (const NamedWeight& source : kNamedWeights)
         if ((this->*source.weight > 0) != (source.weight == weight)) return false;
     return true;
 }
 
-// The mix of the sources: the sum of weight times z, of length at most 1.
-// Throws Error(bad_input) if there is none of a source: "the surface carries no stresses; run stressfield first".
-Wanted wanted(const surface::Sheet& sheet, const Cells& cells, const Sources& sources);
+// The prescribed directions: the sum of weight times z over all parts, cut to length 1.
+// Throws Error(bad_input) if the sheet lacks a part, as "the surface carries no tensile stress; run stressfield
+// first".
+PrescribedDirections prescribed(const surface::Sheet& sheet, const Cells& cells, const DirectionMix& sources);
 
 struct Directions {
-    std::vector<Vec3> along; // per vertex, unit, across its normal, of either sign
-    double tightest = 0;     // 1/mm: the most that a line bends anywhere
-    double tight = 0;        // mm2 where lines bend tighter than asked for, though nothing is wanted there any more
-    Vec3 tight_at;           // where they bend most
-    double given_up = 0;     // mm2 where less than half of what was wanted counts
+    std::vector<Vec3> along; // per vertex, unit, tangential, of either sign
+    double tightest = 0;     // 1/mm: the greatest curvature of a line
+    double tight = 0;    // mm2 where lines bend tighter than the radius although nothing is prescribed there any more
+    Vec3 tight_at;       // where lines bend most
+    double given_up = 0; // mm2 where less than half of the prescribed weight counts
 };
 
-// The directions with the least sum over area of weight |z - wanted|^2 + length^2 |grad z|^2.  Where lines along them
-// would bend tighter than `radius`, weights fall, there only, until they do not, or nothing is wanted there any more.
-Directions smooth(const Surface& s, const Cells& cells, const Wanted& wanted, double length, double radius);
+// The directions that minimise the integral of weight |z - prescribed|^2 + length^2 |grad z|^2. Where lines along them
+// bend tighter than `radius`, weights are lowered locally until lines bend no tighter or the weights are 0.
+Directions smooth(const Surface& s, const Cells& cells, const PrescribedDirections& prescribed, double length,
+                  double radius);
 
 } // namespace filum::surfpath::field

@@ -14,14 +14,15 @@ namespace {
 using surface::kNone;
 
 constexpr double kHalfTurn = std::numbers::pi;
-constexpr double kInside = 1e-6; // of an edge: as near to its ends as crossings come
+constexpr double kInside = 1e-6; // share of an edge: crossings come no nearer to its ends
 
-// Where lines cross an edge, in the order of the half-edge from its lesser vertex.
-struct Crossing {
+// A crossing of a line with an edge. Crossings of an edge are in the order of the half-edge from its vertex of lower
+// number.
+struct EdgeCrossing {
     std::uint32_t edge = 0; // that half-edge, or the only one
     Vec3 point;
-    std::array<std::uint32_t, 2> other{kNone, kNone};   // the crossings that it is joined with,
-    std::array<std::uint32_t, 2> through{kNone, kNone}; // and the triangles between
+    std::array<std::uint32_t, 2> other{kNone, kNone};   // crossings that it is connected to
+    std::array<std::uint32_t, 2> through{kNone, kNone}; // the triangles between
 };
 
 class Tracer {
@@ -35,10 +36,10 @@ class Tracer {
         }
         first_.back() = static_cast<std::uint32_t>(found_.size());
         for (std::uint32_t t = 0; t < s_.triangles.size(); ++t) join(t);
-        open_loops();
+        join_loops();
         std::vector<Line> out;
         used_.assign(found_.size(), 0);
-        for (std::uint32_t i = 0; i < found_.size(); ++i) // those that end at rims, then closed ones
+        for (std::uint32_t i = 0; i < found_.size(); ++i) // lines that end at rims first, then closed ones
             if (!used_[i] && found_[i].other[1] == kNone) out.push_back(follow(i));
         for (std::uint32_t i = 0; i < found_.size(); ++i)
             if (!used_[i]) out.push_back(follow(i));
@@ -46,7 +47,7 @@ class Tracer {
     }
 
   private:
-    // Whether the edge is kept under this half-edge.
+    // Whether this half-edge is the one that stands for the edge.
     [[nodiscard]] bool own(std::uint32_t h) const { return s_.twin[h] == kNone || s_.tail(h) < s_.head(h); }
 
     void cross_edge(std::uint32_t h) {
@@ -63,7 +64,7 @@ class Tracer {
         if (ahead != (grown > 0)) std::reverse(found_.begin() + static_cast<std::ptrdiff_t>(begin), found_.end());
     }
 
-    // The crossings of a triangle's sides, round about it.
+    // The crossings around a triangle, side by side.
     [[nodiscard]] std::vector<std::uint32_t> round(std::uint32_t t) const {
         std::vector<std::uint32_t> out;
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
@@ -74,14 +75,15 @@ class Tracer {
         return out;
     }
 
-    // Joins the crossings of a triangle in pairs, none across another, by the least length in all.
+    // Connects the crossings of a triangle in pairs that do not cross, of the least total length (dynamic
+    // programming).
     void join(std::uint32_t t) {
         const auto about = round(t);
         const std::size_t n = about.size();
         if (n < 2) return;
         const bool odd = singular(s_, stripes_, t);
         const auto at = [&](std::size_t i) { return about[i % n]; };
-        std::vector<double> best((n + 1) * (n + 1), 0); // of those from i up to before j
+        std::vector<double> best((n + 1) * (n + 1), 0); // least cost of the crossings from i to j - 1
         std::vector<std::size_t> with((n + 1) * (n + 1), 0);
         for (std::size_t span = 2; span <= n; span += 2)
             for (std::size_t i = 0; i + span <= n; ++i) {
@@ -109,7 +111,7 @@ class Tracer {
         }
     }
 
-    // Two of one side are neighbours of a turn: only if nothing else is left.
+    // Two crossings of one side are only connected, as neighbours in a turn, if nothing else is possible.
     [[nodiscard]] double cost(std::uint32_t a, std::uint32_t b) const {
         return distance(found_[a].point, found_[b].point) + (found_[a].edge == found_[b].edge ? 1e6 : 0);
     }
@@ -124,7 +126,7 @@ class Tracer {
 
     void untie(std::uint32_t a, std::uint32_t b, std::uint32_t t) {
         for (const auto& [x, y] : {std::pair(a, b), std::pair(b, a)}) {
-            Crossing& c = found_[x];
+            EdgeCrossing& c = found_[x];
             const std::size_t k = c.other[0] == y && c.through[0] == t ? 0 : 1;
             if (k == 0) {
                 c.other[0] = c.other[1];
@@ -134,9 +136,9 @@ class Tracer {
         }
     }
 
-    // Where two lines meet in a singular triangle, of which one is closed, they become one by the other way to join
-    // them.
-    void open_loops() {
+    // Where a closed line meets another line in a singular triangle, connects them there the other way, which makes
+    // one line of both.
+    void join_loops() {
         geom::DisjointSets lines(found_.size());
         std::vector<char> open(found_.size(), 0);
         for (std::uint32_t i = 0; i < found_.size(); ++i)
@@ -158,7 +160,7 @@ class Tracer {
         std::uint32_t triangle, a, b;
     };
 
-    // Joins the ends of two chords of a triangle the other way; false if another chord lies between.
+    // Connects the ends of two chords of a triangle the other way; returns false if another chord is in between.
     bool swap(Chord& x, Chord& y) {
         const std::uint32_t t = x.triangle;
         const auto about = round(t);
@@ -169,7 +171,7 @@ class Tracer {
                            (ends[0] == y.a && ends[1] == y.b) || (ends[0] == y.b && ends[1] == y.a);
         const std::array<std::uint32_t, 4> to =
             first ? std::array{ends[0], ends[3], ends[1], ends[2]} : std::array{ends[0], ends[1], ends[2], ends[3]};
-        for (const Chord& c : chords_) { // one that ends between the ends of another would cross it
+        for (const Chord& c : chords_) { // another chord with just one end in between would cross
             if (c.triangle != t || c.a == x.a || c.a == y.a) continue;
             for (const std::size_t k : {0U, 2U}) {
                 const auto i0 = where(to[k]), i1 = where(to[k + 1]), low = std::min(i0, i1), high = std::max(i0, i1);
@@ -191,8 +193,8 @@ class Tracer {
         std::uint32_t before = kNone;
         while (true) {
             used_[i] = 1;
-            Crossing& c = found_[i];
-            // A line that comes back through the same two crossings goes on by the other triangle.
+            EdgeCrossing& c = found_[i];
+            // If the line returns through the same two crossings, it continues through the other triangle.
             std::size_t k = 0;
             if (before != kNone) k = c.through[0] == before ? 1 : 0;
             if (c.other[k] == kNone) {
@@ -213,9 +215,9 @@ class Tracer {
 
     const Surface& s_;
     const Stripes& stripes_;
-    std::vector<std::uint32_t> first_; // per half-edge: its crossings
-    std::vector<Crossing> found_;
-    std::vector<Chord> chords_; // of singular triangles, by those
+    std::vector<std::uint32_t> first_; // per half-edge the index of its first crossing
+    std::vector<EdgeCrossing> found_;
+    std::vector<Chord> chords_; // of singular triangles, in the order of these
     std::vector<char> used_;
 };
 

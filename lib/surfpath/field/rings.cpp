@@ -9,7 +9,7 @@ namespace filum::surfpath::field {
 
 namespace {
 
-// All rims, and the sources of components that have none.
+// The lines from which rings are measured: all rims, and the sources of components without a rim.
 surface::Sources begins(const surface::Sheet& sheet) {
     const Surface& s = sheet.surface;
     std::vector<char> rimmed(s.components, 0);
@@ -24,11 +24,11 @@ surface::Sources begins(const surface::Sheet& sheet) {
 
 } // namespace
 
-Rings rings(const surface::Sheet& sheet, const Cells& cells) {
+RingField ring_field(const surface::Sheet& sheet, const Cells& cells) {
     const Surface& s = sheet.surface;
     const std::size_t n = s.vertices.size();
-    Rings out{std::vector<double>(n, std::numeric_limits<double>::infinity()), std::vector<Complex>(n),
-              std::vector<Vec3>(n)};
+    RingField out{std::vector<double>(n, std::numeric_limits<double>::infinity()), std::vector<Complex>(n),
+                  std::vector<Vec3>(n)};
     const surface::Sources begin = begins(sheet);
     if (begin.empty()) return out;
     out.distance = geodesic::exact_distances(s, begin).distance;
@@ -36,7 +36,7 @@ Rings rings(const surface::Sheet& sheet, const Cells& cells) {
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const auto& c = s.triangles[t];
         const Vec3 normal = surface::normal(s, t);
-        Vec3 along; // the slope of the distance, turned by a right angle
+        Vec3 along; // the gradient of the distance, turned by a right angle
         for (std::size_t k = 0; k < 3; ++k)
             along = along + out.distance[c[k]] * (s.vertices[c[(k + 2) % 3]] - s.vertices[c[(k + 1) % 3]]);
         if (!(norm(along) > 0) || !std::isfinite(norm(along))) continue;
@@ -54,7 +54,7 @@ Rings rings(const surface::Sheet& sheet, const Cells& cells) {
     return out;
 }
 
-std::vector<Complex> phase(const Rings& rings, std::span<const Vec3> along, double spacing) {
+std::vector<Complex> phase(const RingField& rings, std::span<const Vec3> along, double spacing) {
     std::vector<Complex> out;
     for (std::size_t v = 0; v < along.size(); ++v) {
         const double angle = std::numbers::pi * rings.distance[v] / spacing;

@@ -1,23 +1,24 @@
-// The lines of equal distance from the rims, as directions and as stripes; on components without a rim, from the
-// sources of the sheet.
+// Rings as directions and as a phase of stripes: lines of equal distance from the rims, or from the sheet's sources on
+// components without a rim.
 #pragma once
 
 #include "surfpath/field/directions.hpp"
 
 namespace filum::surfpath::field {
 
-struct Rings {
-    std::vector<double> distance; // per vertex, mm, of the nearest rim; infinite on a component without one
-    // Per vertex along its ring, as a doubled angle: the mean of its triangles', by area.  On ridges of the distance,
-    // where rings bend, triangles disagree, and its size is below 1.
+struct RingField {
+    // per vertex, mm, from the nearest rim; infinite on a component without rim and source
+    std::vector<double> distance;
+    // Per vertex the direction of its ring as a doubled angle, the mean over its triangles by area. On ridges of the
+    // distance, where rings bend, triangles disagree, and its size is below 1.
     std::vector<Complex> z;
-    std::vector<Vec3> along; // likewise, with the rim to the right; of any size
+    std::vector<Vec3> along; // the same as a vector of any size, with the rim on its right
 };
 
-Rings rings(const surface::Sheet& sheet, const Cells& cells);
+RingField ring_field(const surface::Sheet& sheet, const Cells& cells);
 
-// The phase by which stripes along `along` are these rings, half a spacing from the rims and one apart; 0 where there
-// is no rim.
-std::vector<Complex> phase(const Rings& rings, std::span<const Vec3> along, double spacing);
+// The phase for which stripes along `along` are these rings, half a spacing from the rims and one spacing apart; 0
+// where there is no rim.
+std::vector<Complex> phase(const RingField& rings, std::span<const Vec3> along, double spacing);
 
 } // namespace filum::surfpath::field

@@ -16,29 +16,32 @@ namespace {
 using sparse::Matrix;
 using surface::kNone;
 using surface::directions::turned;
-using Vector = Eigen::VectorXd; // real and imaginary parts of each vertex
+using Vector = Eigen::VectorXd; // real and imaginary part for each vertex
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kMost = 100; // of a slope squared over its triangle: slivers must not outweigh all else
-constexpr double kBegin =
-    kPi / 4; // rad: neither as from a line nor as between two: a patch may have an odd number or an even
-constexpr double kPairWide = 3;      // spacings: what a pair takes, as one gap becomes three
-constexpr double kDear = 4;          // what slopes cost at a place from which births keep away, of what they cost else
-constexpr double kShortest = 0.25;   // spacings squared, that the phase is diffused over at last
-constexpr double kTimesFall = 16;    // from each such time to the next; the longest are as wide as the surface
-constexpr int kDiffusions = 12;      // of each
-constexpr double kBeside = 1e-6;     // rad: far above rounding, far below what can be laid
-constexpr double kRimParallel = 0.9; // cosine of the angle to a rim from where on that attracts lines
-constexpr double kRimPull = 4;       // how much, per mm of rim and spacing
+constexpr double kMost =
+    100; // largest squared slope integrated over a triangle, so that slivers do not outweigh the rest
+// rad: initial phase between that of a line and that of the middle between lines, so that a patch can have an odd or an
+// even number of lines.
+constexpr double kBegin = kPi / 4;
+constexpr double kPairWide = 3;      // spacings: width of a pair of births, as one gap becomes three
+constexpr double kDear = 4;          // factor of the cost of slopes at a place that repels births
+constexpr double kShortest = 0.25;   // spacings squared: shortest time of diffusion
+constexpr double kTimesFall = 16;    // ratio of consecutive times; the longest diffuses over the whole surface
+constexpr int kDiffusions = 12;      // diffusions for every time
+constexpr double kBeside = 1e-6;     // rad: far above rounding, far below what can be printed
+constexpr double kRimParallel = 0.9; // cosine of the largest angle to a rim at which that attracts lines
+constexpr double kRimPull = 4;       // strength of the attraction, per mm of rim and spacing
 
-// From vertex a to vertex b: how the angle should grow, and whether it counts the other way round there.
-struct Step {
+// Along an edge from vertex a to vertex b: the intended growth of the angle, and whether b counts it in the opposite
+// direction.
+struct EdgeGrowth {
     double growth = 0;
     bool flipped = false;
 };
 
-Step step(const Surface& s, const Cells& cells, std::span<const Vec3> along, double w, std::uint32_t a,
-          std::uint32_t b) {
+EdgeGrowth edge_growth(const Surface& s, const Cells& cells, std::span<const Vec3> along, double w, std::uint32_t a,
+                       std::uint32_t b) {
     const Vec3 e = s.vertices[b] - s.vertices[a];
     const Vec3 &na = cells.normal[a], &nb = cells.normal[b];
     const bool flipped = dot(turned(along[a], na, nb), along[b]) < 0;
@@ -46,20 +49,20 @@ Step step(const Surface& s, const Cells& cells, std::span<const Vec3> along, dou
     return {w * (from + (flipped ? -to : to)) / 2, flipped};
 }
 
-using Turn = Eigen::Matrix2d;
+using Rotation = Eigen::Matrix2d;
 
-// What the phase at `k` is as seen from `root`, where it should be the same.
-Turn seen(const Surface& s, const Cells& cells, std::span<const Vec3> along, double w, std::uint32_t root,
-          std::uint32_t k) {
-    if (root == k) return Turn::Identity();
-    const Step g = step(s, cells, along, w, root, k);
+// The rotation that a phase at `k` has relative to `root` if the growth between them is the intended one.
+Rotation transported(const Surface& s, const Cells& cells, std::span<const Vec3> along, double w, std::uint32_t root,
+                     std::uint32_t k) {
+    if (root == k) return Rotation::Identity();
+    const EdgeGrowth g = edge_growth(s, cells, along, w, root, k);
     const double x = std::cos(g.growth), y = std::sin(g.growth), sign = g.flipped ? -1 : 1;
-    Turn out;
+    Rotation out;
     out << x, sign * y, -y, sign * x;
     return out;
 }
 
-// The direction of a triangle: the mean of its corners', of one sign; (0, 0, 0) where they cancel.
+// The direction of a triangle: the mean of its corners' directions with matching signs; (0, 0, 0) if they cancel.
 Vec3 mean_direction(const Cells& cells, std::span<const Vec3> along, const surface::Triangle& c, const Vec3& n) {
     Vec3 sum;
     for (const std::uint32_t v : c) {
@@ -69,8 +72,9 @@ Vec3 mean_direction(const Cells& cells, std::span<const Vec3> along, const surfa
     return geom::unit(sum - dot(sum, n) * n, {});
 }
 
-// Of the lower triangle.
-void add_block(std::uint32_t row, std::uint32_t column, const Turn& block, std::vector<Eigen::Triplet<double>>& to) {
+// Adds a 2 x 2 block to the lower triangle of the matrix.
+void add_block(std::uint32_t row, std::uint32_t column, const Rotation& block,
+               std::vector<Eigen::Triplet<double>>& to) {
     for (int y = 0; y < 2; ++y)
         for (int x = 0; x < 2; ++x)
             if (row != column || y >= x)
@@ -82,29 +86,30 @@ Vec3 middle(const Surface& s, std::uint32_t t) {
     return 1.0 / 3 * (s.vertices[a] + s.vertices[b] + s.vertices[c]);
 }
 
-// What slopes cost at a place: more near those from which births keep away.
-double dearness(const Vec3& p, const Striping& o) {
+// Factor of the cost of slopes: up to kDear near places that repel births.
+double slope_cost(const Vec3& p, const StripeOptions& o) {
     double out = 1;
     for (const Vec3& q : o.apart) out = std::max(out, kDear - (kDear - 1) * distance(p, q) / (kPairWide * o.spacing));
     return out;
 }
 
-// The slopes of psi over every triangle, squared, those along the lines `stiff` times: seen from each corner in turn.
-void add_triangles(const Surface& s, const Cells& cells, std::span<const Vec3> along, double w, const Striping& o,
+// Adds the squared gradient of psi over every triangle, with slopes along the lines weighted by `stiff`. Each corner
+// serves as root for a third of the weight.
+void add_triangles(const Surface& s, const Cells& cells, std::span<const Vec3> along, double w, const StripeOptions& o,
                    std::vector<Eigen::Triplet<double>>& to) {
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const auto& c = s.triangles[t];
         const Vec3 n = surface::normal(s, t), d = mean_direction(cells, along, c, n);
         const double area = surface::area(s, t);
-        std::array<Vec3, 3> slope; // of the function that is 1 at a corner and 0 at the others
+        std::array<Vec3, 3> slope; // of the hat function of each corner
         for (std::size_t k = 0; k < 3; ++k)
             slope[k] = 1 / (2 * area) * cross(n, s.vertices[c[(k + 2) % 3]] - s.vertices[c[(k + 1) % 3]]);
         double most = 0;
         for (const Vec3& g : slope) most = std::max(most, area * norm2(g));
-        const double weight = dearness(middle(s, t), o) * area * std::min(1.0, kMost / most) / 3;
+        const double weight = slope_cost(middle(s, t), o) * area * std::min(1.0, kMost / most) / 3;
         for (std::size_t r = 0; r < 3; ++r) {
-            std::array<Turn, 3> from;
-            for (std::size_t k = 0; k < 3; ++k) from[k] = seen(s, cells, along, w, c[r], c[k]);
+            std::array<Rotation, 3> from;
+            for (std::size_t k = 0; k < 3; ++k) from[k] = transported(s, cells, along, w, c[r], c[k]);
             for (std::size_t i = 0; i < 3; ++i)
                 for (std::size_t j = 0; j < 3; ++j) {
                     if (c[i] < c[j]) continue;
@@ -116,8 +121,8 @@ void add_triangles(const Surface& s, const Cells& cells, std::span<const Vec3> a
     }
 }
 
-// At rims that lines run along the angle shall be 0 or half a turn: there is no line on the rim, but one half a spacing
-// from it.
+// Adds the attraction of rims that lines run along: there the angle should be 0 or half a turn, which is the middle
+// between two lines, so that the first line is half a spacing from the rim.
 void add_rims(const Surface& s, std::span<const Vec3> along, double spacing, std::vector<Eigen::Triplet<double>>& to) {
     for (const auto& rim : s.rims)
         for (const std::uint32_t h : rim.sides) {
@@ -140,7 +145,7 @@ void scale(Vector& psi) {
     }
 }
 
-// The phase, but at least kBeside from a line: on which side a vertex lies must not depend on rounding, edge by edge.
+// The phase, moved to at least kBeside from a line, so that rounding does not decide on which side a vertex lies.
 Complex beside_lines(const Complex& phase) {
     return std::abs(phase.real()) < kBeside ? Complex{kBeside, phase.imag() < 0 ? -1.0 : 1.0} : phase;
 }
@@ -149,10 +154,10 @@ Complex beside_lines(const Complex& phase) {
 
 namespace {
 
-// The phase of size 1 with the least sum of slopes, from several beginnings.
-class Diffusion {
+// Minimises the energy of phases of size 1, from several initial phases.
+class PhaseDiffusion {
   public:
-    Diffusion(const Surface& s, const Cells& cells, std::span<const Vec3> along, const Striping& o)
+    PhaseDiffusion(const Surface& s, const Cells& cells, std::span<const Vec3> along, const StripeOptions& o)
         : unit_(o.spacing * o.spacing), total_(cells.total) {
         const auto n = static_cast<Eigen::Index>(2 * s.vertices.size());
         std::vector<Eigen::Triplet<double>> entries, mass;
@@ -170,13 +175,14 @@ class Diffusion {
         factor_.analyse(energy_ + area_);
     }
 
-    // Each diffused, over times that fall, and made of size 1 again.
+    // Diffuses every phase for falling times and scales it to size 1 after each diffusion.
     void run(std::vector<Vector>& psis) {
         double longest = kShortest;
         while (longest * unit_ * kTimesFall < total_) longest *= kTimesFall;
         for (double time = longest; time >= kShortest; time /= kTimesFall) {
             if (!factor_.factorise(area_ + time * unit_ * energy_))
-                throw Error(Exit::failure, "cannot lay stripes: the surface's triangles are too uneven; remesh it");
+                throw Error(Exit::failure,
+                            "cannot place stripes: the surface's triangles are too uneven; run geodesic --remesh");
             for (Vector& psi : psis)
                 for (int round = 0; round < kDiffusions; ++round) {
                     psi = factor_.solve(m_.cwiseProduct(psi));
@@ -194,7 +200,7 @@ class Diffusion {
     sparse::Factor factor_;
 };
 
-Vector begun(std::size_t n, const Complex& everywhere, std::span<const Complex> like) {
+Vector initial_phase(std::size_t n, const Complex& everywhere, std::span<const Complex> like) {
     Vector out(2 * static_cast<Eigen::Index>(n));
     for (std::size_t v = 0; v < n; ++v) {
         const Complex at = like.empty() || like[v] == Complex{} ? everywhere : like[v];
@@ -206,19 +212,19 @@ Vector begun(std::size_t n, const Complex& everywhere, std::span<const Complex> 
 
 } // namespace
 
-Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> along, const Striping& o) {
+Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> along, const StripeOptions& o) {
     const double w = kPi / o.spacing;
     const Complex everywhere = std::polar(1.0, kBegin + kPi * o.shift);
-    std::vector<Vector> psis{begun(s.vertices.size(), everywhere, {})};
-    if (!o.like.empty()) psis.push_back(begun(s.vertices.size(), everywhere, o.like));
-    Diffusion diffusion(s, cells, along, o);
+    std::vector<Vector> psis{initial_phase(s.vertices.size(), everywhere, {})};
+    if (!o.like.empty()) psis.push_back(initial_phase(s.vertices.size(), everywhere, o.like));
+    PhaseDiffusion diffusion(s, cells, along, o);
     diffusion.run(psis);
     const Vector& psi = psis.size() > 1 && diffusion.sum(psis[1]) < diffusion.sum(psis[0]) ? psis[1] : psis[0];
     Stripes out;
     for (Eigen::Index i = 0; i < psi.size(); i += 2) out.phase.push_back(beside_lines({psi[i], psi[i + 1]}));
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
         const std::uint32_t a = std::min(s.tail(h), s.head(h)), b = std::max(s.tail(h), s.head(h));
-        const Step g = step(s, cells, along, w, a, b);
+        const EdgeGrowth g = edge_growth(s, cells, along, w, a, b);
         const Complex to = g.flipped ? std::conj(out.phase[b]) : out.phase[b];
         out.flipped.push_back(g.flipped ? 1 : 0);
         out.growth.push_back(g.growth + std::arg(to * std::conj(out.phase[a]) * std::polar(1.0, -g.growth)));
@@ -226,8 +232,8 @@ Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> alon
     return out;
 }
 
-// rad: by how much the angle grows once round a triangle, as the first corner counts; none where directions have no
-// sign that all three agree on.
+// rad: growth of the angle around a triangle, as counted by its first corner; none if the corners' directions have no
+// common sign.
 static std::optional<double> winding(const Surface& s, const Stripes& stripes, std::uint32_t triangle) {
     double sum = 0, sign = 1;
     for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {

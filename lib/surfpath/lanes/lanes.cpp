@@ -7,22 +7,22 @@ namespace filum::surfpath::lanes {
 
 namespace {
 
-constexpr double kNodeStep = 0.2;  // of the spacing: between nodes
-constexpr double kNearest = 0.5;   // of the spacing: what is nearer is no neighbour
-constexpr double kAnotherLane = 3; // spacings along a lane from where it counts as another one
+constexpr double kNodeStep = 0.2;  // spacings between nodes
+constexpr double kNearest = 0.5;   // spacings: nearer lanes are not neighbours
+constexpr double kAnotherLane = 3; // spacings of arc length from which a lane counts as its own neighbour
 
 } // namespace
 
 Lanes::Lanes(const Surface& surface, std::vector<Line> lines, double spacing)
     : surface_(surface), lines_(std::move(lines)), spacing_(spacing) {
     for (std::uint32_t l = 0; l < lines_.size(); ++l) {
-        ways_.push_back(surface::curve::arc_lengths(lines_[l]));
-        const double all = ways_[l].back();
+        arcs_.push_back(surface::curve::arc_lengths(lines_[l]));
+        const double all = arcs_[l].back();
         const auto n = static_cast<std::size_t>(std::max(3.0, std::ceil(all / (kNodeStep * spacing))));
         for (std::size_t i = 0; i < n; ++i) {
-            const double way = all * static_cast<double>(i) / static_cast<double>(n);
-            const Place p = surface::curve::at(lines_[l], ways_[l], way);
-            nodes_.push_back({l, way, p.point, surface::normal(surface, p.triangle), surface.component[p.triangle]});
+            const double arc = all * static_cast<double>(i) / static_cast<double>(n);
+            const Place p = surface::curve::at(lines_[l], arcs_[l], arc);
+            nodes_.push_back({l, arc, p.point, surface::normal(surface, p.triangle), surface.component[p.triangle]});
         }
     }
     std::vector<Vec3> points;
@@ -30,41 +30,41 @@ Lanes::Lanes(const Surface& surface, std::vector<Line> lines, double spacing)
     grid_ = geom::PointGrid<Vec3>(points, spacing);
 }
 
-Place Lanes::at(std::uint32_t lane, double way) const { return surface::curve::at(lines_[lane], ways_[lane], way); }
+Place Lanes::at(std::uint32_t lane, double arc) const { return surface::curve::at(lines_[lane], arcs_[lane], arc); }
 
-Vec3 Lanes::tangent(std::uint32_t lane, double way) const {
+Vec3 Lanes::tangent(std::uint32_t lane, double arc) const {
     const double half = std::min(0.3 * spacing_, length(lane) / 8);
-    const Vec3 d = at(lane, way + half).point - at(lane, way - half).point;
+    const Vec3 d = at(lane, arc + half).point - at(lane, arc - half).point;
     const double l = norm(d);
     return l > 0 ? 1 / l * d : Vec3{1, 0, 0};
 }
 
 Line Lanes::part(std::uint32_t lane, double from, double to) const {
-    return surface::curve::part(lines_[lane], ways_[lane], from, to);
+    return surface::curve::part(lines_[lane], arcs_[lane], from, to);
 }
 
-double Lanes::curvature(std::uint32_t lane, double way) const {
+double Lanes::curvature(std::uint32_t lane, double arc) const {
     const double half = std::min(0.5 * spacing_, length(lane) / 8);
-    const Place p = at(lane, way);
+    const Place p = at(lane, arc);
     const Vec3 n = surface::normal(surface_, p.triangle);
-    const Vec3 a = p.point - at(lane, way - half).point, b = at(lane, way + half).point - p.point;
+    const Vec3 a = p.point - at(lane, arc - half).point, b = at(lane, arc + half).point - p.point;
     return std::abs(std::atan2(dot(cross(a, b), n), dot(a, b))) / half;
 }
 
 LanePlace Lanes::refined(const Node& node, const Vec3& p) const {
-    LanePlace out{node.lane, node.way, distance(node.point, p)};
+    LanePlace out{node.lane, node.arc, distance(node.point, p)};
     const double step = kNodeStep * spacing_, all = length(node.lane);
-    double lo = node.way - step, hi = node.way + step;
-    for (int i = 0; i < 12; ++i) { // the nearest of a stretch without bends
+    double lo = node.arc - step, hi = node.arc + step;
+    for (int i = 0; i < 12; ++i) { // ternary search; the lane is almost straight between the nodes
         const double a = lo + (hi - lo) / 3, b = hi - (hi - lo) / 3;
         if (distance(at(node.lane, a).point, p) < distance(at(node.lane, b).point, p))
             hi = b;
         else
             lo = a;
     }
-    const double way = (lo + hi) / 2, d = distance(at(node.lane, way).point, p);
+    const double arc = (lo + hi) / 2, d = distance(at(node.lane, arc).point, p);
     if (d < out.distance) {
-        out.way = way < 0 ? way + all : way >= all ? way - all : way;
+        out.arc = arc < 0 ? arc + all : arc >= all ? arc - all : arc;
         out.distance = d;
     }
     return out;
@@ -79,7 +79,7 @@ std::optional<LanePlace> Lanes::nearest(const Place& from, double reach, const U
         const Node& node = nodes_[i];
         const double d = distance(node.point, from.point);
         if (d > least || (d == least && i >= best)) return;
-        if (node.component != component || dot(node.normal, n) < 0.3 || !use(node.lane, node.way)) return;
+        if (node.component != component || dot(node.normal, n) < 0.3 || !use(node.lane, node.arc)) return;
         least = d;
         best = i;
     });
@@ -92,25 +92,25 @@ double Lanes::ahead(std::uint32_t lane, double from, double to, double sense) co
     return d < 0 ? d + all : d;
 }
 
-std::optional<LanePlace> Lanes::across(std::uint32_t lane, double way, double side, double farthest) const {
-    const Place from = at(lane, way);
+std::optional<LanePlace> Lanes::across(std::uint32_t lane, double arc, double side, double farthest) const {
+    const Place from = at(lane, arc);
     const Vec3 n = surface::normal(surface_, from.triangle);
-    const Vec3 out = side * cross(tangent(lane, way), n);
+    const Vec3 out = side * cross(tangent(lane, arc), n);
     const auto use = [&](std::uint32_t l, double w) {
         if (l != lane) return true;
-        return std::min(ahead(l, way, w, 1), ahead(l, w, way, 1)) > kAnotherLane * spacing_;
+        return std::min(ahead(l, arc, w, 1), ahead(l, w, arc, 1)) > kAnotherLane * spacing_;
     };
     for (double far = 1; far < farthest + 0.1; far += 0.5) {
         const double length = std::min(far, farthest) * spacing_;
         const Place q = surface::curve::step(surface_, from, length * out);
         const auto found = nearest(q, 0.45 * spacing_, use);
         if (!found) continue;
-        const Place there = at(found->lane, found->way);
+        const Place there = at(found->lane, found->arc);
         const Vec3 off = there.point - from.point;
         const double d = norm(off);
         if (d < kNearest * spacing_ || d > (farthest + 0.2) * spacing_ || dot(off, out) < 0.8 * d) continue;
         if (!surface::curve::leads(surface_, surface::curve::join(surface_, from, there))) continue;
-        return LanePlace{found->lane, found->way, d};
+        return LanePlace{found->lane, found->arc, d};
     }
     return std::nullopt;
 }

@@ -1,4 +1,4 @@
-// Closed lines side by side on a surface: which runs next to which, and where.
+// Closed lines side by side on a surface, with a search for the neighbour at each place.
 #pragma once
 
 #include "geom/point_grid.hpp"
@@ -17,41 +17,41 @@ using surface::curve::Place;
 // A place on a lane.
 struct LanePlace {
     std::uint32_t lane = 0;
-    double way = 0;      // mm from the lane's first point
-    double distance = 0; // mm, straight, from where it was asked for
+    double arc = 0;      // mm from the lane's first point
+    double distance = 0; // mm, straight, from the place for which it was searched
 };
 
 class Lanes {
   public:
-    // `lines` are threaded and closed, about `spacing` mm apart.
+    // `lines` are threaded, closed and about `spacing` mm apart.
     Lanes(const Surface& surface, std::vector<Line> lines, double spacing);
 
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(lines_.size()); }
     [[nodiscard]] const Line& line(std::uint32_t lane) const { return lines_[lane]; }
-    [[nodiscard]] double length(std::uint32_t lane) const { return ways_[lane].back(); }
+    [[nodiscard]] double length(std::uint32_t lane) const { return arcs_[lane].back(); }
     [[nodiscard]] double spacing() const { return spacing_; }
     [[nodiscard]] const Surface& surface() const { return surface_; }
-    [[nodiscard]] Place at(std::uint32_t lane, double way) const;
-    [[nodiscard]] Vec3 tangent(std::uint32_t lane, double way) const; // unit
+    [[nodiscard]] Place at(std::uint32_t lane, double arc) const;
+    [[nodiscard]] Vec3 tangent(std::uint32_t lane, double arc) const; // unit
     [[nodiscard]] Line part(std::uint32_t lane, double from, double to) const;
-    [[nodiscard]] double curvature(std::uint32_t lane, double way) const; // 1/mm, over a spacing
+    [[nodiscard]] double curvature(std::uint32_t lane, double arc) const; // 1/mm, over a spacing
 
-    // The nearest place on a lane for which use(lane, way) holds, at most `reach` mm away, on the same component, where
-    // the surface faces as it does at `from`.  Ties: the first lane, the least way.
+    // The nearest place for which use(lane, arc) holds, at most `reach` mm from `from`, on the same component, where
+    // the surface faces the same way. Ties: the first lane, the least arc length.
     using Use = std::function<bool(std::uint32_t, double)>;
     [[nodiscard]] std::optional<LanePlace> nearest(const Place& from, double reach, const Use& use) const;
 
-    // The lane next to `lane` at `way`, on its right (side 1) or left (-1), between 0.5 and `farthest` spacings away
-    // along the surface, which leads there.  It may be the same lane, coming back.
-    [[nodiscard]] std::optional<LanePlace> across(std::uint32_t lane, double way, double side, double farthest) const;
+    // The neighbour of `lane` at `way` on its right (side 1) or left (side -1), at a distance between 0.5 and
+    // `farthest` spacings along the surface. It may be another part of the same lane.
+    [[nodiscard]] std::optional<LanePlace> across(std::uint32_t lane, double arc, double side, double farthest) const;
 
-    // How far ahead of `from` the place `to` lies on the lane, in the sense given; 0 up to its length.
+    // Arc length from `from` to `to` along the lane (sense 1) or against it (-1): from 0 to less than its length.
     [[nodiscard]] double ahead(std::uint32_t lane, double from, double to, double sense) const;
 
   private:
     struct Node {
         std::uint32_t lane;
-        double way;
+        double arc;
         Vec3 point, normal;
         std::uint32_t component;
     };
@@ -59,7 +59,7 @@ class Lanes {
 
     const Surface& surface_;
     std::vector<Line> lines_;
-    std::vector<std::vector<double>> ways_;
+    std::vector<std::vector<double>> arcs_;
     double spacing_;
     std::vector<Node> nodes_;
     geom::PointGrid<Vec3> grid_; // of nodes

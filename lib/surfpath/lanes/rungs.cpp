@@ -7,20 +7,21 @@ namespace filum::surfpath::lanes {
 
 namespace {
 
-constexpr double kShortestStep = 0.15, kLongestStep = 4; // of the step on the first lane: that on any other
+// limits of the step on other lanes, in steps of the first lane
+constexpr double kShortestStep = 0.15, kLongestStep = 4;
 
 } // namespace
 
-Rung rung(const Lanes& lanes, std::uint32_t lane, double way, double side, double farthest, std::size_t most) {
-    Rung out{{{lane, way, 0}}, {1}};
+Rung rung(const Lanes& lanes, std::uint32_t lane, double arc, double side, double farthest, std::size_t most) {
+    Rung out{{{lane, arc, 0}}, {1}};
     while (out.places.size() < most) {
         const LanePlace from = out.places.back();
-        const auto next = lanes.across(from.lane, from.way, side, farthest);
+        const auto next = lanes.across(from.lane, from.arc, side, farthest);
         if (!next) break;
         if (std::any_of(out.places.begin(), out.places.end(), [&](const auto& p) { return p.lane == next->lane; }))
             break;
-        const Place a = lanes.at(from.lane, from.way), b = lanes.at(next->lane, next->way);
-        const Vec3 t = lanes.tangent(next->lane, next->way), before = lanes.tangent(from.lane, from.way);
+        const Place a = lanes.at(from.lane, from.arc), b = lanes.at(next->lane, next->arc);
+        const Vec3 t = lanes.tangent(next->lane, next->arc), before = lanes.tangent(from.lane, from.arc);
         if (std::abs(dot(t, before)) < 0.8) break;
         out.sense.push_back(dot(t, before) > 0 ? out.sense.back() : -out.sense.back());
         side = dot(cross(t, surface::normal(lanes.surface(), b.triangle)), b.point - a.point) > 0 ? 1 : -1;
@@ -33,54 +34,54 @@ bool follows(const Lanes& lanes, const Rung& a, const Rung& b, double step) {
     if (a.places.size() != b.places.size() || a.sense != b.sense) return false;
     for (std::size_t k = 0; k < a.places.size(); ++k) {
         if (a.places[k].lane != b.places[k].lane) return false;
-        const double on = lanes.ahead(a.places[k].lane, a.places[k].way, b.places[k].way, a.sense[k]);
+        const double on = lanes.ahead(a.places[k].lane, a.places[k].arc, b.places[k].arc, a.sense[k]);
         if (on < kShortestStep * step || on > kLongestStep * step) return false;
     }
     return true;
 }
 
-Rungs ladder(const std::vector<Rung>& rungs, double step) {
-    Rungs out{{}, rungs[0].sense, {}, step};
+Ladder ladder(const std::vector<Rung>& rungs, double step) {
+    Ladder out{{}, rungs[0].sense, {}, step};
     for (const auto& p : rungs[0].places) out.lane.push_back(p.lane);
     for (const auto& r : rungs) {
-        out.ways.emplace_back();
-        for (const auto& p : r.places) out.ways.back().push_back(p.way);
+        out.arcs.emplace_back();
+        for (const auto& p : r.places) out.arcs.back().push_back(p.arc);
     }
     return out;
 }
 
-double way_at(const Lanes& lanes, const Rungs& rungs, std::size_t k, double v) {
+double arc_at(const Lanes& lanes, const Ladder& rungs, std::size_t k, double v) {
     const auto i = static_cast<std::size_t>(std::clamp(std::floor(v), 0.0, rungs.last() - 1));
-    const double a = rungs.ways[i][k], f = v - static_cast<double>(i);
-    return a + rungs.sense[k] * f * lanes.ahead(rungs.lane[k], a, rungs.ways[i + 1][k], rungs.sense[k]);
+    const double a = rungs.arcs[i][k], f = v - static_cast<double>(i);
+    return a + rungs.sense[k] * f * lanes.ahead(rungs.lane[k], a, rungs.arcs[i + 1][k], rungs.sense[k]);
 }
 
-Place place_at(const Lanes& lanes, const Rungs& rungs, Vec2 uv) {
+Place place_at(const Lanes& lanes, const Ladder& rungs, Vec2 uv) {
     const auto top = static_cast<double>(rungs.lanes() - 1);
     const double u = std::clamp(uv.x, 0.0, top);
     const auto k = static_cast<std::size_t>(std::min(std::floor(u), std::max(0.0, top - 1)));
     const double f = u - static_cast<double>(k);
-    const Place a = lanes.at(rungs.lane[k], way_at(lanes, rungs, k, uv.y));
+    const Place a = lanes.at(rungs.lane[k], arc_at(lanes, rungs, k, uv.y));
     if (f < 1e-9) return a;
-    const Place b = lanes.at(rungs.lane[k + 1], way_at(lanes, rungs, k + 1, uv.y));
+    const Place b = lanes.at(rungs.lane[k + 1], arc_at(lanes, rungs, k + 1, uv.y));
     if (f > 1 - 1e-9) return b;
     const Line line = surface::curve::join(lanes.surface(), a, b);
-    const auto ways = surface::curve::arc_lengths(line);
-    return surface::curve::at(line, ways, f * ways.back());
+    const auto arcs = surface::curve::arc_lengths(line);
+    return surface::curve::at(line, arcs, f * arcs.back());
 }
 
-Line drawn(const Lanes& lanes, const Rungs& rungs, const std::vector<Vec2>& uv) {
+Line drawn(const Lanes& lanes, const Ladder& rungs, const std::vector<Vec2>& uv) {
     Line out;
     for (const Vec2 p : uv) out.places.push_back(place_at(lanes, rungs, p));
     return surface::curve::threaded(lanes.surface(), out);
 }
 
-double shortest(const Lanes& lanes, const Rungs& rungs) {
+double shortest(const Lanes& lanes, const Ladder& rungs) {
     double out = 1e300;
     for (std::size_t k = 0; k < rungs.lanes(); ++k) {
         double sum = 0;
-        for (std::size_t i = 0; i + 1 < rungs.ways.size(); ++i)
-            sum += lanes.ahead(rungs.lane[k], rungs.ways[i][k], rungs.ways[i + 1][k], rungs.sense[k]);
+        for (std::size_t i = 0; i + 1 < rungs.arcs.size(); ++i)
+            sum += lanes.ahead(rungs.lane[k], rungs.arcs[i][k], rungs.arcs[i + 1][k], rungs.sense[k]);
         out = std::min(out, sum);
     }
     return out;

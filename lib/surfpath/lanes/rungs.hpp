@@ -1,4 +1,4 @@
-// A ladder across lanes: coordinates in which turns and changes of lanes are drawn.
+// A ladder across neighbouring lanes: the coordinates in which links between lanes are drawn.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -8,40 +8,41 @@ namespace filum::surfpath::lanes {
 
 using geom::Vec2;
 
-// Rungs across neighbouring lanes, about `step` mm apart.  A point (u, v) lies on rung v between the lanes floor(u) and
-// floor(u) + 1, whole numbers being on them.
-struct Rungs {
+// Rungs across neighbouring lanes, about `step` mm apart. The point (u, v) lies on rung v, between lane floor(u) of
+// the ladder and the next; whole numbers u are on lanes.
+struct Ladder {
     std::vector<std::uint32_t> lane;       // from the first lane on
-    std::vector<double> sense;             // per lane: 1 if its way grows with the rungs, else -1
-    std::vector<std::vector<double>> ways; // per rung: the way on each lane
+    std::vector<double> sense;             // per lane: 1 if its arc length grows from rung to rung, otherwise -1
+    std::vector<std::vector<double>> arcs; // per rung: the arc length on each lane
     double step = 0;                       // mm, on the first lane
 
     [[nodiscard]] std::size_t lanes() const { return lane.size(); }
-    [[nodiscard]] double last() const { return static_cast<double>(ways.size() - 1); } // v of the last rung
+    [[nodiscard]] double last() const { return static_cast<double>(arcs.size() - 1); } // v of the last rung
 };
 
-// The rung from `lane` at `way` over to its neighbours on that side, up to `farthest` spacings apart, at most `most`
-// lanes; ends before a lane that it has crossed already.
+// One rung: a place on each of several neighbouring lanes.
 struct Rung {
     std::vector<LanePlace> places;
-    std::vector<double> sense; // relative to the first
+    std::vector<double> sense; // of each lane, relative to the first
 };
-Rung rung(const Lanes& lanes, std::uint32_t lane, double way, double side, double farthest, std::size_t most);
+// The rung from `lane` at arc length `way` across its neighbours on one side, at most `farthest` spacings from lane to
+// lane, over at most `most` lanes. It ends before it would meet a lane twice.
+Rung rung(const Lanes& lanes, std::uint32_t lane, double arc, double side, double farthest, std::size_t most);
 
-// True if the second rung can follow the first: same lanes, and no way between them far from `step`.
+// Whether the second rung can be the next one of a ladder: the same lanes, at arc lengths about `step` further on.
 bool follows(const Lanes& lanes, const Rung& first, const Rung& second, double step);
 
-Rungs ladder(const std::vector<Rung>& rungs, double step);
+Ladder ladder(const std::vector<Rung>& rungs, double step);
 
-// Way on lane number `k` at v.
-double way_at(const Lanes& lanes, const Rungs& rungs, std::size_t k, double v);
+// Arc length at v on lane number `k` of the ladder.
+double arc_at(const Lanes& lanes, const Ladder& rungs, std::size_t k, double v);
 
-Place place_at(const Lanes& lanes, const Rungs& rungs, Vec2 uv);
+Place place_at(const Lanes& lanes, const Ladder& rungs, Vec2 uv);
 
-// The line through these points, threaded.
-Line drawn(const Lanes& lanes, const Rungs& rungs, const std::vector<Vec2>& uv);
+// The threaded line through points (u, v).
+Line drawn(const Lanes& lanes, const Ladder& rungs, const std::vector<Vec2>& uv);
 
-// The least length of lanes between the first and last rung, mm.
-double shortest(const Lanes& lanes, const Rungs& rungs);
+// The least length of a lane between the first and the last rung, mm.
+double shortest(const Lanes& lanes, const Ladder& rungs);
 
 } // namespace filum::surfpath::lanes

@@ -11,24 +11,25 @@ namespace filum::surfpath::plan {
 
 namespace {
 
-constexpr double kSurely = 1.02; // least radii: up to here turns are declared, so that none of just that radius is not
+// least radii: turns up to here are declared, so that no turn of just the least radius escapes by rounding
+constexpr double kSurely = 1.02;
 
-// The stroke as one line, without places that stand twice.
+// The stroke as one line without repeated places.
 Line joined(const Stroke& stroke) {
     Line out;
-    for (const Piece& piece : stroke.pieces) surface::curve::append(out, piece.line);
+    for (const Section& piece : stroke.sections) surface::curve::append(out, piece.line);
     return out;
 }
 
-struct Range {
+struct Interval {
     double from, to;
 };
 
-// With room on both sides; what then meets is one.
-std::vector<Range> widened(const std::vector<surface::curve::TightTurn>& turns, double by, double length) {
-    std::vector<Range> out;
+// The turns with `by` mm on both sides; those that then overlap are merged.
+std::vector<Interval> widened(const std::vector<surface::curve::TightTurn>& turns, double by, double length) {
+    std::vector<Interval> out;
     for (const auto& t : turns) {
-        const Range r{std::max(0.0, t.from - by), std::min(length, t.to + by)};
+        const Interval r{std::max(0.0, t.from - by), std::min(length, t.to + by)};
         if (out.empty() || r.from > out.back().to)
             out.push_back(r);
         else
@@ -37,10 +38,10 @@ std::vector<Range> widened(const std::vector<surface::curve::TightTurn>& turns, 
     return out;
 }
 
-// The piece between two ways.  Its ends name the triangles that they lie in, or next to: where a stretch leads from one
-// triangle to another, its middle belongs to neither.  The points stay where they are, on the path.
-Piece piece(const Surface& s, const Line& line, std::span<const double> ways, Range r, bool hairpin) {
-    Piece out{surface::curve::part(line, ways, r.from, r.to), hairpin};
+// The section of the line between two arc lengths. Its end points stay on the path; each gets the triangle in which it
+// lies or which is nearest, since a segment may lead from triangle to triangle outside both.
+Section section(const Surface& s, const Line& line, std::span<const double> arcs, Interval r, bool hairpin) {
+    Section out{surface::curve::part(line, arcs, r.from, r.to), hairpin};
     for (Place* p : {&out.line.places.front(), &out.line.places.back()})
         p->triangle = surface::curve::settled(s, *p).triangle;
     return out;
@@ -48,8 +49,8 @@ Piece piece(const Surface& s, const Line& line, std::span<const double> ways, Ra
 
 } // namespace
 
-Tight declare(const Surface& s, Plan& plan, double radius, double beside, double offset) {
-    Tight out{0, 0, 0, std::numeric_limits<double>::infinity(), {}};
+TightTurns declare(const Surface& s, Plan& plan, double radius, double beside, double offset) {
+    TightTurns out{0, 0, 0, std::numeric_limits<double>::infinity(), {}};
     const auto vertex_normals = surface::curve::vertex_normals(s);
     double tightest = radius;
     for (Stroke& stroke : plan.strokes) {
@@ -60,7 +61,7 @@ Tight declare(const Surface& s, Plan& plan, double radius, double beside, double
             normals.push_back(surface::curve::normal_at(s, vertex_normals, p));
             points.push_back(p.point + offset * normals.back());
         }
-        const std::vector<double> ways = geom::arc_lengths(points);
+        const std::vector<double> arcs = geom::arc_lengths(points);
         out.least = std::min(out.least, surface::curve::least_radius(points, normals));
         const auto turns = surface::curve::tight_turns(points, normals, kSurely * radius);
         for (const auto& t : turns) {
@@ -69,18 +70,18 @@ Tight declare(const Surface& s, Plan& plan, double radius, double beside, double
             out.length += t.to - t.from;
             if (t.radius < tightest) {
                 tightest = t.radius;
-                out.at = surface::curve::at(line, ways, t.at).point;
+                out.at = surface::curve::at(line, arcs, t.at).point;
             }
         }
-        stroke.pieces.clear();
+        stroke.sections.clear();
         double done = 0;
-        for (const Range& r : widened(turns, beside, ways.back())) {
-            if (r.from > done) stroke.pieces.push_back(piece(s, line, ways, {done, r.from}, false));
-            stroke.pieces.push_back(piece(s, line, ways, r, true));
+        for (const Interval& r : widened(turns, beside, arcs.back())) {
+            if (r.from > done) stroke.sections.push_back(section(s, line, arcs, {done, r.from}, false));
+            stroke.sections.push_back(section(s, line, arcs, r, true));
             out.declared += r.to - r.from;
             done = r.to;
         }
-        if (done < ways.back()) stroke.pieces.push_back(piece(s, line, ways, {done, ways.back()}, false));
+        if (done < arcs.back()) stroke.sections.push_back(section(s, line, arcs, {done, arcs.back()}, false));
     }
     return out;
 }

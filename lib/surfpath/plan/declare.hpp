@@ -1,22 +1,22 @@
-// Turns that are tighter than asked for, found in the finished path and declared.
+// Declares turns of a finished path that are tighter than the least radius.
 #pragma once
 
 #include "surfpath/plan/plan.hpp"
 
 namespace filum::surfpath::plan {
 
-// What remains tight, as surface::curve::tight_turns has it.
-struct Tight {
-    std::size_t count = 0; // stretches
+// The turns of a plan that are tighter than the least radius (surface::curve::tight_turns).
+struct TightTurns {
+    std::size_t count = 0; // number of such turns
     double length = 0;     // mm of them
-    double declared = 0;   // mm of hairpins: these, and what lies beside them
-    double least = 0;      // mm, the least radius of the whole path; infinite if nothing of it turns
-    Vec3 at;               // where the tightest is
+    double declared = 0;   // mm of hairpins: the turns and the path beside them
+    double least = 0;      // mm: least radius of the whole path; infinite if it is straight
+    Vec3 at;               // place of the tightest turn
 };
 
-// Declares what of the path turns within less than `radius` mm, with `beside` mm before and behind it, as hairpins, and
-// nothing else, whatever was declared before.  Measured as it will be laid, `offset` mm along the normals above the
-// surface.  The path itself stays as it is.
-Tight declare(const Surface& surface, Plan& plan, double radius, double beside, double offset);
+// Marks exactly the parts of the plan that turn tighter than `radius` mm as hairpins, with `beside` mm of path before
+// and after each; earlier marks are dropped. Radii are measured `offset` mm above the surface along the normals, where
+// the path will be. Points of the path do not change.
+TightTurns declare(const Surface& surface, Plan& plan, double radius, double beside, double offset);
 
 } // namespace filum::surfpath::plan

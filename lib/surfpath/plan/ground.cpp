@@ -10,9 +10,9 @@ namespace filum::surfpath::plan {
 
 namespace {
 
-constexpr double kOff = 0.01;     // mm
-constexpr double kRoundabout = 2; // straight distances: no longer is the way between two places
-constexpr double kSame = 1e-6;    // mm: places that are one
+constexpr double kOff = 0.01;     // mm: a segment may be this far from the surface
+constexpr double kRoundabout = 2; // a way along the surface may be this many times as long as the straight distance
+constexpr double kSame = 1e-6;    // mm: nearer places are the same
 
 double off_line(const Vec3& p, const Vec3& a, const Vec3& b) {
     const Vec3 d = b - a;
@@ -20,43 +20,44 @@ double off_line(const Vec3& p, const Vec3& a, const Vec3& b) {
     return distance(p, a + t * d);
 }
 
-enum class Step { whole, bent, none };
+enum class Connection { straight, bent, none };
 
-// How the surface leads from one place to the next; `way`: the places between if it is bent.
-Step step(const Surface& s, const Place& a, const Place& b, Line& way) {
-    if (surface::curve::lies_in(s, a.triangle, b.point) || distance(a.point, b.point) < kSame) return Step::whole;
+// How the surface connects two consecutive places. `way` is set to the connecting line if that is bent.
+Connection connect(const Surface& s, const Place& a, const Place& b, Line& way) {
+    if (surface::curve::lies_in(s, a.triangle, b.point) || distance(a.point, b.point) < kSame)
+        return Connection::straight;
     way = surface::curve::join(s, a, b);
-    if (!surface::curve::leads(s, way)) { // as over a crease
+    if (!surface::curve::leads(s, way)) { // for example across a crease
         const double longest = kRoundabout * distance(a.point, b.point);
         way = surface::curve::through_strip(s, a, b, longest);
-        if (way.size() == 0 || surface::curve::length(way) > longest) return Step::none;
+        if (way.size() == 0 || surface::curve::length(way) > longest) return Connection::none;
     }
     double most = 0;
     for (const Place& p : way.places) most = std::max(most, off_line(p.point, a.point, b.point));
-    return most > kOff ? Step::bent : Step::whole;
+    return most > kOff ? Connection::bent : Connection::straight;
 }
 
-struct Breaks {
+struct StrokeBreaks {
     std::size_t count = 0;
     double longest = 0; // mm
     Vec3 at;
 };
 
-// The stroke in pieces that hang together.
-std::vector<Stroke> parted(const Surface& s, const Stroke& stroke, Breaks& breaks) {
+// Splits a stroke where consecutive places are not connected by the surface.
+std::vector<Stroke> split(const Surface& s, const Stroke& stroke, StrokeBreaks& breaks) {
     std::vector<Stroke> out(1);
     std::optional<Place> before;
-    for (const Piece& piece : stroke.pieces) {
-        Piece now{{}, piece.hairpin};
+    for (const Section& piece : stroke.sections) {
+        Section now{{}, piece.hairpin};
         const auto close = [&] {
-            if (now.line.size() > 1) out.back().pieces.push_back(now);
+            if (now.line.size() > 1) out.back().sections.push_back(now);
             now.line.places.clear();
         };
         for (const Place& given : piece.line.places) {
             const Place p = surface::curve::settled(s, given);
             Line way;
-            const Step to = before ? step(s, *before, p, way) : Step::whole;
-            if (to == Step::none) {
+            const Connection to = before ? connect(s, *before, p, way) : Connection::straight;
+            if (to == Connection::none) {
                 const double l = distance(before->point, p.point);
                 if (l > breaks.longest) {
                     breaks.longest = l;
@@ -64,26 +65,26 @@ std::vector<Stroke> parted(const Surface& s, const Stroke& stroke, Breaks& break
                 }
                 ++breaks.count;
                 close();
-                if (!out.back().pieces.empty()) out.emplace_back();
+                if (!out.back().sections.empty()) out.emplace_back();
             }
-            if (to == Step::bent)
+            if (to == Connection::bent)
                 now.line.places.insert(now.line.places.end(), way.places.begin() + 1, way.places.end() - 1);
             now.line.places.push_back(p);
             before = p;
         }
         close();
     }
-    if (out.back().pieces.empty()) out.pop_back();
+    if (out.back().sections.empty()) out.pop_back();
     return out;
 }
 
 } // namespace
 
 std::size_t keep_to_surface(const Surface& s, Plan& plan) {
-    Breaks breaks;
+    StrokeBreaks breaks;
     std::vector<Stroke> kept;
     for (const Stroke& stroke : plan.strokes)
-        for (Stroke& part : parted(s, stroke, breaks)) kept.push_back(std::move(part));
+        for (Stroke& part : split(s, stroke, breaks)) kept.push_back(std::move(part));
     plan.strokes = std::move(kept);
     if (breaks.count > 0)
         plan.notes.push_back(

@@ -1,13 +1,13 @@
-// No path leaves the surface.
+// Keeps a path on the surface.
 #pragma once
 
 #include "surfpath/plan/plan.hpp"
 
 namespace filum::surfpath::plan {
 
-// Puts places wherever a stretch of the plan would be farther than 0.01 mm from the surface between its ends, and cuts
-// strokes where none leads on from a place to the next along the surface: as across a gap, or to what lies below.
-// Returns how often; notes them, with the place of the longest such step.
+// Inserts places where a segment of the plan is farther than 0.01 mm from the surface, and splits strokes where the
+// surface does not connect two consecutive places, for example across a gap or to a part below.
+// Returns the number of splits; adds a note with the longest such distance and its place.
 std::size_t keep_to_surface(const Surface& surface, Plan& plan);
 
 } // namespace filum::surfpath::plan

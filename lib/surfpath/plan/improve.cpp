@@ -10,16 +10,16 @@ namespace {
 
 using surface::kNone;
 
-constexpr std::size_t kDeepest = 6; // links put in at once: each more takes ten times as long
+constexpr std::size_t kDeepest = 6; // links exchanged at once; one more takes about ten times as long
 constexpr double kRounding = 1e-9;
-constexpr std::uint64_t kMostRows = 20'000'000; // looked at in all searches: a tenth of a second
+constexpr std::uint64_t kMostRows = 20'000'000; // rows examined in all searches together, about a tenth of a second
 
-// Per end of a row the link that it has, kNone if none.
+// Per end of a row its link, kNone if it has none.
 using Linked = std::vector<std::uint32_t>;
 
-class Exchange {
+class LinkSearch {
   public:
-    Exchange(std::uint32_t rows, std::span<const Link> links, const Costs& costs)
+    LinkSearch(std::uint32_t rows, std::span<const Link> links, const Costs& costs)
         : rows_(rows), links_(links), costs_(costs), of_(2 * rows) {
         for (std::uint32_t l = 0; l < links.size(); ++l) {
             of_[links[l].from].push_back(l);
@@ -42,7 +42,8 @@ class Exchange {
 
     [[nodiscard]] double cost(const Linked& now) const {
         double sum = 0;
-        std::vector<int> over[2] = {std::vector<int>(rows_, 0), std::vector<int>(rows_, 0)}; // by how many more per row
+        // links across each row on either side, as differences
+        std::vector<int> over[2] = {std::vector<int>(rows_, 0), std::vector<int>(rows_, 0)};
         for (std::uint32_t e = 0; e < now.size(); ++e) {
             if (now[e] == kNone) {
                 sum += costs_.breaks / 2;
@@ -61,17 +62,17 @@ class Exchange {
         return sum;
     }
 
-    // Takes the link out for others, or puts some in at the open end; false, and leaves all as it is, if nothing is the
-    // better for it.  Looks at `most` rows from each end.
+    // exchange() replaces a link by others, join() links an open end. Both return false and leave `now` as it is if
+    // the cost does not fall. Each examines at most `most` rows per end.
     bool exchange(Linked& now, std::uint32_t link, std::uint64_t most) {
         Linked trial = now;
         take_out(trial, link);
-        const bool from = lead_on(now, trial, links_[link].from, links_[link].cost, most);
-        return from || lead_on(now, trial, links_[link].to, links_[link].cost, most);
+        const bool from = improve_from(now, trial, links_[link].from, links_[link].cost, most);
+        return from || improve_from(now, trial, links_[link].to, links_[link].cost, most);
     }
     bool join(Linked& now, std::uint32_t end, std::uint64_t most) {
         Linked trial = now;
-        return lead_on(now, trial, end, costs_.breaks, most);
+        return improve_from(now, trial, end, costs_.breaks, most);
     }
 
   private:
@@ -81,7 +82,7 @@ class Exchange {
     void take_out(Linked& now, std::uint32_t link) const { now[links_[link].from] = now[links_[link].to] = kNone; }
     void put_in(Linked& now, std::uint32_t link) const { now[links_[link].from] = now[links_[link].to] = link; }
 
-    // Whether the way along the chain from its open end `e` leaves a row by the end `by`.
+    // Whether the chain from its open end `e` leaves one of its rows by the end `by`.
     [[nodiscard]] bool leaves(const Linked& now, std::uint32_t e, std::uint32_t by) {
         for (std::uint32_t in = e;;) {
             look(1);
@@ -92,8 +93,8 @@ class Exchange {
         }
     }
 
-    // Makes `now` the best that is found from the open end of `trial`; false if that is no better than it is.
-    bool lead_on(Linked& now, Linked& trial, std::uint32_t end, double saved, std::uint64_t most) {
+    // Sets `now` to the best state found from the open end of `trial`; false if none is better than `now`.
+    bool improve_from(Linked& now, Linked& trial, std::uint32_t end, double saved, std::uint64_t most) {
         best_ = now;
         const double before = least_ = cost(now) - kRounding;
         left_ = most;
@@ -102,17 +103,17 @@ class Exchange {
         return least_ < before;
     }
 
-    // From the open end `e`.  `saved`: what was taken out less what was put in.
+    // Searches from the open end `e`. `saved`: cost of removed links minus cost of added ones.
     void search(Linked& now, std::uint32_t e, double saved) {
         if (left_ == 0) return;
         keep(now);
         if (put_in_.size() == kDeepest) return;
         for (const std::uint32_t l : of_[e]) {
             const double left = saved - links_[l].cost;
-            if (left <= 0) return; // cheapest first
+            if (left <= 0) return; // links are sorted by cost
             const std::uint32_t u = other(l, e), out = now[u];
             if (u == (e ^ 1U) || std::count(put_in_.begin(), put_in_.end(), out) > 0) continue;
-            if (leaves(now, e, u)) continue; // would close a ring
+            if (leaves(now, e, u)) continue; // the link would close the chain
             if (out != kNone) take_out(now, out);
             put_in(now, l);
             put_in_.push_back(l);
@@ -139,18 +140,18 @@ class Exchange {
     std::uint32_t rows_;
     std::span<const Link> links_;
     Costs costs_;
-    std::vector<std::vector<std::uint32_t>> of_; // per end: links, cheapest first
+    std::vector<std::vector<std::uint32_t>> of_; // per end its links, cheapest first
     Linked best_;
     double least_ = 0;
     std::vector<std::uint32_t> put_in_;
-    std::uint64_t left_ = 0; // rows that may still be looked at
+    std::uint64_t left_ = 0; // number of rows that may still be examined
 };
 
 } // namespace
 
 std::vector<std::vector<Visit>> improved(std::uint32_t rows, std::span<const Link> links, const Costs& costs,
                                          double dear, std::vector<std::vector<Visit>> given) {
-    Exchange all(rows, links, costs);
+    LinkSearch all(rows, links, costs);
     Linked now = all.linked(given);
     const auto is_dear = [&](std::uint32_t l) { return now[links[l].from] == l && links[l].cost >= dear; };
     const auto is_open = [&](std::uint32_t e) { return given.size() > 1 && now[e] == kNone; };

@@ -14,22 +14,23 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kMostPoints = 1e6;                // of rims, that are looked at; on longer ones farther apart
-constexpr std::uint64_t kMostWindows = 20'000'000; // for each distance: seconds; what is farther counts as just so far
+constexpr double kMostPoints = 1e6; // sample points on rims; long rims get a larger step
+// windows per distance computation, some seconds; places farther than that count as just so far
+constexpr std::uint64_t kMostWindows = 20'000'000;
 
 std::uint32_t component(const Surface& s, std::uint32_t vertex) { return s.component[s.outgoing[vertex] / 3]; }
 
-// Per component a vertex, from which all distances are measured at once.
+// One vertex per component; distances are measured from all of them at once.
 using Roots = std::vector<std::uint32_t>;
 
-// Per vertex; differs between two places by no more than the way between them.
+// Distance per vertex; 1-Lipschitz along the surface, also where the computation was cut short.
 std::vector<double> distances(const Surface& s, const Roots& roots) {
     auto out = geodesic::exact_distances(s, {roots, {}}, std::numeric_limits<double>::infinity(), kMostWindows);
     for (double& d : out.distance) d = std::min(d, out.known);
     return std::move(out.distance);
 }
 
-// Per component the vertex for which `value` is greatest, the first of equals.
+// Per component the vertex with the greatest `value`; ties: the first.
 template <class Value>
 Roots greatest(const Surface& s, const Value& value) {
     Roots out(s.components, kNone);
@@ -40,17 +41,17 @@ Roots greatest(const Surface& s, const Value& value) {
     return out;
 }
 
-// Whether rims face each other within two spacings, at places that are farther than the price of a cut from each other
-// along them.  A dead end holds less fibre than the way in and back: so its area is less than twice its depth times the
-// spacing, and some level in it shorter than two spacings.  Such a level ends at rims (or is a loop about a tube: those
-// are not looked for, so the bound is 0 there).
-bool has_narrows(const Surface& s, const Dearth& o) {
-    struct At {
+// Whether rims are within two spacings of each other at places that are farther apart along the rim than cut_length.
+// This is necessary for a dead end: its area is less than the fibre for the way in and back, which is twice its depth
+// times the spacing; so some level of it is shorter than two spacings. Such a level ends at rims. (It may also be a
+// loop around a tube; those are not searched, and the bound is then 0.)
+bool has_narrows(const Surface& s, const StrokeBoundOptions& o) {
+    struct RimPosition {
         std::size_t rim;
         double along;
     };
     std::vector<Vec3> points;
-    std::vector<At> at;
+    std::vector<RimPosition> at;
     std::vector<double> length;
     double all = 0;
     for (const auto& rim : s.rims)
@@ -80,30 +81,30 @@ bool has_narrows(const Surface& s, const Dearth& o) {
     return found;
 }
 
-// What is farther than some level, as it hangs together, while that falls.
-struct Part {
-    double top = 0;       // mm: the greatest distance in it
-    double area = 0;      // mm2, of its triangles
-    std::size_t ends = 0; // dead ends that it holds
+// A connected component of the superlevel set {distance > level}, while the level falls.
+struct SuperlevelPart {
+    double top = 0;       // mm: its greatest distance
+    double area = 0;      // mm2 of its triangles
+    std::size_t ends = 0; // disjoint dead ends in it
 };
 
-// Per component, dead ends that have nothing in common: of parts within each other the least that is one.
-std::vector<std::size_t> dead_ends(const Surface& s, std::span<const double> distance, const Dearth& o) {
+// Number of disjoint dead ends per component; of nested dead ends only the smallest counts.
+std::vector<std::size_t> dead_ends(const Surface& s, std::span<const double> distance, const StrokeBoundOptions& o) {
     std::vector<std::uint32_t> order(s.vertices.size());
     std::iota(order.begin(), order.end(), 0U);
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         return distance[a] != distance[b] ? distance[a] > distance[b] : a < b;
     });
-    // Within a part's border, of edges between vertices that are no farther than the level, places are farther than it
-    // by half an edge at most; and strokes come within half a spacing of the top.
+    // Triangles at the border of a superlevel set lie outside it by up to half an edge, and strokes need only come
+    // within half a spacing of the top.
     const double slack = surface::longest_edge(s) / 2 + o.spacing / 2;
     geom::DisjointSets sets(order.size());
-    std::vector<Part> parts(order.size());
+    std::vector<SuperlevelPart> parts(order.size());
     std::vector<char> in(order.size(), 0), counted(s.triangles.size(), 0);
     std::vector<std::size_t> out(s.components, 0);
     for (const std::uint32_t v : order) {
         in[v] = 1;
-        Part all{distance[v]};
+        SuperlevelPart all{distance[v]};
         std::uint32_t root = v;
         surface::each_outgoing(s, v, [&](std::uint32_t h) {
             if (counted[h / 3] == 0) all.area += surface::area(s, h / 3);
@@ -128,7 +129,7 @@ std::vector<std::size_t> dead_ends(const Surface& s, std::span<const double> dis
 
 } // namespace
 
-std::size_t least_strokes(const Surface& s, std::span<const char> covered, const Dearth& o) {
+std::size_t least_strokes(const Surface& s, std::span<const char> covered, const StrokeBoundOptions& o) {
     std::vector<std::size_t> ends(s.components, 0);
     if (o.dead_ends && has_narrows(s, o)) {
         const auto first = distances(s, greatest(s, [](std::uint32_t) { return 0; }));
@@ -146,10 +147,10 @@ std::size_t least_strokes(const Surface& s, std::span<const char> covered, const
     return out;
 }
 
-void tell_least_cuts(const Surface& s, const Dearth& o, Plan& plan) {
+void report_cuts_bound(const Surface& s, const StrokeBoundOptions& o, Plan& plan) {
     std::vector<char> covered(s.components, 0);
     for (const Stroke& stroke : plan.strokes)
-        for (const Piece& piece : stroke.pieces)
+        for (const Section& piece : stroke.sections)
             if (piece.line.size() > 0) covered[s.component[piece.line.places[0].triangle]] = 1;
     const auto least = least_strokes(s, covered, o);
     plan.facts.push_back({"", "cuts-bound", least > 0 ? static_cast<double>(least - 1) : 0, ""});

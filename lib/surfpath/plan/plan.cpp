@@ -7,13 +7,14 @@ namespace {
 using toolpath::Role;
 using toolpath::Span;
 
-class Layer {
+class SpanWriter {
   public:
-    Layer(const Surface& s, const Laying& o) : surface_(s), o_(o), normals_(surface::curve::vertex_normals(s)) {}
+    SpanWriter(const Surface& s, const SpanOptions& o)
+        : surface_(s), o_(o), normals_(surface::curve::vertex_normals(s)) {}
 
-    void lay(const Stroke& stroke, std::uint32_t number, std::vector<Span>& out) {
+    void write(const Stroke& stroke, std::uint32_t number, std::vector<Span>& out) {
         bool first = true;
-        for (const Piece& piece : stroke.pieces) {
+        for (const Section& piece : stroke.sections) {
             if (piece.line.size() < 2) continue;
             Span now = span(piece.hairpin ? Role::hairpin : Role::bead, number);
             for (const Place& p : piece.line.places) add(now, p, o_.offset);
@@ -55,20 +56,20 @@ class Layer {
     }
 
     const Surface& surface_;
-    const Laying& o_;
+    const SpanOptions& o_;
     std::vector<Vec3> normals_;
 };
 
 } // namespace
 
-void add_spans(const Surface& surface, const Plan& plan, const Laying& laying, std::vector<Span>& out) {
-    Layer layer(surface, laying);
-    for (std::uint32_t i = 0; i < plan.strokes.size(); ++i) layer.lay(plan.strokes[i], laying.stroke + i, out);
+void add_spans(const Surface& surface, const Plan& plan, const SpanOptions& options, std::vector<Span>& out) {
+    SpanWriter writer(surface, options);
+    for (std::uint32_t i = 0; i < plan.strokes.size(); ++i) writer.write(plan.strokes[i], options.stroke + i, out);
 }
 
-std::vector<Span> spans(const Surface& surface, const Plan& plan, const Laying& laying) {
+std::vector<Span> spans(const Surface& surface, const Plan& plan, const SpanOptions& options) {
     std::vector<Span> out;
-    add_spans(surface, plan, laying, out);
+    add_spans(surface, plan, options, out);
     return out;
 }
 

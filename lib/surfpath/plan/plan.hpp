@@ -1,4 +1,4 @@
-// What the algorithms of `surfpath` make: strokes on a surface; and the toolpath that lays them.
+// The result of all algorithms of `surfpath`: a plan of strokes on a surface, and its conversion to a toolpath.
 #pragma once
 
 #include "base/fact.hpp"
@@ -14,39 +14,39 @@ using surface::Surface;
 using surface::curve::Line;
 using surface::curve::Place;
 
-// A stretch of a stroke.  It begins where the one before ended.
-struct Piece {
+// A part of a stroke; it begins where the one before ends.
+struct Section {
     Line line;            // open
-    bool hairpin = false; // a turn that is declared to be tighter than what the path keeps to elsewhere
+    bool hairpin = false; // declared to be tighter than the least radius
 };
 
-// What is laid without cutting the fibre.
+// A path that is laid without cutting the fibre.
 struct Stroke {
-    std::vector<Piece> pieces;
+    std::vector<Section> sections;
 };
 
 struct Plan {
-    std::vector<Stroke> strokes; // in the order of laying
+    std::vector<Stroke> strokes; // in the order of the path
     Notes notes;                 // what could not be placed, with place and amount
     Facts facts;
-    std::vector<Vec3> births{}; // where two lines of field are born, or end, joined by a turn
+    std::vector<Vec3> births{}; // places where two lines of field begin or end together, joined by a turn
 };
 
-struct Laying {
+// Properties of the spans that a plan becomes.
+struct SpanOptions {
     double width = 1;         // mm, of the bead
     double height = 0.2;      // mm, of the bead
-    double lift = 5;          // mm: how high the tool travels above the surface (h_r of Kipping et al. 2022)
-    double offset = 0;        // mm: how far along the normal the path lies above the surface: of plies, those below
-    std::uint32_t layer = 0;  // of the spans: the ply
-    std::uint32_t stroke = 0; // of the first one
+    double lift = 5;          // mm above the surface for travels (h_r of Kipping et al. 2022)
+    double offset = 0;        // mm above the surface along its normals: the thickness of the plies below
+    std::uint32_t layer = 0;  // layer of all spans: the ply
+    std::uint32_t stroke = 0; // number of the first stroke
 };
 
-// The toolpath of a plan: beads with the surface's normals as tool axes; from the end of a stroke to the begin of the
-// next up along the normal, across, and down (Kipping et al. 2022, 3.1.1).  Pieces of a stroke that do the same follow
-// each other in one span.
-std::vector<toolpath::Span> spans(const Surface& surface, const Plan& plan, const Laying& laying);
+// The toolpath of a plan: beads whose tool axes are the surface's normals. Travels from stroke to stroke lead up along
+// the normal, across, and down (Kipping et al. 2022, 3.1.1). Consecutive sections of the same role become one span.
+std::vector<toolpath::Span> spans(const Surface& surface, const Plan& plan, const SpanOptions& options);
 
-// Adds the same to a toolpath that has begun elsewhere, as on another surface: behind a travel from where it ended.
-void add_spans(const Surface& surface, const Plan& plan, const Laying& laying, std::vector<toolpath::Span>& out);
+// Appends the toolpath of a plan to one that exists, for example of another surface; a travel connects them.
+void add_spans(const Surface& surface, const Plan& plan, const SpanOptions& options, std::vector<toolpath::Span>& out);
 
 } // namespace filum::surfpath::plan

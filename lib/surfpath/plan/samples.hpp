@@ -1,4 +1,4 @@
-// Points spread over a surface, each for its share of the area.
+// Sample points on a surface, each with its share of the area.
 #pragma once
 
 #include "surface/surface.hpp"
@@ -12,31 +12,31 @@
 namespace filum::surfpath::plan {
 
 struct Sample {
-    geom::Vec3 p, normal;
-    double area; // mm2
+    geom::Vec3 p, normal; // normal of its triangle
+    double area;          // mm2
 };
 
-// Calls f(sample) for points of a triangle about `apart` mm from each other, which share its area.
+// Calls f(sample) for points of a triangle at distances of about `apart` mm, which share its area equally.
 template <class F>
 void each_sample(const surface::Surface& s, std::uint32_t t, double apart, const F& f) {
-    constexpr double kMostParts = 256; // of a triangle's side: bounds the work on a huge triangle
+    constexpr double kMostParts = 256; // per side of a triangle: bounds the work on a huge triangle
     const geom::Vec3 &a = s.vertices[s.triangles[t][0]], u = s.vertices[s.triangles[t][1]] - a,
                      v = s.vertices[s.triangles[t][2]] - a, n = surface::normal(s, t);
     const double side = std::max({norm(u), norm(v), norm(u - v)});
     const auto k = static_cast<std::uint32_t>(std::clamp(std::ceil(side / apart), 1.0, kMostParts));
     const double part = norm(cross(u, v)) / 2 / (static_cast<double>(k) * k);
     for (std::uint32_t i = 0; i < k; ++i)
-        for (std::uint32_t j = 0; j < 2 * (k - i) - 1; ++j) { // triangles that stand up, and between them down
+        for (std::uint32_t j = 0; j < 2 * (k - i) - 1; ++j) { // subtriangles, alternately upright and inverted
             const double turn = j % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
             const std::uint32_t cell = j / 2;
             f(Sample{a + (i + turn) / k * u + (cell + turn) / k * v, n, part});
         }
 }
 
-// Calls f(samples) for the same points, some of a triangle that lie together at a time; `room` is for them.
+// Calls f(samples) for the same points in small groups of neighbours. `room` is scratch space.
 template <class F>
 void each_few(const surface::Surface& s, std::uint32_t t, double apart, std::vector<Sample>& room, const F& f) {
-    constexpr std::size_t kFew = 16; // half of them in a row: not much longer than the paths about them are wide
+    constexpr std::size_t kFew = 16; // such a group is not much longer than the beads around it are wide
     room.clear();
     each_sample(s, t, apart, [&](const Sample& one) {
         room.push_back(one);

@@ -1,4 +1,4 @@
-// How deep turns lie behind the rim, so that they neither pile up there nor leave it bare.
+// Chooses how deep turns lie behind the rim, so that overlap and voids are small.
 #pragma once
 
 #include "surfpath/plan/plan.hpp"
@@ -9,15 +9,15 @@
 
 namespace filum::surfpath::plan {
 
-// Ways to lay one turn, the outermost first: each with what the others replace of its two rows, so that all begin and
-// end at the same places.
-using Depths = std::vector<Stroke>;
+// The variants of one turn at different depths, the outermost first. Each includes the parts of its two rows that
+// another variant would replace, so all begin and end at the same places.
+using TurnVariants = std::vector<Stroke>;
 
-// Per turn the way to lay it, such that what all leave bare and what they lay twice is small in sum, mm2: a turn that
-// lies deeper lays less twice, as its rows end sooner, but may leave bare what only it covered.  One turn is chosen
-// after the other, given the others, until none changes; the sum never grows.  `fixed` is what is laid besides.  Of
-// equal ways the outermost.
-std::vector<std::uint32_t> staggered(const Surface& surface, const Plan& fixed, std::span<const Depths> turns,
+// Per turn the index of the variant to lay, such that the sum of voids and overlap (mm2) is small. A deeper turn
+// overlaps less, as its rows end sooner, but may leave a void that only it covered. Turns are chosen one after the
+// other, given all others, until none changes; the sum never grows. `fixed` is the rest of the plan. Ties: the
+// outermost variant.
+std::vector<std::uint32_t> staggered(const Surface& surface, const Plan& fixed, std::span<const TurnVariants> turns,
                                      double width);
 
 } // namespace filum::surfpath::plan

@@ -47,7 +47,7 @@ class Sweep {
   private:
     [[nodiscard]] bool linked(std::uint32_t r) const { return missing_[r] < next_[r].size(); }
 
-    // By how many the rows grow that are taken and have links to others.
+    // By how much the frontier grows if row `r` is taken.
     [[nodiscard]] long growth(std::uint32_t r) const {
         long out = missing_[r] > 0 ? 1 : 0;
         for (const std::uint32_t n : next_[r])
@@ -62,7 +62,7 @@ class Sweep {
         return best;
     }
 
-    std::vector<std::vector<std::uint32_t>> next_; // per row those it is linked to
+    std::vector<std::vector<std::uint32_t>> next_; // per row the rows that it is linked to
     std::vector<std::size_t> missing_;             // per row: how many of these are not taken
     std::vector<char> taken_;
 };

@@ -14,12 +14,12 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kTwice = 0.5;    // what an area laid twice counts beside one that is bare, as `choose` has it
-constexpr double kNothing = 1e-6; // of a spacing
+constexpr double kTwice = 0.5;    // weight of an overlapped area relative to a void, as in `choose`
+constexpr double kNothing = 1e-6; // spacings: smaller shifts are none
 
-class Branches {
+class BranchPlanner {
   public:
-    Branches(std::span<const Isle> isles, const Branching& o)
+    BranchPlanner(std::span<const Isle> isles, const BranchOptions& o)
         : isles_(isles), o_(o), shift_(isles.size(), 0), inner_(isles.size()) {
         for (std::uint32_t i = 0; i < isles.size(); ++i)
             if (isles[i].outer != kNone) inner_[isles[i].outer].push_back(i);
@@ -28,7 +28,7 @@ class Branches {
     std::vector<Branch> run(std::vector<std::uint32_t>& of) {
         of.assign(isles_.size(), kNone);
         std::vector<Branch> out;
-        for (std::uint32_t i = 0; i < isles_.size(); ++i) { // what lies about it has its place by now
+        for (std::uint32_t i = 0; i < isles_.size(); ++i) { // isles outside of this one are placed already
             if (of[i] != kNone) continue;
             const std::vector<std::uint32_t> chain = up(i);
             for (const std::uint32_t k : chain) of[k] = static_cast<std::uint32_t>(out.size());
@@ -50,7 +50,8 @@ class Branches {
         return out;
     }
 
-    // mm: the highest level at which a ring is long enough, as lengths go on from ring to ring; none if there is none.
+    // mm: the highest level at which a ring is long enough, extrapolating the lengths of the last rings; none if no
+    // ring is.
     [[nodiscard]] std::optional<double> long_enough(std::span<const std::uint32_t> chain) const {
         const double least = 2 * std::numbers::pi * o_.radius;
         std::size_t k = chain.size();
@@ -65,28 +66,29 @@ class Branches {
         return std::min(last.top, level(last.ring) + (last.longest - least) / falls * o_.spacing);
     }
 
-    // A way to have ring `ring` where it should be.
-    struct Move {
+    // Changes of spacings that shift a ring by `by` mm.
+    struct LevelShift {
         double by = 0, cost = 0;
-        std::vector<double> change; // mm, per ring of the chain, from the one outside of it
+        std::vector<double> change; // mm: change of the spacing outside of each ring of the chain
     };
 
-    // None if a tenth of the spacings is not enough.
-    [[nodiscard]] std::optional<Move> move(std::span<const std::uint32_t> chain, std::size_t ring, double by) const {
-        struct Gap {
+    // The cheapest such changes; none if changes of kMostChange are not enough.
+    [[nodiscard]] std::optional<LevelShift> move(std::span<const std::uint32_t> chain, std::size_t ring,
+                                                 double by) const {
+        struct SpacingChange {
             double around;
             std::size_t ring;
         };
-        std::vector<Gap> gaps;
+        std::vector<SpacingChange> gaps;
         for (std::size_t k = 1; k <= ring; ++k)
             if (k >= chain.size() || inner_[chain[k - 1]].size() == 1)
                 gaps.push_back({isles_[chain[std::min(k, chain.size() - 1)]].around, k});
-        std::sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) {
+        std::sort(gaps.begin(), gaps.end(), [](const SpacingChange& a, const SpacingChange& b) {
             return a.around != b.around ? a.around < b.around : a.ring > b.ring;
         });
-        Move out{by, 0, std::vector<double>(ring + 1, 0)};
+        LevelShift out{by, 0, std::vector<double>(ring + 1, 0)};
         double left = std::abs(by);
-        for (const Gap& g : gaps) {
+        for (const SpacingChange& g : gaps) {
             const double change = std::min(left, kMostChange * o_.spacing);
             out.change[g.ring] = by < 0 ? -change : change;
             out.cost += (by < 0 ? kTwice : 1) * change * g.around;
@@ -95,10 +97,10 @@ class Branches {
         return left > kNothing * o_.spacing ? std::nullopt : std::optional(out);
     }
 
-    // The cheapest of the moves that bring a ring to one of the places.
-    [[nodiscard]] std::optional<Move> best(std::span<const std::uint32_t> chain, double shift,
-                                           std::span<const double> places) const {
-        std::optional<Move> out;
+    // The cheapest of the shifts that bring a ring to one of the places.
+    [[nodiscard]] std::optional<LevelShift> best(std::span<const std::uint32_t> chain, double shift,
+                                                 std::span<const double> places) const {
+        std::optional<LevelShift> out;
         const std::uint32_t first = isles_[chain[0]].ring;
         for (const double place : places) {
             const double below = std::floor((place - shift) / o_.spacing - 0.5 + kNothing);
@@ -140,15 +142,16 @@ class Branches {
     }
 
     std::span<const Isle> isles_;
-    const Branching& o_;
-    std::vector<double> shift_; // mm, per isle: of its ring
+    const BranchOptions& o_;
+    std::vector<double> shift_; // mm: shift of each isle's ring
     std::vector<std::vector<std::uint32_t>> inner_;
 };
 
 } // namespace
 
-std::vector<Branch> branches(std::span<const Isle> isles, const Branching& options, std::vector<std::uint32_t>& of) {
-    return Branches(isles, options).run(of);
+std::vector<Branch> branches(std::span<const Isle> isles, const BranchOptions& options,
+                             std::vector<std::uint32_t>& of) {
+    return BranchPlanner(isles, options).run(of);
 }
 
 } // namespace filum::surfpath::rings

@@ -1,4 +1,4 @@
-// How many rings each branch of a distance gets, and at which levels.
+// The number and the levels of rings on each branch of a distance field.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -9,42 +9,43 @@
 
 namespace filum::surfpath::rings {
 
-// What of a surface is farther than a level, as it hangs together, and the lines of that level about it.  These, by the
-// level below, are the tree of the distance's maxima: where one holds two of the next level, there is a saddle.
+// A connected component of the superlevel set {distance > level}, and the isolines around it. Isles form a tree, each
+// inside one of the level below; an isle that contains two of the next level contains a saddle.
 struct Isle {
     std::uint32_t ring = 0;  // its level is (ring + 1/2) spacings
-    std::uint32_t outer = 0; // that of the level below that it lies in; none at the first level
-    double top = 0;          // mm: its greatest distance
-    double around = 0;       // mm, of its lines
-    double longest = 0;      // mm, of one of them
-    geom::Vec3 at;           // on the first of them
+    std::uint32_t outer = 0; // isle of the level below that contains it; kNone at the first level
+    double top = 0;          // mm: the greatest distance in it
+    double around = 0;       // mm: total length of its isolines
+    double longest = 0;      // mm: length of the longest of them
+    geom::Vec3 at;           // a point of the first of them
 };
 
-// From a saddle, or a first line, up to one maximum.  At a saddle the branch goes on that leads to the higher one (of
-// equals, the first); the others begin there.
+// The isles from a saddle, or from the first level, up to one maximum. At a saddle the branch with the higher maximum
+// continues (ties: the first); the others begin there.
 struct Branch {
-    std::uint32_t first = 0, last = 0; // isles: the lowest and the highest
-    std::vector<double> levels;        // mm: of rings first->ring and on
-    double widest = 0;                 // mm: greatest change of the spacing
-    bool closed = false;               // the innermost ring lies where it covers just up to the top
-    double off = 0;                    // mm that it lies beside that, if a ring is long enough there
+    std::uint32_t first = 0, last = 0; // its lowest and its highest isle
+    std::vector<double> levels;        // mm: of its rings, from that of `first` on
+    double widest = 0;                 // mm: the greatest change of a spacing
+    bool closed = false;               // whether the innermost ring covers exactly up to the maximum
+    double off = 0; // mm: distance of the innermost ring from that place, if a ring is long enough there
 };
 
-struct Branching {
+struct BranchOptions {
     double spacing = 1; // mm
-    double radius = 0;  // mm: a ring is no shorter than the circumference of a circle with it
-    // The path ends along the maximum of a first branch, so its innermost ring may lie a spacing below.
+    double radius = 0;  // mm: rings are at least as long as a circle of this radius
+    // The path will end along the maximum of a first branch, so its innermost ring may be a spacing below it.
     bool ridge = false;
 };
 
-inline constexpr double kMostChange = 0.1; // of the spacing, at most
+inline constexpr double kMostChange = 0.1; // greatest change of a spacing, as a share
 
-// The branches of `isles` (by rising rings), those with lower begins first; and per isle its branch in `of`.
-// A branch's innermost ring shall lie half a spacing below the maximum, or as far in as a ring can be that is not too
-// short.  Rings are moved there by a change of up to a tenth of the spacings between them, of the shortest rings first,
-// as there it costs the least area (of equals, the inner one); by one more ring, or one less: what is laid twice, being
-// half as bad as what is bare.  Where too few rings lie on the branch it stays as it is, and is not closed.  The first
-// ring of a branch is as far from the one outside of it as that of the branch it leaves.
-std::vector<Branch> branches(std::span<const Isle> isles, const Branching& options, std::vector<std::uint32_t>& of);
+// The branches of `isles` (which are sorted by rings), in the order of their first isles; `of` is set to the branch of
+// each isle.
+// The innermost ring of a branch should be half a spacing below the maximum, or as far in as a ring of sufficient
+// length can be. To move it there, spacings change by up to a tenth, beginning with the shortest rings, where that
+// costs the least area (ties: the inner one), and there may be one ring more or one less. Overlap costs half as much
+// as void. A branch with too few rings for that is not changed, and not closed. The first ring of a branch has the
+// same distance from the ring outside as that of the branch from which it departs.
+std::vector<Branch> branches(std::span<const Isle> isles, const BranchOptions& options, std::vector<std::uint32_t>& of);
 
 } // namespace filum::surfpath::rings

@@ -1,7 +1,7 @@
 #include "surfpath/rings/levels.hpp"
 
-#include "geodesic/beyond.hpp"
 #include "geodesic/query.hpp"
+#include "geodesic/superlevel_set.hpp"
 #include "parallel/parallel.hpp"
 #include "surface/curve/line.hpp"
 
@@ -13,17 +13,17 @@ namespace filum::surfpath::rings {
 
 namespace {
 
-using geodesic::Beyond;
-using geodesic::OnEdge;
+using geodesic::EdgePlace;
+using geodesic::SuperlevelSet;
 using surface::Isoline;
 using surface::kNone;
 using surface::Surface;
 
-constexpr double kSameLevel = 1e-7;  // spacings: a level that is a vertex's distance,
-constexpr double kLevelShift = 1e-5; // and is moved from it by this
+constexpr double kSameLevel = 1e-7;  // spacings: a level this near to a vertex's distance counts as equal
+constexpr double kLevelShift = 1e-5; // spacings by which it is then raised
 
-// The levels, each a little higher where that is just the distance of a vertex, as on a grid: there isolines fall apart
-// by rounding.
+// The levels, slightly raised where they equal the distance of a vertex, which is common on grids: rounding would
+// break the isolines there.
 std::vector<double> off_vertices(std::vector<double> levels, std::vector<double> distance, double spacing) {
     std::sort(distance.begin(), distance.end());
     for (double& level : levels)
@@ -35,16 +35,16 @@ std::vector<double> off_vertices(std::vector<double> levels, std::vector<double>
     return levels;
 }
 
-struct Contours {
+struct LevelIsolines {
     std::vector<double> levels;
     std::vector<Isoline> lines; // closed
-    std::vector<OnEdge> begins;
-    std::vector<std::size_t> first; // per level, and one more: of its lines
+    std::vector<EdgePlace> begins;
+    std::vector<std::size_t> first; // per level, and one more: index of its first line
 };
 
-Contours contours(const Surface& s, const geodesic::ExactField& field, std::vector<double> levels) {
-    Contours out;
-    std::vector<OnEdge> begins;
+LevelIsolines level_isolines(const Surface& s, const geodesic::ExactField& field, std::vector<double> levels) {
+    LevelIsolines out;
+    std::vector<EdgePlace> begins;
     auto lines = geodesic::isolines(s, field, levels, &begins);
     out.levels = std::move(levels);
     std::size_t i = 0;
@@ -60,19 +60,20 @@ Contours contours(const Surface& s, const geodesic::ExactField& field, std::vect
     return out;
 }
 
-class Leveller {
+class RingLevels {
   public:
-    Leveller(const Surface& s, const geodesic::ExactField& field, const Branching& o) : s_(s), field_(field), o_(o) {
+    RingLevels(const Surface& s, const geodesic::ExactField& field, const BranchOptions& o)
+        : s_(s), field_(field), o_(o) {
         std::vector<double> even;
         const double top = geodesic::farthest(s, field);
         for (double i = 0.5; i * o.spacing < top; ++i) even.push_back(i * o.spacing);
-        even_ = contours(s, field, off_vertices(std::move(even), field.distance, o.spacing));
+        even_ = level_isolines(s, field, off_vertices(std::move(even), field.distance, o.spacing));
     }
 
     Levels run(Facts& facts, Notes& notes) {
         find_isles();
         branches_ = rings::branches(isles_, o_, branch_of_);
-        tell(facts, notes);
+        report(facts, notes);
         return chosen();
     }
 
@@ -86,19 +87,20 @@ class Leveller {
 
     void find_isles() {
         const std::size_t n = even_.levels.size();
-        struct Found {
-            std::vector<std::uint32_t> parts{}, outer{}; // of the level's lines; what holds the lines of the next level
+        struct LevelIsles {
+            // the isle of each line of the level; the isle that contains each line of the next level
+            std::vector<std::uint32_t> parts{}, outer{};
             std::vector<double> highest{};
         };
-        std::vector<Found> found(n);
+        std::vector<LevelIsles> found(n);
         each_level(n, [&](std::size_t i) {
-            const Beyond beyond(s_, field_, even_.levels[i]);
+            const SuperlevelSet beyond(s_, field_, even_.levels[i]);
             for (std::size_t l = even_.first[i]; l < even_.first[i + 1]; ++l) {
-                found[i].parts.push_back(beyond.part(even_.begins[l]));
+                found[i].parts.push_back(beyond.component(even_.begins[l]));
                 found[i].highest.push_back(found[i].parts.back() == kNone ? 0 : beyond.highest(found[i].parts.back()));
             }
             for (std::size_t l = even_.first[i + 1]; i + 1 < n && l < even_.first[i + 2]; ++l)
-                found[i].outer.push_back(beyond.part(even_.begins[l]));
+                found[i].outer.push_back(beyond.component(even_.begins[l]));
         });
         isle_.resize(n);
         for (std::size_t i = 0; i < n; ++i)
@@ -122,9 +124,9 @@ class Leveller {
         return at == isle_[level].end() ? kNone : at->second;
     }
 
-    // The lines at the levels of all branches, each of the branch that the part belongs to in which it lies.
+    // The isolines at the levels of all branches, each on its own branch only.
     [[nodiscard]] Levels chosen() {
-        std::map<double, std::vector<std::pair<std::uint32_t, std::uint32_t>>> wanted; // by level: branch, ring
+        std::map<double, std::vector<std::pair<std::uint32_t, std::uint32_t>>> wanted; // branch and ring, by level
         for (std::uint32_t b = 0; b < branches_.size(); ++b)
             for (std::uint32_t k = 0; k < branches_[b].levels.size(); ++k)
                 wanted[branches_[b].levels[k]].push_back({b, isles_[branches_[b].first].ring + k});
@@ -134,7 +136,7 @@ class Leveller {
             out.ring.push_back(by[0].second);
         }
         out.at = off_vertices(std::move(out.at), field_.distance, o_.spacing);
-        Contours all = at_levels(out.at);
+        LevelIsolines all = at_levels(out.at);
         const std::vector<std::uint32_t> owner = owners(all);
         auto by = wanted.begin();
         for (std::uint32_t i = 0; i < out.at.size(); ++i, ++by)
@@ -148,16 +150,16 @@ class Leveller {
         return out;
     }
 
-    // Takes those at even levels from there.
-    [[nodiscard]] Contours at_levels(const std::vector<double>& levels) {
+    // The isolines at `levels`; those at even levels are moved from even_.
+    [[nodiscard]] LevelIsolines at_levels(const std::vector<double>& levels) {
         std::vector<double> other;
         std::set_difference(levels.begin(), levels.end(), even_.levels.begin(), even_.levels.end(),
                             std::back_inserter(other));
-        Contours moved = contours(s_, field_, std::move(other)), out;
+        LevelIsolines moved = level_isolines(s_, field_, std::move(other)), out;
         out.levels = levels;
         for (const double level : levels) {
             const bool even = std::binary_search(even_.levels.begin(), even_.levels.end(), level);
-            Contours& from = even ? even_ : moved;
+            LevelIsolines& from = even ? even_ : moved;
             const auto i = static_cast<std::size_t>(std::lower_bound(from.levels.begin(), from.levels.end(), level) -
                                                     from.levels.begin());
             out.first.push_back(out.lines.size());
@@ -170,8 +172,8 @@ class Leveller {
         return out;
     }
 
-    // Per line the branch of the isle that it lies in, at the highest even level that is no higher than its own.
-    [[nodiscard]] std::vector<std::uint32_t> owners(const Contours& all) const {
+    // Per line the branch of the isle that contains it, at the highest even level not above the line's.
+    [[nodiscard]] std::vector<std::uint32_t> owners(const LevelIsolines& all) const {
         if (branches_.size() == 1) return std::vector<std::uint32_t>(all.lines.size(), 0);
         std::vector<std::uint32_t> out(all.lines.size(), kNone);
         each_level(even_.levels.size(), [&](std::size_t i) {
@@ -183,15 +185,15 @@ class Leveller {
                                        std::lower_bound(all.levels.begin(), all.levels.end(), even_.levels[i + 1]) -
                                        all.levels.begin());
             if (begin == end) return;
-            const Beyond beyond(s_, field_, even_.levels[i]);
+            const SuperlevelSet beyond(s_, field_, even_.levels[i]);
             for (std::size_t l = all.first[begin]; l < all.first[end]; ++l)
-                if (const std::uint32_t own = isle(i, beyond.part(all.begins[l])); own != kNone)
+                if (const std::uint32_t own = isle(i, beyond.component(all.begins[l])); own != kNone)
                     out[l] = branch_of_[own];
         });
         return out;
     }
 
-    void tell(Facts& facts, Notes& notes) const {
+    void report(Facts& facts, Notes& notes) const {
         double open = 0, most = 0, strips = 0;
         const Branch* widest = nullptr;
         for (const Branch& b : branches_) {
@@ -212,9 +214,10 @@ class Leveller {
 
     const Surface& s_;
     const geodesic::ExactField& field_;
-    const Branching& o_;
-    Contours even_;
-    std::vector<std::map<std::uint32_t, std::uint32_t>> isle_; // per even level: by parts
+    const BranchOptions& o_;
+    LevelIsolines even_;
+    // per even level: isles by the part that geodesic::SuperlevelSet numbers
+    std::vector<std::map<std::uint32_t, std::uint32_t>> isle_;
     std::vector<Isle> isles_;
     std::vector<Branch> branches_;
     std::vector<std::uint32_t> branch_of_;
@@ -222,8 +225,8 @@ class Leveller {
 
 } // namespace
 
-Levels levels(const Surface& s, const geodesic::ExactField& field, const Branching& o, Facts& facts, Notes& notes) {
-    return Leveller(s, field, o).run(facts, notes);
+Levels levels(const Surface& s, const geodesic::ExactField& field, const BranchOptions& o, Facts& facts, Notes& notes) {
+    return RingLevels(s, field, o).run(facts, notes);
 }
 
 } // namespace filum::surfpath::rings

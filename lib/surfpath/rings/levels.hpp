@@ -1,4 +1,4 @@
-// Lines of equal distance for rings: each branch of the distance at its own levels.
+// The isolines that become rings: each branch of the distance has its own levels.
 #pragma once
 
 #include "base/fact.hpp"
@@ -11,17 +11,18 @@ namespace filum::surfpath::rings {
 using surface::Surface;
 
 struct Levels {
-    std::vector<double> at;                 // mm, ascending
-    std::vector<std::uint32_t> ring;        // per level: how many rings lie outside of its own
-    std::vector<surface::Isoline> lines;    // closed, by levels
-    std::vector<std::uint32_t> of;          // per line: its level, by number
-    std::vector<geodesic::OnEdge> begins{}; // per line
+    std::vector<double> at;                    // mm, ascending
+    std::vector<std::uint32_t> ring;           // per level: number of rings outside of its own
+    std::vector<surface::Isoline> lines;       // closed, in the order of levels
+    std::vector<std::uint32_t> of;             // per line: index of its level
+    std::vector<geodesic::EdgePlace> begins{}; // per line
 };
 
-// The rings of a distance (branches.hpp).  Facts "branches"; "branches-open", of how many the innermost ring cannot be
-// brought up to the maximum, though one is long enough; "spacing-change", the greatest, as a share.  Notes the open
-// ones: how wide the strips along these maxima are in sum that stay bare or are laid twice, the widest with its place.
-Levels levels(const surface::Surface& surface, const geodesic::ExactField& field, const Branching& options,
+// The isolines of all branches at their levels (branches.hpp). Facts: "branches"; "branches-open", those whose
+// innermost ring cannot be moved to the maximum although a ring is long enough there; "spacing-change", the greatest,
+// as a share. A note gives the open ones, with the total width of the strips along their maxima that are void or
+// overlap, and the place of the widest.
+Levels levels(const surface::Surface& surface, const geodesic::ExactField& field, const BranchOptions& options,
               Facts& facts, Notes& notes);
 
 } // namespace filum::surfpath::rings

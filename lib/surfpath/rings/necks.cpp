@@ -11,14 +11,14 @@ namespace filum::surfpath::rings {
 namespace {
 
 constexpr double kLongestBridge = 14; // spacings between tips
-constexpr double kDeepest = 0.6;      // spacings that the neck lies below the level
-constexpr double kBelow = 0.1;        // spacings that the bridges lie below the neck
-constexpr double kBridgeDrift = 8;    // spacings from the ring to the bridge
-constexpr double kCut = 2;            // spacings of length that a tip is cut by, at least
+constexpr double kDeepest = 0.6;      // spacings between the level and the lowest point of the neck
+constexpr double kBelow = 0.1;        // spacings between the neck's lowest point and the bridges
+constexpr double kBridgeDrift = 8;    // spacings of length over which the line changes from the ring to the bridge
+constexpr double kCut = 2;            // spacings by which rounding shortens a ring at a tip, at least
 
 struct Tip {
     std::size_t bend;
-    double way; // of its point
+    double way; // arc length of its sharpest point
     Place place;
 };
 
@@ -27,10 +27,10 @@ struct Neck {
     std::size_t a, b; // tips
 };
 
-class Necks {
+class NeckFinder {
   public:
-    Necks(const Surface& s, const geodesic::ExactField& field, double level, double spacing,
-          const std::vector<Ring>& rings, std::vector<Bend>& bends)
+    NeckFinder(const Surface& s, const geodesic::ExactField& field, double level, double spacing,
+               const std::vector<Ring>& rings, std::vector<RoundedCorner>& bends)
         : surface_(s), field_(field), level_(level), spacing_(spacing), rings_(rings), tree_(rings), bends_(bends) {}
 
     void run() {
@@ -42,7 +42,7 @@ class Necks {
             return std::tie(x.length, x.a, x.b) < std::tie(y.length, y.a, y.b);
         });
         for (const Neck& n : necks)
-            if (!bends_[tips_[n.a].bend].over && !bends_[tips_[n.b].bend].over) bridge(n);
+            if (!bends_[tips_[n.a].bend].bridged_to && !bends_[tips_[n.b].bend].bridged_to) bridge(n);
     }
 
   private:
@@ -73,7 +73,7 @@ class Necks {
         }
     }
 
-    // Adds the neck between two tips if there is one.
+    // Adds the neck between two tips, if there is one.
     void look_across(std::size_t a, std::size_t b, std::vector<Neck>& necks) const {
         const Place &from = tips_[a].place, &to = tips_[b].place;
         const double length = distance(from.point, to.point);
@@ -82,11 +82,11 @@ class Necks {
         if (line.size() == 2 && from.triangle != to.triangle) return;
         const auto ways = surface::curve::arc_lengths(line);
         if (tree_.nearest(surface::curve::at(line, ways, length / 2).point).distance < 0.3 * length)
-            return; // along a ring
+            return; // the way leads along a ring
         double height = level_;
         for (std::size_t i = 1; i + 1 < line.size(); ++i) {
             const double h = geodesic::distance_at(surface_, field_, line.places[i].triangle, line[i]);
-            if (h > level_ + 0.02 * spacing_) return; // within a ring
+            if (h > level_ + 0.02 * spacing_) return; // the way leads through the inside of a ring
             height = std::min(height, h);
         }
         if (height < level_ - kDeepest * spacing_) return;
@@ -104,19 +104,20 @@ class Necks {
         const auto there = across(tips_[n.a], tips_[n.b], lower, tree),
                    back = across(tips_[n.b], tips_[n.a], lower, tree);
         if (there.size() < 2 || back.size() < 2) return;
-        Bend &a = bends_[tips_[n.a].bend], &b = bends_[tips_[n.b].bend];
-        a.over = &b;
+        RoundedCorner &a = bends_[tips_[n.a].bend], &b = bends_[tips_[n.b].bend];
+        a.bridged_to = &b;
         a.bridge = there;
-        b.over = &a;
+        b.bridged_to = &a;
         b.bridge = back;
     }
 
-    // From where corner `a` begins over to where corner `b` ends, along one of `lower`; empty if none leads there.
+    // The line from the start of corner `a` to the end of corner `b` along one of the `lower` rings; empty if no ring
+    // leads there.
     [[nodiscard]] Line across(const Tip& a, const Tip& b, const std::vector<Ring>& lower, const RingTree& tree) const {
         const Corner &ca = corner(a), &cb = corner(b);
         const double la = std::min(kBridgeDrift * spacing_, 0.9 * ring(a).ahead(ca.from, a.way));
         const double lb = std::min(kBridgeDrift * spacing_, 0.9 * ring(b).ahead(b.way, cb.to));
-        const On from = tree.nearest(at(a, ca.from + la).point), to = tree.nearest(at(b, cb.to - lb).point);
+        const RingPosition from = tree.nearest(at(a, ca.from + la).point), to = tree.nearest(at(b, cb.to - lb).point);
         if (from.line != to.line || std::max(from.distance, to.distance) > 1.5 * spacing_) return {};
         const Ring& low = lower[from.line];
         const double way = low.ahead(from.way, to.way);
@@ -127,7 +128,7 @@ class Necks {
         return out;
     }
 
-    // Along the ring, from it over to the lower one, or back.
+    // The line along the ring that gradually changes over to the lower ring, or back.
     [[nodiscard]] Line drift(const Tip& t, double way, double length, const std::vector<Ring>& lower,
                              const RingTree& tree, bool down) const {
         Line out;
@@ -136,7 +137,7 @@ class Necks {
             const double f = static_cast<double>(i) / n, g = down ? f : 1 - f;
             const double part = g < 0.5 ? 2 * g * g : 1 - 2 * (1 - g) * (1 - g);
             const Place from = at(t, way + f * length);
-            const On on = tree.nearest(from.point);
+            const RingPosition on = tree.nearest(from.point);
             const Line line = surface::curve::join(
                 surface_, from, surface::curve::at(lower[on.line].line, lower[on.line].ways, on.way));
             const auto ways = surface::curve::arc_lengths(line);
@@ -150,15 +151,15 @@ class Necks {
     double level_, spacing_;
     const std::vector<Ring>& rings_;
     RingTree tree_;
-    std::vector<Bend>& bends_;
+    std::vector<RoundedCorner>& bends_;
     std::vector<Tip> tips_;
 };
 
 } // namespace
 
 void bridge_necks(const Surface& s, const geodesic::ExactField& field, double level, double spacing,
-                  const std::vector<Ring>& rings, std::vector<Bend>& bends) {
-    Necks(s, field, level, spacing, rings, bends).run();
+                  const std::vector<Ring>& rings, std::vector<RoundedCorner>& bends) {
+    NeckFinder(s, field, level, spacing, rings, bends).run();
 }
 
 } // namespace filum::surfpath::rings

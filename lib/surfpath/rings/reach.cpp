@@ -22,14 +22,14 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kEdge = 0.5;               // spacings: sides of triangles that are told apart
+constexpr double kEdge = 0.5;               // spacings: longest side of the triangles that are classified
 constexpr std::size_t kMostParts = 300'000; // triangles; larger ones only weaken the bound
-constexpr double kWithin = 0.58;            // edges: no place of a triangle is farther from all of its corners
-constexpr double kTried = 1.0 / 6;          // spacings between places that are tried
-constexpr double kToldOut = 0.01;           // of the surface
+constexpr double kWithin = 0.58;   // edge lengths: greatest distance of a place of a triangle from its nearest corner
+constexpr double kTried = 1.0 / 6; // spacings between sample points
+constexpr double kToldOut = 0.01;  // share of the surface above which a note is added
 constexpr double kOutOfReach = std::numeric_limits<double>::infinity();
 
-// Radians by which the triangles about each vertex within the surface fall short of a full turn.
+// Angle defect of every vertex inside the surface, rad.
 std::vector<double> defects(const Surface& s) {
     std::vector<double> out(s.vertices.size(), 0);
     for (std::uint32_t v = 0; v < out.size(); ++v) {
@@ -44,8 +44,8 @@ std::vector<double> defects(const Surface& s) {
     return out;
 }
 
-// mm: of a circle that bends by 1 / radius along a ball that is as much bent as the surface is in any disc of that
-// radius near a rim.
+// Radius in mm of a circle of geodesic curvature 1 / radius on the sphere whose curvature is the greatest of the
+// surface in any disc of that radius near a rim.
 double on_ball(const Surface& s, std::span<const double> from_rim, double radius, double near) {
     const auto bent = defects(s);
     const geom::PointGrid<Vec3> grid(s.vertices, radius);
@@ -58,18 +58,18 @@ double on_ball(const Surface& s, std::span<const double> from_rim, double radius
         });
         most = std::max(most, sum);
     }
-    const double x = std::sqrt(most / std::numbers::pi); // radii of the disc over one of the ball
+    const double x = std::sqrt(most / std::numbers::pi); // ratio of the disc's radius to that of the sphere
     return x > 0 ? radius * std::atan(x) / x : radius;
 }
 
-enum class Kind : std::uint8_t { margin, open, narrow }; // nearer to the rim; where discs are; what is left
+enum class Zone : std::uint8_t { margin, open, narrow }; // too near to a rim; within reach of discs; the rest
 
-class Reaching {
+class RingBoundSolver {
   public:
-    Reaching(const Surface& s, double spacing, double radius)
+    RingBoundSolver(const Surface& s, double spacing, double radius)
         : s_(s), half_(spacing / 2), edge_(surface::longest_edge(s)), slack_(kWithin * edge_), radius_(radius) {
         const auto from = geodesic::exact(s, surface::rim_sources(s), half_ + 2 * radius + 2 * edge_);
-        ground_ = from.ground;
+        unfolding_ = from.unfolding;
         radius_ = on_ball(s, from.distance, radius, half_ + 2 * radius);
         find_open(from);
         find_kinds(from.distance);
@@ -77,10 +77,11 @@ class Reaching {
         find_beside();
     }
 
-    [[nodiscard]] Reach run() const {
-        Reach out;
+    [[nodiscard]] RingBound run() const {
+        RingBound out;
         std::vector<double> bare(sizes_.size(), 0);
-        std::vector<std::uint32_t> first(sizes_.size(), kNone); // triangle that is bare all over
+        // first triangle of each that is out of reach as a whole
+        std::vector<std::uint32_t> first(sizes_.size(), kNone);
         for (std::uint32_t t = 0; t < s_.triangles.size(); ++t) {
             const double area = surface::area(s_, t), in = covered(t, area);
             out.surface += area;
@@ -100,7 +101,8 @@ class Reaching {
     }
 
   private:
-    // What is not farther from where the middles of discs may be than their radius.
+    // Computes the distance from the places where centres of discs can be. Discs reach as far as their radius from
+    // there.
     void find_open(const geodesic::ExactField& from) {
         const double level = half_ + radius_;
         const double levels[] = {level};
@@ -111,8 +113,9 @@ class Reaching {
         if (all.empty())
             off_.distance.assign(s_.vertices.size(), kOutOfReach);
         else
-            off_ = geodesic::exact(s_, as_sources(all), radius_ + std::max(half_, slack_) + 2 * edge_, from.ground,
-                                   geodesic::beyond(s_, from.distance, level + edge_)); // within there it is not asked
+            off_ = geodesic::exact(s_, as_sources(all), radius_ + std::max(half_, slack_) + 2 * edge_, from.unfolding,
+                                   // places farther inside are not needed
+                                   geodesic::triangles_beyond(s_, from.distance, level + edge_));
         field_ = !all.empty();
         inside_.resize(s_.vertices.size());
         for (std::size_t v = 0; v < inside_.size(); ++v) inside_[v] = from.distance[v] >= level ? 1 : 0;
@@ -126,9 +129,9 @@ class Reaching {
                 least = std::min(least, off(v));
                 most = std::max(most, from_rim[v]);
             }
-            kind_.push_back(least <= radius_ + slack_ ? Kind::open
-                            : most < half_ - slack_   ? Kind::margin
-                                                      : Kind::narrow);
+            kind_.push_back(least <= radius_ + slack_ ? Zone::open
+                            : most < half_ - slack_   ? Zone::margin
+                                                      : Zone::narrow);
         }
         geom::DisjointSets sets(s_.triangles.size());
         for (std::uint32_t h = 0; h < s_.twin.size(); ++h)
@@ -136,7 +139,7 @@ class Reaching {
         std::vector<std::uint32_t> number(s_.triangles.size(), kNone);
         piece_.assign(s_.triangles.size(), kNone);
         for (std::uint32_t t = 0; t < s_.triangles.size(); ++t) {
-            if (kind_[t] != Kind::narrow) continue;
+            if (kind_[t] != Zone::narrow) continue;
             std::uint32_t& own = number[sets.root(t)];
             if (own == kNone) {
                 own = static_cast<std::uint32_t>(sizes_.size());
@@ -146,11 +149,11 @@ class Reaching {
         }
     }
     [[nodiscard]] bool joined(std::uint32_t h) const {
-        return s_.twin[h] != kNone && kind_[h / 3] == Kind::narrow && kind_[s_.twin[h] / 3] == Kind::narrow;
+        return s_.twin[h] != kNone && kind_[h / 3] == Zone::narrow && kind_[s_.twin[h] / 3] == Zone::narrow;
     }
 
-    // A piece is a dead end if it is a disc whose border is one loop with one stretch of what is open at most, and some
-    // of what is not.
+    // Finds dead ends: narrow pieces that are discs whose border is one loop with at most one stretch along open area
+    // and at least one other stretch.
     void find_dead() {
         std::vector<std::set<std::uint32_t>> corners(sizes_.size());
         for (std::uint32_t t = 0; t < s_.triangles.size(); ++t) {
@@ -161,24 +164,24 @@ class Reaching {
         std::vector<char> seen(s_.twin.size(), 0);
         for (std::uint32_t h = 0; h < s_.twin.size(); ++h) {
             if (piece_[h / 3] == kNone) continue;
-            Size& own = sizes_[piece_[h / 3]];
+            Topology& own = sizes_[piece_[h / 3]];
             if (!joined(h) || h < s_.twin[h]) --own.euler;
             if (!joined(h) && seen[h] == 0) walk(h, seen, own);
         }
         for (std::size_t p = 0; p < sizes_.size(); ++p) {
-            const Size& own = sizes_[p];
+            const Topology& own = sizes_[p];
             const long euler = own.euler + static_cast<long>(corners[p].size());
             dead_.push_back(own.loops == 1 && own.mouths <= 1 && own.closed && euler == 1 ? 1 : 0);
         }
     }
-    struct Size {
-        long euler = 0; // triangles - edges
+    struct Topology {
+        long euler = 0; // triangles minus edges, then plus vertices
         int loops = 0, mouths = 0;
-        bool closed = false; // there is a stretch of what is not open
+        bool closed = false; // part of the border is not along open area
     };
-    // Round the loop of the border that half-edge `first` is part of.
-    void walk(std::uint32_t first, std::vector<char>& seen, Size& own) const {
-        const auto opens = [&](std::uint32_t h) { return s_.twin[h] != kNone && kind_[s_.twin[h] / 3] == Kind::open; };
+    // Follows the loop of the border that contains half-edge `first`.
+    void walk(std::uint32_t first, std::vector<char>& seen, Topology& own) const {
+        const auto opens = [&](std::uint32_t h) { return s_.twin[h] != kNone && kind_[s_.twin[h] / 3] == Zone::open; };
         ++own.loops;
         int mouths = 0;
         bool closed = false;
@@ -196,7 +199,7 @@ class Reaching {
         own.closed |= closed;
     }
 
-    // Distances from the pieces that are no dead ends.
+    // Computes distances from narrow pieces that are not dead ends; there a line may be anywhere.
     void find_beside() {
         surface::Sources from;
         for (std::uint32_t t = 0; t < s_.triangles.size(); ++t)
@@ -205,10 +208,10 @@ class Reaching {
         std::sort(from.vertices.begin(), from.vertices.end());
         from.vertices.erase(std::unique(from.vertices.begin(), from.vertices.end()), from.vertices.end());
         beside_.assign(s_.vertices.size(), kOutOfReach);
-        if (!from.empty()) beside_ = geodesic::exact(s_, from, half_ + slack_ + edge_, ground_).distance;
+        if (!from.empty()) beside_ = geodesic::exact(s_, from, half_ + slack_ + edge_, unfolding_).distance;
     }
 
-    // mm2 of a triangle.
+    // mm2 of a triangle that are within reach.
     [[nodiscard]] double covered(std::uint32_t t, double area) const {
         const double reach = radius_ + std::max(half_, slack_);
         double least = kOutOfReach, most = 0;
@@ -227,34 +230,34 @@ class Reaching {
     }
 
     const Surface& s_;
-    double half_, edge_, slack_, radius_; // mm; half of the spacing
-    std::shared_ptr<const geodesic::Ground> ground_;
-    geodesic::ExactField off_;         // from the border of where discs' middles may be
-    bool field_ = false;               // there is such a border
-    std::vector<char> inside_;         // per vertex: within that
-    std::vector<Kind> kind_;           // per triangle
-    std::vector<std::uint32_t> piece_; // per triangle: of those that are narrow
-    std::vector<Size> sizes_;          // per piece
+    double half_, edge_, slack_, radius_; // mm; half_ is half a spacing
+    std::shared_ptr<const geodesic::Unfolding> unfolding_;
+    geodesic::ExactField off_;         // distance from the border of the area where centres of discs can be
+    bool field_ = false;               // whether there is such a border
+    std::vector<char> inside_;         // per vertex: inside that area
+    std::vector<Zone> kind_;           // per triangle
+    std::vector<std::uint32_t> piece_; // per triangle: number of its narrow piece
+    std::vector<Topology> sizes_;      // per piece
     std::vector<char> dead_;
     std::vector<double> beside_; // per vertex
 };
 
 } // namespace
 
-Reach reach(const Surface& s, double spacing, double radius) {
+RingBound ring_bound(const Surface& s, double spacing, double radius) {
     if (s.rims.empty() || !(radius > 0)) {
         const double all = surface::area(s);
         return {all, all, 0, 0, {}};
     }
     const auto fine = surface::finer(s, kEdge * spacing, std::max(kMostParts, s.triangles.size()));
-    return Reaching(fine.surface, spacing, radius).run();
+    return RingBoundSolver(fine.surface, spacing, radius).run();
 }
 
-void tell_reach(const Reach& r, plan::Plan& plan) {
+void report_ring_bound(const RingBound& r, plan::Plan& plan) {
     plan.facts.push_back({"", "rings-bound", r.share(), ""});
     if (!(r.surface - r.reached > kToldOut * r.surface)) return;
     Note out{NoteCode::area_out_of_rings, r.surface - r.reached};
-    if (r.dead > 0) { // else it is all out of reach, and no place more than others
+    if (r.dead > 0) { // otherwise all of it is out of reach, and no place is special
         out.count = r.dead;
         out.x = r.at.x;
         out.y = r.at.y;

@@ -6,11 +6,11 @@ namespace filum::surfpath::rings {
 
 namespace {
 
-constexpr double kSoughtBeside = 0.5; // mm to both sides of the nearest point
-constexpr int kSoughtSteps = 100;     // on either
+constexpr double kSoughtBeside = 0.5; // mm on both sides of the nearest point
+constexpr int kSoughtSteps = 100;     // steps on either side
 
-// On the stretches beside the nearest point.
-On refined(std::span<const Ring> rings, On out, const Vec3& p) {
+// Refines a position by sampling the ring on both sides of it.
+RingPosition refined(std::span<const Ring> rings, RingPosition out, const Vec3& p) {
     const Ring& ring = rings[out.line];
     const double all = ring.ways.back(), from = out.way;
     for (int i = -kSoughtSteps; i <= kSoughtSteps; ++i) {
@@ -37,7 +37,7 @@ RingTree::RingTree(std::span<const Ring> rings) : rings_(rings), tree_(points_of
     for (const Ring& ring : rings) end_.push_back((end_.empty() ? 0 : end_.back()) + ring.line.size());
 }
 
-On RingTree::nearest(const Vec3& p) const {
+RingPosition RingTree::nearest(const Vec3& p) const {
     if (tree_.points().empty()) return {};
     const auto found = tree_.nearest(p);
     const auto r = static_cast<std::size_t>(std::upper_bound(end_.begin(), end_.end(), found.index) - end_.begin());

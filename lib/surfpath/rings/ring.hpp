@@ -1,4 +1,4 @@
-// A ring whose corners are being rounded.
+// Rings with their corners, as these are being rounded.
 #pragma once
 
 #include "geom/point_tree.hpp"
@@ -14,34 +14,34 @@ using surface::Surface;
 using surface::curve::Line;
 using surface::curve::Place;
 
-// A place on one of several rings.
-struct On {
+// A position on one of several rings, and its distance from the point for which it was searched.
+struct RingPosition {
     std::size_t line = 0;
     double way = 0, distance = 1e300;
 };
 
-// A stretch of a ring about a corner, and what runs there instead.
+// A stretch of a ring around a corner, and the arc that replaces it.
 struct Corner {
-    double from, to; // ways; `to` may be less, round the end
+    double from, to; // arc lengths of its ends; `to` is less than `from` if it contains the ring's start
     Line arc;
-    double length = 0; // mm, of the arc
+    double length = 0; // mm, of `arc`
 };
 
-// A ring, and its corners as they are rounded by one radius after the other.
+// A ring and, for each of several radii, its corners.
 struct Ring {
     Line line;
     std::vector<double> ways;
-    struct Touch { // a place where it stays as it is, and the rounded line that it belongs to, by number
+    struct Contact { // a position where a rounded line, given by its number, coincides with the ring
         double way;
         std::size_t line;
     };
-    struct Rounded {
+    struct RadiusResult {
         std::vector<Corner> corners{};
-        std::vector<Touch> kept{};
-        std::vector<Line> instead{};        // that it may be left out for: they run all round within it
-        std::vector<std::size_t> numbers{}; // of these
+        std::vector<Contact> kept{};
+        std::vector<Line> instead{};        // closed lines inside that may replace the whole ring
+        std::vector<std::size_t> numbers{}; // their numbers
     };
-    std::vector<Rounded> by{}; // per radius
+    std::vector<RadiusResult> by{}; // per radius
 
     [[nodiscard]] double ahead(double from, double to) const {
         const double d = std::fmod(to - from, ways.back());
@@ -54,17 +54,17 @@ struct Ring {
     }
 };
 
-// Rings by the points of their lines; their lines and ways stay as they are.
+// The points of several rings in a tree. It refers to the rings, which must not change.
 class RingTree {
   public:
     explicit RingTree(std::span<const Ring> rings);
 
-    // The place nearest to `p`, straight; about the log of all points.
-    [[nodiscard]] On nearest(const Vec3& p) const;
+    // The position nearest to `p` in space, in logarithmic time.
+    [[nodiscard]] RingPosition nearest(const Vec3& p) const;
 
   private:
     std::span<const Ring> rings_;
-    std::vector<std::size_t> end_; // per ring: of its points among all
+    std::vector<std::size_t> end_; // per ring: index after its last point
     geom::PointTree tree_;
 };
 

@@ -1,9 +1,9 @@
 #include "surfpath/rings/rings.hpp"
 
 #include "base/error.hpp"
-#include "geodesic/beyond.hpp"
 #include "geodesic/exact.hpp"
 #include "geodesic/query.hpp"
+#include "geodesic/superlevel_set.hpp"
 #include "parallel/parallel.hpp"
 #include "surfpath/rings/levels.hpp"
 #include "surfpath/rings/rounding.hpp"
@@ -19,17 +19,20 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kOfRidge = 0.9;  // of the way to the ridge that a turn of a ring takes, where the ridge is near
-constexpr double kRounder = 1.08; // least radii: what corners are rounded by, so that little remains to be eased
-constexpr double kScales[] = {1, 0.65, 0.4, 0.2}; // of the least radius, that corners are rounded by
-constexpr double kGains[] = {1,   1.3, 1.7, 2,  2.3,
-                             2.6, 2.9, 3.2, 3.5};   // least radii of length for a radian of tight turn
-constexpr double kTightPart = 0.01, kTighter = 0.8; // of the length, may turn tighter by so much on average
-constexpr double kFall = 1.1;                       // spacings that radii may fall by from one level to the next
-constexpr double kFarthestPlace = 1e4;              // spacings from the sources to the farthest place
-constexpr double kTightest = 0.3;                   // spacings: no ring turns tighter
+// radius of a ring's turn around a low ridge, as a share of the ridge's height above the ring
+constexpr double kOfRidge = 0.9;
+// least radii: radius by which corners are rounded, so that little remains to be eased
+constexpr double kRounder = 1.08;
+constexpr double kScales[] = {1, 0.65, 0.4, 0.2};    // radii of rounding, in least radii
+constexpr double kGains[] = {1,   1.3, 1.7, 2,  2.3, // gains that are tried: least radii of length
+                             2.6, 2.9, 3.2, 3.5};    // per radian of tight turn
+// tight turns: at most on this share of the length, by this share of the least curvature radius
+constexpr double kTightPart = 0.01, kTighter = 0.8;
+constexpr double kFall = 1.1;          // spacings by which radii may fall from one level to the next
+constexpr double kFarthestPlace = 1e4; // spacings from the sources to the farthest place
+constexpr double kTightest = 0.3;      // spacings: least radius of any ring
 
-// The sources, and all sides of rims that are none yet.
+// The sheet's sources, and all sides of rims that are not among them.
 surface::Sources all_sources(const surface::Sheet& sheet) {
     const Surface& s = sheet.surface;
     surface::Sources out = sheet.sources;
@@ -44,13 +47,13 @@ surface::Sources all_sources(const surface::Sheet& sheet) {
     return out;
 }
 
-class Making {
+class RingMaker {
   public:
-    Making(const surface::Sheet& sheet, const RingLimits& limits, Facts& facts, Notes& notes)
+    RingMaker(const surface::Sheet& sheet, const RingLimits& limits, Facts& facts, Notes& notes)
         : s_(sheet.surface), field_(geodesic::exact(s_, all_sources(sheet))), least_(kRounder * limits.least_radius),
           d_(limits.spacing) {
         if (geodesic::farthest(s_, field_) > kFarthestPlace * d_)
-            throw Error(Exit::usage, "cannot lay more than 10000 rings inside each other; raise --spacing");
+            throw Error(Exit::usage, "cannot plan more than 10000 nested rings; raise --spacing");
         levels_ = levels(s_, field_, {d_, least_, limits.ridge}, facts, notes);
     }
 
@@ -77,7 +80,7 @@ class Making {
         });
     }
 
-    // Rings by level, those within low ridges apart.
+    // Groups the isolines of every level into batches, those around low ridges separately.
     void find_batches(const Rounding& rounding) {
         std::vector<std::vector<Batch>> found(levels_.at.size());
         parallel::for_chunks(found.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
@@ -86,20 +89,20 @@ class Making {
         for (auto& level : found) std::move(level.begin(), level.end(), std::back_inserter(batches_));
     }
 
-    // The batches of one level, by the parts of the surface that their rings go round.
+    // The batches of one level.  Isolines around one superlevel component that is low share a batch.
     [[nodiscard]] std::vector<Batch> batches_at(std::uint32_t number, const Rounding& rounding) const {
         const double level = levels_.at[number];
         const std::uint32_t ring = levels_.ring[number];
-        const geodesic::Beyond beyond(s_, field_, level);
+        const geodesic::SuperlevelSet beyond(s_, field_, level);
         std::vector<Batch> out;
-        std::vector<std::vector<std::uint32_t>> parts; // per batch
+        std::vector<std::vector<std::uint32_t>> parts; // components of each batch
         Batch high{level, ring, {}, {}};
         std::vector<std::uint32_t> high_parts;
         for (const double share : kScales) high.radii.push_back(share * least_);
         const auto own_lines = std::equal_range(levels_.of.begin(), levels_.of.end(), number);
         const auto line = [&](auto at) { return static_cast<std::size_t>(at - levels_.of.begin()); };
         for (std::size_t i = line(own_lines.first); i < line(own_lines.second); ++i) {
-            const std::uint32_t part = beyond.part(levels_.begins[i]);
+            const std::uint32_t part = beyond.component(levels_.begins[i]);
             if (part == kNone) continue;
             const double rise = beyond.highest(part) - level, radius = kOfRidge * rise;
             if (rise > least_) {
@@ -120,34 +123,34 @@ class Making {
             out.push_back(std::move(high));
             parts.push_back(std::move(high_parts));
         }
-        Farther farther;
+        IsolinesByRadius by_radius;
         for (std::size_t b = 0; b < out.size(); ++b)
-            rounding.prepare(out[b], [&](double r) { return within(beyond, parts[b], level + r, farther); });
+            rounding.prepare(out[b], [&](double r) { return within(beyond, parts[b], level + r, by_radius); });
         return out;
     }
 
-    // Isolines by their level, and where they begin; few of the radii are asked for.
-    struct Lines {
+    // Isolines by level, with their starts; only a few radii are needed.
+    struct RadiusIsolines {
         std::vector<Isoline> lines{};
-        std::vector<geodesic::OnEdge> begins{};
+        std::vector<geodesic::EdgePlace> begins{};
     };
-    using Farther = std::map<double, Lines>;
-    [[nodiscard]] std::vector<const Isoline*> within(const geodesic::Beyond& beyond,
+    using IsolinesByRadius = std::map<double, RadiusIsolines>;
+    [[nodiscard]] std::vector<const Isoline*> within(const geodesic::SuperlevelSet& beyond,
                                                      const std::vector<std::uint32_t>& parts, double level,
-                                                     Farther& farther) const {
-        const auto [at, fresh] = farther.try_emplace(level);
-        Lines& found = at->second;
+                                                     IsolinesByRadius& by_radius) const {
+        const auto [at, fresh] = by_radius.try_emplace(level);
+        RadiusIsolines& found = at->second;
         if (fresh) found.lines = geodesic::isolines(s_, field_, {&level, 1}, &found.begins);
         std::vector<const Isoline*> out;
         for (std::size_t i = 0; i < found.lines.size(); ++i)
             if (found.lines[i].closed &&
-                std::find(parts.begin(), parts.end(), beyond.part(found.begins[i])) != parts.end())
+                std::find(parts.begin(), parts.end(), beyond.component(found.begins[i])) != parts.end())
                 out.push_back(&found.lines[i]);
         return out;
     }
 
-    // How much too tight all turn, rad; finds the floors.  From one level to the next radii may fall by a spacing, or a
-    // tip would reach over the one outside of it.
+    // The excess of all turns over the least radius, rad; also sets the floors. Radii may fall by about a spacing from
+    // one level to the next; if they fell faster, a tip would reach beyond the ring outside.
     double tight(const Rounding& rounding, double gain) {
         std::map<std::uint32_t, std::vector<const Batch*>> rings;
         for (const Batch& b : batches_) rings[b.ring].push_back(&b);
@@ -165,8 +168,8 @@ class Making {
         return out;
     }
 
-    // The least gain that is taken for tight turns, so that they do not make the tightest part of the path much
-    // tighter.
+    // The least of the gains for which tight turns remain rare: at most kTightPart of the length turns tighter, by
+    // kTighter.
     [[nodiscard]] double affordable(const Rounding& rounding) {
         double length = 0;
         for (const auto& line : levels_.lines) length += surface::curve::length(surface::curve::line(line));
@@ -181,18 +184,17 @@ class Making {
     double least_, d_;
     Levels levels_;
     std::vector<Batch> batches_;
-    std::map<std::uint32_t, double> floor_; // mm: per number of a ring, the least radius
+    std::map<std::uint32_t, double> floor_; // mm: least radius, by the number of the ring
 };
 
 } // namespace
 
 Rings rings(const surface::Sheet& sheet, const RingLimits& limits, Facts& facts, Notes& notes) {
-    Rings out = Making(sheet, limits, facts, notes).run();
+    Rings out = RingMaker(sheet, limits, facts, notes).run();
     if (out.lines.empty())
-        throw Error(
-            Exit::bad_input,
-            "cannot lay a ring: nowhere between the sources is there room for one, half a spacing from them and round "
-            "a third of one; lower --spacing");
+        throw Error(Exit::bad_input, "cannot plan a ring: no place is half a spacing away from all sources and has "
+                                     "room for a turn of a third of "
+                                     "a spacing; lower --spacing");
     facts.push_back({"", "rings", static_cast<double>(out.lines.size()), ""});
     return out;
 }

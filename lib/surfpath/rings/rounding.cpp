@@ -13,10 +13,10 @@ namespace filum::surfpath::rings {
 
 namespace {
 
-constexpr double kLongCut = 3.0;  // least radii: a corner that is cut by less is let be
-constexpr double kSeen = 0.06;    // least radii: what touches a ring farther from the ends of an arc lies between them
-constexpr double kCusp = 0.15;    // rad
-constexpr double kShortest = 0.5; // of an arc: what it replaces is longer, as it runs inside
+constexpr double kLongCut = 3.0;  // least radii: a corner that is shortened by less is not rounded further
+constexpr double kSeen = 0.06;    // least radii: contacts farther than this from the ends of an arc are between them
+constexpr double kCusp = 0.15;    // rad: an outward turn of an arc beyond this is a cusp
+constexpr double kShortest = 0.5; // arc lengths: least length of ring that an arc replaces, since the arc runs inside
 
 class Rounder {
   public:
@@ -42,14 +42,14 @@ class Rounder {
         }
     }
 
-    [[nodiscard]] Rounding::Turns turns(const Batch& b) const {
-        Rounding::Turns out{0, least_};
+    [[nodiscard]] Rounding::Tightness turns(const Batch& b) const {
+        Rounding::Tightness out{0, least_};
         if (!worthwhile(b)) return out;
         const auto add = [&](double length, double radius) {
             out.tight += length * std::max(0.0, 1 / radius - 1 / least_);
             out.least = std::min(out.least, radius);
         };
-        for (const Bend& c : bends(b)) add(c.corner->length, b.radii[c.scale]);
+        for (const RoundedCorner& c : bends(b)) add(c.corner->length, b.radii[c.scale]);
         for (const Ring& r : b.rings)
             if (gone(r)) add(2 * std::numbers::pi * b.radii[0], b.radii[0]);
         return out;
@@ -62,19 +62,20 @@ class Rounder {
     double gain = 0, floor = 0;
 
   private:
-    // Lines a radius outside of `inner`.
+    // Morphological opening: the lines at a distance `radius` outside of the isolines `inner`.
     [[nodiscard]] std::vector<Line> opened(double level, double radius,
                                            const std::vector<const Isoline*>& inner) const {
         std::vector<Line> out;
         if (inner.empty()) return out;
-        const auto shut = geodesic::beyond(surface_, field_.distance, level + radius + edge_); // they lie the other way
-        const auto near = geodesic::exact(surface_, as_sources(inner), radius + 1.01 * edge_, field_.ground, shut);
+        // Distances are not needed farther inside, where the other side of each line would be.
+        const auto shut = geodesic::triangles_beyond(surface_, field_.distance, level + radius + edge_);
+        const auto near = geodesic::exact(surface_, as_sources(inner), radius + 1.01 * edge_, field_.unfolding, shut);
         const double levels[] = {radius};
         for (const auto& line : geodesic::isolines(surface_, near, levels)) {
             if (!line.closed || line.points.size() < 3) continue;
             if (height(surface::curve::line(line).places[0]) > level + radius) continue;
             out.push_back(surface::curve::line(line));
-            surface::curve::reverse(out.back()); // what is less lies to its left again
+            surface::curve::reverse(out.back()); // smaller distances are on its left again
         }
         return out;
     }
@@ -83,16 +84,16 @@ class Rounder {
         return geodesic::distance_at(surface_, field_, p.triangle, p.point);
     }
 
-    // Splits an opened line into arcs and what runs along the rings.
+    // Splits an opened line into arcs and stretches along the rings.
     void sort_in(const Line& line, std::size_t number, double level, double radius, const RingTree& tree,
                  std::vector<Ring>& rings) const {
         const double still = 0.0015 * radius, off = 0.01 * radius;
         const std::size_t n = line.size();
         std::vector<double> above(n);
         for (std::size_t i = 0; i < n; ++i) above[i] = height(line.places[i]) - level;
-        const auto lowest = std::min_element(above.begin(), above.end()); // it touches at least there
+        const auto lowest = std::min_element(above.begin(), above.end()); // the line touches a ring at least there
         const auto first = static_cast<std::size_t>(lowest - above.begin());
-        for (std::size_t k = 0; k < n;) { // from first + k on
+        for (std::size_t k = 0; k < n;) { // counted from `first`
             std::size_t e = k;
             double most = 0;
             while (e < n && e > 0 && above[(first + e) % n] > still) {
@@ -100,7 +101,7 @@ class Rounder {
                 ++e;
             }
             if (e == k) {
-                const On on = tree.nearest(line[(first + k) % n]);
+                const RingPosition on = tree.nearest(line[(first + k) % n]);
                 rings[on.line].by.back().kept.push_back({on.way, number});
                 ++k;
                 continue;
@@ -109,7 +110,7 @@ class Rounder {
             k = e;
         }
     }
-    // True if the arc turns outwards somewhere: where discs about two places meet, either side of a narrow one.
+    // Whether the arc turns outwards somewhere: discs on both sides of a narrow place meet there.
     [[nodiscard]] bool has_cusp(const Line& arc) const {
         for (std::size_t i = 1; i + 1 < arc.size(); ++i) {
             const Vec3 a = arc[i] - arc[i - 1], b = arc[i + 1] - arc[i];
@@ -121,27 +122,27 @@ class Rounder {
     void add_arc(const Line& line, std::size_t number, std::size_t begin, std::size_t end, const RingTree& tree,
                  std::vector<Ring>& rings) const {
         const std::size_t n = line.size();
-        const On a = tree.nearest(line[begin % n]), b = tree.nearest(line[end % n]);
+        const RingPosition a = tree.nearest(line[begin % n]), b = tree.nearest(line[end % n]);
         if (a.line != b.line) return;
         Line arc;
         for (std::size_t i = begin; i <= end; ++i) arc.places.push_back(line.places[i % n]);
         if (has_cusp(arc)) return;
         const double l = surface::curve::length(arc), cut = rings[a.line].ahead(a.way, b.way);
-        Ring::Rounded& to = rings[a.line].by.back();
-        if (end - begin >= n || rings[a.line].ways.back() - cut < kSeen * least_) { // all the way round
+        Ring::RadiusResult& to = rings[a.line].by.back();
+        if (end - begin >= n || rings[a.line].ways.back() - cut < kSeen * least_) { // it replaces the whole ring
             to.instead.push_back(line);
             to.numbers.push_back(number);
             return;
         }
-        // Else it leads over a narrow place to where the ring comes back.
+        // A longer arc leads across a narrow place to where the ring returns.
         if (cut >= kShortest * l) to.corners.push_back({a.way, b.way, std::move(arc), l});
     }
-    // Leaves out arcs that lead across narrow places.
+    // Removes arcs that lead across narrow places, where the ring between their ends is touched.
     void check(Ring& r) const {
         auto& now = r.by.back();
         std::erase_if(now.corners, [&](const Corner& c) {
             const double l = r.ahead(c.from, c.to);
-            return std::any_of(now.kept.begin(), now.kept.end(), [&](const Ring::Touch& t) {
+            return std::any_of(now.kept.begin(), now.kept.end(), [&](const Ring::Contact& t) {
                 const double on = r.ahead(c.from, t.way);
                 return on > kSeen * least_ && on < l - kSeen * least_;
             });
@@ -149,10 +150,10 @@ class Rounder {
         std::sort(now.corners.begin(), now.corners.end(), [](const auto& a, const auto& b) { return a.from < b.from; });
     }
 
-    // How much tighter than allowed a corner turns, rad.
+    // By how many radians a corner exceeds the curvature of the least radius.
     [[nodiscard]] double tight(const Corner& c, double radius) const { return c.length * (1 / radius - 1 / least_); }
     [[nodiscard]] double all_round(const Batch& b) const { return 2 * std::numbers::pi * (1 - b.radii[0] / least_); }
-    // True if rings that are rounded by less than the least radius all round are long enough for that.
+    // Whether rings that turn tighter than the least radius all around are long enough for that.
     [[nodiscard]] bool worthwhile(const Batch& b) const {
         const double price = all_round(b);
         double length = 0;
@@ -160,8 +161,8 @@ class Rounder {
         return !(price > 0) || length > gain * least_ * price;
     }
 
-    // The corner by this radius, or those within it by the lesser one that gains most.
-    void choose(const Ring& r, const Batch& b, std::size_t k, const Corner& c, std::vector<Bend>& out) const {
+    // Chooses the arc of this radius, or the arcs of the smaller radius within it that gain most.
+    void choose(const Ring& r, const Batch& b, std::size_t k, const Corner& c, std::vector<RoundedCorner>& out) const {
         const double worth = -gain * least_;
         double most = c.length + worth * tight(c, b.radii[k]);
         std::vector<const Corner*> best;
@@ -185,25 +186,25 @@ class Rounder {
         for (const Corner* corner : best) choose(r, b, by, *corner, out);
     }
 
-    // True if nothing of the ring itself stays: only what runs all round within it touches it.
+    // Whether nothing remains of the ring itself: only lines that replace it as a whole touch it.
     static bool gone(const Ring& r) {
         const auto& now = r.by[0];
-        return std::all_of(now.kept.begin(), now.kept.end(), [&](const Ring::Touch& t) {
+        return std::all_of(now.kept.begin(), now.kept.end(), [&](const Ring::Contact& t) {
             return std::find(now.numbers.begin(), now.numbers.end(), t.line) != now.numbers.end();
         });
     }
 
-    // The corners that are taken, by their places.
-    [[nodiscard]] std::vector<Bend> bends(const Batch& b) const {
-        std::vector<Bend> out;
+    // The chosen corners, in the order of their positions.
+    [[nodiscard]] std::vector<RoundedCorner> bends(const Batch& b) const {
+        std::vector<RoundedCorner> out;
         for (std::size_t i = 0; i < b.rings.size(); ++i) {
             const Ring& r = b.rings[i];
             if (gone(r)) continue;
-            std::vector<Bend> own;
+            std::vector<RoundedCorner> own;
             for (const Corner& c : r.by[0].corners) choose(r, b, 0, c, own);
             std::sort(own.begin(), own.end(),
-                      [](const Bend& x, const Bend& y) { return x.corner->from < y.corner->from; });
-            for (Bend& c : own) {
+                      [](const RoundedCorner& x, const RoundedCorner& y) { return x.corner->from < y.corner->from; });
+            for (RoundedCorner& c : own) {
                 c.ring = i;
                 out.push_back(std::move(c));
             }
@@ -218,31 +219,31 @@ class Rounder {
         for (std::size_t i = 0; i < rings.size(); ++i) {
             if (gone(rings[i]))
                 for (auto& line : rings[i].by[0].instead) b.lines.push_back(std::move(line));
-            else if (std::none_of(bent.begin(), bent.end(), [&](const Bend& c) { return c.ring == i; }))
+            else if (std::none_of(bent.begin(), bent.end(), [&](const RoundedCorner& c) { return c.ring == i; }))
                 b.lines.push_back(rings[i].line);
         }
         std::vector<char> seen(bent.size(), 0);
         for (std::size_t i = 0; i < bent.size(); ++i) {
             Line line{{}, false};
             for (std::size_t at = i; !seen[at];) {
-                seen[at] = 1; // from the end of this one along the ring to the next, and over
+                seen[at] = 1; // from the end of this corner along the ring to the next one, and across that
                 const std::size_t to = after(bent, at);
                 const Ring& r = rings[bent[at].ring];
                 const Corner &c = *bent[at].corner, &next = *bent[to].corner;
                 const double rest = at == to ? r.ways.back() - r.ahead(c.from, c.to) : r.ahead(c.to, next.from);
-                if (rest <
-                    r.ways.back() - kSeen * least_) // else the next begins where this one ends, or a little before
+                // Otherwise the next corner begins where this one ends, or slightly before.
+                if (rest < r.ways.back() - kSeen * least_)
                     surface::curve::append(line, surface::curve::part(r.line, r.ways, c.to, c.to + rest));
-                surface::curve::append(line, bent[to].over ? bent[to].bridge : next.arc);
-                at = bent[to].over ? static_cast<std::size_t>(bent[to].over - bent.data()) : to;
+                surface::curve::append(line, bent[to].bridged_to ? bent[to].bridge : next.arc);
+                at = bent[to].bridged_to ? static_cast<std::size_t>(bent[to].bridged_to - bent.data()) : to;
             }
             if (line.size() < 3) continue;
             line.closed = true;
             b.lines.push_back(surface::curve::threaded(surface_, line));
         }
     }
-    // The next bend on the same ring.
-    static std::size_t after(const std::vector<Bend>& bent, std::size_t i) {
+    // The next corner of the same ring, cyclically.
+    static std::size_t after(const std::vector<RoundedCorner>& bent, std::size_t i) {
         if (i + 1 < bent.size() && bent[i + 1].ring == bent[i].ring) return i + 1;
         while (i > 0 && bent[i - 1].ring == bent[i].ring) --i;
         return i;
@@ -269,7 +270,7 @@ Rounding::Rounding(const Surface& s, const ExactField& field, double least, doub
 void Rounding::prepare(Batch& b, const Within& within) const {
     Rounder(surface_, field_, least_, spacing_, edge_).prepare(b, within);
 }
-Rounding::Turns Rounding::turns(const Batch& b, double gain, double floor) const {
+Rounding::Tightness Rounding::turns(const Batch& b, double gain, double floor) const {
     Rounder rounder(surface_, field_, least_, spacing_, edge_);
     rounder.gain = gain;
     rounder.floor = floor;

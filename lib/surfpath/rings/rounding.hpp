@@ -1,4 +1,4 @@
-// Corners of rings rounded on a surface.
+// Rounds the corners of rings on a surface.
 #pragma once
 
 #include "geodesic/exact.hpp"
@@ -12,41 +12,41 @@ namespace filum::surfpath::rings {
 using geodesic::ExactField;
 using surface::Isoline;
 
-// Lines of equal distance, to measure from.
+// The isolines as source segments, to measure distances from them.
 surface::Sources as_sources(const std::vector<const Isoline*>& lines);
 
-// Isolines of one level that are rounded alike.
+// Isolines of one level that are rounded with the same radii.
 struct Batch {
     double level;
-    std::uint32_t ring; // how many rings lie outside of it
+    std::uint32_t ring; // number of rings outside of it
     std::vector<const Isoline*> outer;
-    std::vector<double> radii; // to round by, falling
-    std::vector<Ring> rings{}; // those, and how their corners may be rounded
-    std::vector<Line> lines{}; // what comes of it
+    std::vector<double> radii; // radii of rounding, decreasing
+    std::vector<Ring> rings{}; // the isolines with their corners
+    std::vector<Line> lines{}; // the result
 };
 
-// The closed isolines that lie `radius` mm of distance within those of a batch.
+// The closed isolines inside those of a batch, at a level `radius` mm higher.
 using Within = std::function<std::vector<const Isoline*>(double radius)>;
 
-// Rounds the corners of rings: where a disc, rolling along inside of one, does not come, but for narrow places that
-// lead on to others where it does.  A smaller disc takes over where that gains much length for few tight turns.  Where
-// two rings, or one, face each other across a neck that is narrower than both by less than a spacing, they run through
-// it.
+// Rounds corners of rings by rolling a disc along the inside: stretches that the disc does not touch are replaced by
+// its arc, unless a narrow place leads from them to others that it touches. A smaller disc is used where it gains much
+// length for few tight turns. Where rings face each other across a neck that is less than a spacing narrower than
+// both, they are connected through it.
 class Rounding {
   public:
     Rounding(const Surface& surface, const ExactField& field, double least_radius, double spacing);
 
-    void prepare(Batch& batch, const Within& within) const; // finds its rings
+    void prepare(Batch& batch, const Within& within) const; // computes its rings
 
-    // What its lines turn, if smaller discs, but none below `floor` mm, take over where they gain `gain` least radii of
-    // length for each radian that they turn too tight.
-    struct Turns {
-        double tight = 0; // rad in all, by which they turn tighter than by the least radius
-        double least = 0; // mm, of radii; the least radius if all keep to it
+    // How tightly the lines of a batch turn, if smaller discs (at least `floor` mm) are used where they gain `gain`
+    // least radii of length per radian of excess turning.
+    struct Tightness {
+        double tight = 0; // rad by which turns exceed the least radius, in total
+        double least = 0; // mm: least radius that occurs; the least radius asked for if no turn is tighter
     };
-    [[nodiscard]] Turns turns(const Batch& batch, double gain, double floor) const;
+    [[nodiscard]] Tightness turns(const Batch& batch, double gain, double floor) const;
 
-    void finish(Batch& batch, double gain, double floor) const; // finds its lines
+    void finish(Batch& batch, double gain, double floor) const; // computes its lines
 
   private:
     const Surface& surface_;

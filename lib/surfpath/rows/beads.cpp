@@ -8,11 +8,11 @@ namespace filum::surfpath::rows {
 
 namespace {
 
-constexpr double kBeadsOfACell = 8; // along a line
+constexpr double kBeadsOfACell = 8; // bead points along a line per cell of the grid
 
 } // namespace
 
-Beads::Beads(const Surface& s, const std::vector<Line>& lines, const lanes::Lanes& lanes, double apart)
+BeadMap::BeadMap(const Surface& s, const std::vector<Line>& lines, const lanes::Lanes& lanes, double apart)
     : s_(s), apart_(apart), cuts_(lines.size()), cell_(kBeadsOfACell * apart) {
     std::vector<Vec3> points;
     for (std::uint32_t l = 0; l < lines.size(); ++l) {
@@ -21,68 +21,70 @@ Beads::Beads(const Surface& s, const std::vector<Line>& lines, const lanes::Lane
         first_.push_back(static_cast<std::uint32_t>(beads_.size()));
         const auto n = static_cast<std::size_t>(std::ceil(length_[l] / apart));
         for (std::size_t i = 0; i < n; ++i) {
-            const double way = length_[l] * static_cast<double>(i) / static_cast<double>(n);
-            const Place p = lanes.at(l, way);
-            beads_.push_back({l, way, p.point, surface::normal(s, p.triangle)});
+            const double arc = length_[l] * static_cast<double>(i) / static_cast<double>(n);
+            const Place p = lanes.at(l, arc);
+            beads_.push_back({l, arc, p.point, surface::normal(s, p.triangle)});
             points.push_back(p.point);
         }
     }
     first_.push_back(static_cast<std::uint32_t>(beads_.size()));
-    gone_.assign(beads_.size(), 0);
+    cut_beads_.assign(beads_.size(), 0);
     grid_ = geom::PointGrid<Vec3>(points, cell_);
 }
 
-double Beads::off(std::uint32_t line, double a, double b) const {
+double BeadMap::off(std::uint32_t line, double a, double b) const {
     return std::abs(closed_[line] != 0 ? std::remainder(a - b, length_[line]) : a - b);
 }
 
-bool Beads::whole(std::uint32_t line, double at, double half, double margin) const {
+bool BeadMap::whole(std::uint32_t line, double at, double half, double margin) const {
     return std::all_of(cuts_[line].begin(), cuts_[line].end(),
                        [&](const Cut& c) { return off(line, at, c.at) >= half + c.half + margin; });
 }
 
-void Beads::cut(std::uint32_t line, double at, double half) {
+void BeadMap::cut(std::uint32_t line, double at, double half) {
     cuts_[line].push_back({at, half});
     for (std::uint32_t i = first_[line]; i < first_[line + 1]; ++i)
-        if (off(line, beads_[i].way, at) < half) gone_[i] = 1;
+        if (off(line, beads_[i].arc, at) < half) cut_beads_[i] = 1;
 }
 
-void Beads::lay(const Line& line) {
-    Laid& more = laid_.emplace_back();
+void BeadMap::add(const Line& line) {
+    AddedLine& more = added_.emplace_back();
     for (const Place& p : surface::curve::resampled(line, apart_).places) {
         more.beads.push_back({surface::kNone, 0, p.point, surface::normal(s_, p.triangle)});
-        more.about.add(p.point);
+        more.box.add(p.point);
     }
 }
 
-View Beads::look(const surface::curve::Chart& chart, double reach) const {
-    View out{chart, {}, {}};
-    const auto seen = [&](const Bead& bead) {
+Surroundings BeadMap::around(const surface::curve::Chart& chart, double reach) const {
+    Surroundings out{chart, {}, {}};
+    const auto seen = [&](const BeadPoint& bead) {
         return distance(bead.point, chart.origin) < reach && dot(bead.normal, chart.normal) > 0;
     };
     grid_.near(chart.origin, static_cast<std::int64_t>(std::ceil(reach / cell_)), [&](std::uint32_t i) {
-        const Bead& bead = beads_[i];
-        if (gone_[i] == 0 && seen(bead)) out.beads.push_back({bead.line, bead.way, chart.to(bead.point)});
+        const BeadPoint& bead = beads_[i];
+        if (cut_beads_[i] == 0 && seen(bead)) out.beads.push_back({bead.line, bead.arc, chart.to(bead.point)});
     });
     std::sort(out.beads.begin(), out.beads.end(),
-              [](const View::At& a, const View::At& b) { return a.line != b.line ? a.line < b.line : a.way < b.way; });
-    for (const Laid& laid : laid_) {
-        if (geom::distance(laid.about, chart.origin) > reach) continue;
-        for (const Bead& bead : laid.beads)
-            if (seen(bead)) out.laid.push_back(chart.to(bead.point));
+              [](const Surroundings::LinePoint& a, const Surroundings::LinePoint& b) {
+                  return a.line != b.line ? a.line < b.line : a.arc < b.arc;
+              });
+    for (const AddedLine& line : added_) {
+        if (geom::distance(line.box, chart.origin) > reach) continue;
+        for (const BeadPoint& bead : line.beads)
+            if (seen(bead)) out.added.push_back(chart.to(bead.point));
     }
     return out;
 }
 
-std::vector<Bead> Beads::beside(std::uint32_t but, const Vec3& p, const Vec3& normal, double reach) const {
-    std::map<std::uint32_t, Bead> nearest;
+std::vector<BeadPoint> BeadMap::neighbours(std::uint32_t but, const Vec3& p, const Vec3& normal, double reach) const {
+    std::map<std::uint32_t, BeadPoint> nearest;
     grid_.near(p, static_cast<std::int64_t>(std::ceil(reach / cell_)), [&](std::uint32_t i) {
-        const Bead& bead = beads_[i];
+        const BeadPoint& bead = beads_[i];
         if (bead.line == but || distance(bead.point, p) > reach || !(dot(normal, bead.normal) > 0)) return;
         const auto [to, first] = nearest.emplace(bead.line, bead);
         if (!first && distance(bead.point, p) < distance(to->second.point, p)) to->second = bead;
     });
-    std::vector<Bead> out;
+    std::vector<BeadPoint> out;
     out.reserve(nearest.size());
     for (const auto& [line, bead] : nearest) out.push_back(bead);
     return out;

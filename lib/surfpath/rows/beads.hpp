@@ -1,4 +1,5 @@
-// Lines as beads, point by point: what lies near a place, but for where lines were cut.
+// Lines as sequences of bead points, with a search for those near a place. Parts of lines can be removed and lines
+// added.
 #pragma once
 
 #include "surfpath/lanes/lanes.hpp"
@@ -13,64 +14,67 @@ using surface::curve::Line;
 using surface::curve::Place;
 
 // A point of a line.
-struct Bead {
+struct BeadPoint {
     std::uint32_t line = 0;
-    double way = 0; // mm
+    double arc = 0; // mm from the line's start
     Vec3 point, normal;
 };
 
-// What lies about a place, on a chart.
-struct View {
+// The bead points around a place, in the coordinates of a chart.
+struct Surroundings {
     surface::curve::Chart chart;
-    struct At {
+    struct LinePoint {
         std::uint32_t line;
-        double way;
+        double arc;
         Vec2 p;
     };
-    std::vector<At> beads;  // of lines, by line and way
-    std::vector<Vec2> laid; // of what was laid besides
+    std::vector<LinePoint> beads; // of the lines, by line and arc length
+    std::vector<Vec2> added;      // of added lines
 };
 
-class Beads {
+class BeadMap {
   public:
-    // Of `lines`, which are those of `lanes`, open or closed; points are `apart` mm from each other.
-    Beads(const Surface& s, const std::vector<Line>& lines, const lanes::Lanes& lanes, double apart);
+    // `lines` are those of `lanes`, open or closed. Bead points are `apart` mm from each other.
+    BeadMap(const Surface& s, const std::vector<Line>& lines, const lanes::Lanes& lanes, double apart);
 
     [[nodiscard]] double length(std::uint32_t line) const { return length_[line]; } // mm
-    // How far apart two ways of a line are, mm; of a closed one the shorter way round.
+    // Distance of two arc lengths of a line, mm; around the shorter way if it is closed.
     [[nodiscard]] double off(std::uint32_t line, double a, double b) const;
-    // Whether the line is there from `half` mm before `at` to as much behind it, and `margin` mm more on both sides.
+    // Whether nothing is cut within `half` + `margin` mm of `at`.
     [[nodiscard]] bool whole(std::uint32_t line, double at, double half, double margin) const;
 
-    void cut(std::uint32_t line, double at, double half); // that is no longer there
-    void lay(const Line& line);                           // something besides
+    // Removes the part of the line within `half` mm of `at`.
+    void cut(std::uint32_t line, double at, double half);
+    // Adds another line.
+    void add(const Line& line);
 
-    // What lies within `reach` mm of the chart's origin and faces as it does.
-    [[nodiscard]] View look(const surface::curve::Chart& chart, double reach) const;
+    // The bead points within `reach` mm of the chart's origin on surface that faces the same way.
+    [[nodiscard]] Surroundings around(const surface::curve::Chart& chart, double reach) const;
 
-    // Per line but this one its point nearest to `p`, where it faces as `normal` does and is no farther than `reach`;
-    // cut or not.  By line.
-    [[nodiscard]] std::vector<Bead> beside(std::uint32_t but, const Vec3& p, const Vec3& normal, double reach) const;
+    // The nearest point of every line except `but` that is within `reach` mm of `p`, on surface that faces as
+    // `normal`, whether it was cut or not. In the order of lines.
+    [[nodiscard]] std::vector<BeadPoint> neighbours(std::uint32_t but, const Vec3& p, const Vec3& normal,
+                                                    double reach) const;
 
   private:
     struct Cut {
         double at, half;
     };
-    struct Laid {
-        std::vector<Bead> beads;
-        geom::Box3 about;
+    struct AddedLine {
+        std::vector<BeadPoint> beads;
+        geom::Box3 box;
     };
     const Surface& s_;
     double apart_;
     std::vector<double> length_; // per line
     std::vector<char> closed_;
     std::vector<std::vector<Cut>> cuts_;
-    std::vector<std::uint32_t> first_; // per line, and one more: its beads
-    std::vector<Bead> beads_;
-    std::vector<char> gone_; // per bead: where its line was cut
-    double cell_;            // mm, of the grid
+    std::vector<std::uint32_t> first_; // per line, and one more: index of its first bead point
+    std::vector<BeadPoint> beads_;
+    std::vector<char> cut_beads_; // per bead point: whether its line was cut there
+    double cell_;                 // mm, of the grid
     geom::PointGrid<Vec3> grid_;
-    std::vector<Laid> laid_;
+    std::vector<AddedLine> added_;
 };
 
 } // namespace filum::surfpath::rows

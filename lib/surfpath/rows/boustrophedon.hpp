@@ -1,11 +1,12 @@
-// One path along rows: which turns there are, the order of the rows, and the path itself.
+// Connects rows to a path: chooses turns and the order of rows.
 #pragma once
 
 #include "surfpath/rows/turner.hpp"
 
 namespace filum::surfpath::rows {
 
-// The path that passes all rows, from each by a turn to another; where turns do not lead on, along rims and rows.
-plan::Plan boustrophedon(const Surface& s, const Rows& rows, const Turning& turning);
+// The path that passes every row and turns from each to the next; where no turn is possible, it leads along rims and
+// rows.
+plan::Plan boustrophedon(const Surface& s, const Rows& rows, const TurnOptions& turning);
 
 } // namespace filum::surfpath::rows

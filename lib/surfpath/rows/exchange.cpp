@@ -22,38 +22,39 @@ namespace {
 using geom::Vec2;
 
 // Lengths in spacings.
-// Between the points by which lines are judged: so what is half a spacing from a line is off by .4 % of that.
+// Between bead points. The error for a place half a spacing from a line is 0.4 % of that.
 constexpr double kBeadGrain = 0.125;
-// How far from each other lines side by side are, at most: from there on another one fits between.
+// Largest distance of lines side by side; another line would fit into a larger one.
 constexpr double kBesideAt = 2;
-// Half of what is cut of each, tried: from tips that lead straight on to a gap that turns just leave bare.
+// Half of what is cut out of each line, as it is tried: from tips that lead straight on to gaps that turns just cover.
 constexpr double kCuts[] = {0.4, 0.6, 0.8, 1, 1.2, 1.4};
-// Likewise, by which places are ranked first: two half turns are as long as what they replace.
+// The cut by which sites are ranked at first: two half turns are as long as what they replace.
 constexpr double kFirstCut = std::numbers::pi / 4;
-constexpr double kPlacesApart = 0.5;                                  // between places that are tried
-constexpr double kSlips[] = {0, -kPlacesApart / 2, kPlacesApart / 2}; // of one line along the other: half way there
-// How far about a place what is covered can change: the farthest cut, what a turn bulges beyond it, half a bead.
+constexpr double kPlacesApart = 0.5;                                  // between sites that are tried
+constexpr double kSlips[] = {0, -kPlacesApart / 2, kPlacesApart / 2}; // shifts of one line against the other
+// Distance within which coverage can change: the longest cut, the bulge of a turn beyond it, half a bead.
 constexpr double kSwathHalf = kCuts[5] + kPlacesApart / 2 + 0.5 + 0.5;
-constexpr std::size_t kMostTried = 12; // places of two lines that are judged by what they waste: a limit of work
-constexpr double kSameWaste = 1e-6;    // mm, mm2: less is rounding
+constexpr std::size_t kMostTried = 12; // sites per pair of lines that are judged by their waste: limits the work
+constexpr double kSameWaste = 1e-6;    // mm, mm2: smaller differences are rounding
 
-// Where two lines are to be cut: about these ways, by half of the cuts to both sides.
-struct Exchange {
+// An exchange between two lines: each is cut out around an arc length, by half of its cut on both sides.
+struct LineExchange {
     double waste = 0; // mm2
     std::uint32_t a = 0, b = 0;
     double at_a = 0, at_b = 0, cut_a = 0, cut_b = 0; // mm
-    bool judged = false;                             // `waste` is that of the best cuts
+    bool judged = false;                             // whether `waste` is that of the best cuts
 };
 
-// Two lines from the first line to the other and back, on a chart.
-struct Turns {
+// The two turns of an exchange, on a chart: from the first line to the other, and back.
+struct TurnPair {
     std::vector<Vec2> there, back;
-    bool same = true; // the lines run the same way
+    bool same = true; // whether the lines run in the same direction
 };
 
-class Exchanger {
+class LineExchanger {
   public:
-    Exchanger(const Surface& s, const std::vector<Line>& lines, std::span<const char> keep, const Exchanges& o)
+    LineExchanger(const Surface& s, const std::vector<Line>& lines, std::span<const char> keep,
+                  const ExchangeOptions& o)
         : s_(s), given_(lines), d_(o.spacing), ends_(o.ends), lanes_(s, closed(lines), o.spacing), weave_(lanes_),
           sets_(lines.size()), normals_(surface::curve::vertex_normals(s)), anchored_(lines.size(), 0),
           swath_(o.spacing, kSwathHalf * o.spacing), rest_(swath_), beads_(s, lines, lanes_, kBeadGrain * o.spacing) {
@@ -63,19 +64,19 @@ class Exchanger {
         }
     }
 
-    Exchanged run() {
-        Exchanged out;
+    ExchangeResult run() {
+        ExchangeResult out;
         propose();
         while (!queue_.empty()) {
-            Exchange e = queue_.top();
+            LineExchange e = queue_.top();
             queue_.pop();
             if (!open(e)) continue;
-            const View view = look(lanes_.at(e.a, e.at_a));
+            const Surroundings view = surroundings(lanes_.at(e.a, e.at_a));
             const bool sure = e.judged;
             const double before = e.waste;
             judge(view, e, kCuts, kSlips);
             e.judged = true;
-            if (!sure || e.waste > before + kSameWaste) { // what was taken since may be in the way
+            if (!sure || e.waste > before + kSameWaste) { // an exchange made since may be in the way
                 propose(e);
             } else if (take(view, e)) {
                 ++out.count;
@@ -85,22 +86,22 @@ class Exchanger {
         return out;
     }
 
-    // Every line that took others in, with them; what was taken in empty.
+    // The lines that result; those that were taken into another one are empty.
     [[nodiscard]] std::vector<Line> lines() {
         std::vector<Line> out = given_;
-        for (auto& course : weave_.courses()) {
-            if (course.lanes.size() < 2) continue;
-            std::uint32_t host = course.lanes[0];
-            for (const std::uint32_t l : course.lanes) {
+        for (auto& path : weave_.curves()) {
+            if (path.lanes.size() < 2) continue;
+            std::uint32_t host = path.lanes[0];
+            for (const std::uint32_t l : path.lanes) {
                 out[l].places.clear();
                 if (anchored_[l] == 1) host = l;
             }
-            course.line.closed = course.closed;
-            if (course.closed)
-                course.line.places.pop_back(); // the first one again
-            else if (distance(course.line[0], given_[host][0]) > kSameWaste)
-                surface::curve::reverse(course.line);
-            out[host] = std::move(course.line);
+            path.line.closed = path.closed;
+            if (path.closed)
+                path.line.places.pop_back(); // equal to the first one
+            else if (distance(path.line[0], given_[host][0]) > kSameWaste)
+                surface::curve::reverse(path.line);
+            out[host] = std::move(path.line);
         }
         return out;
     }
@@ -111,44 +112,45 @@ class Exchanger {
         return lines;
     }
 
-    // Whether the two may still become one.
-    [[nodiscard]] bool open(const Exchange& e) {
+    // Whether the two lines can still be joined.
+    [[nodiscard]] bool open(const LineExchange& e) {
         const auto a = sets_.root(e.a), b = sets_.root(e.b);
         return a != b && (anchored_[a] == 0 || anchored_[b] == 0);
     }
 
-    // All places that lines might be joined at, the best few of every two lines.
+    // Proposes the best few exchanges of every pair of lines.
     void propose() {
-        std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Exchange>> found;
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<LineExchange>> found;
         for (std::uint32_t a = 0; a < given_.size(); ++a) {
             if (!given_[a].closed) continue;
             const auto n = static_cast<std::size_t>(std::ceil(beads_.length(a) / (kPlacesApart * d_)));
             for (std::size_t i = 0; i < n; ++i)
-                for (Exchange& e : beside(a, beads_.length(a) * static_cast<double>(i) / static_cast<double>(n)))
+                for (LineExchange& e :
+                     candidates(a, beads_.length(a) * static_cast<double>(i) / static_cast<double>(n)))
                     if (open(e)) found[std::minmax(e.a, e.b)].push_back(e);
         }
         for (auto& [pair, all] : found) {
             std::stable_sort(all.begin(), all.end(),
-                             [](const Exchange& x, const Exchange& y) { return x.waste < y.waste; });
+                             [](const LineExchange& x, const LineExchange& y) { return x.waste < y.waste; });
             if (all.size() > kMostTried) all.resize(kMostTried);
-            for (Exchange& e : all) {
-                judge(look(lanes_.at(e.a, e.at_a)), e, std::span(&kFirstCut, 1), std::span(kSlips, 1));
+            for (LineExchange& e : all) {
+                judge(surroundings(lanes_.at(e.a, e.at_a)), e, std::span(&kFirstCut, 1), std::span(kSlips, 1));
                 propose(e);
             }
         }
     }
 
-    void propose(const Exchange& e) {
+    void propose(const LineExchange& e) {
         if (e.waste < kCrossingWastes * d_ * d_) queue_.push(e);
     }
 
-    // One for every line beside this place, by how much longer the lines get; as if nothing else lay about.
-    [[nodiscard]] std::vector<Exchange> beside(std::uint32_t a, double way) const {
+    // One exchange for every line beside this place, rated by the additional length only.
+    [[nodiscard]] std::vector<LineExchange> candidates(std::uint32_t a, double way) const {
         const Place at = lanes_.at(a, way);
         const auto chart = chart_at(at);
-        std::vector<Exchange> out;
-        for (const Bead& bead : beads_.beside(a, at.point, chart.normal, kBesideAt * d_)) {
-            out.push_back({0, a, bead.line, way, bead.way, kFirstCut * d_, kFirstCut * d_});
+        std::vector<LineExchange> out;
+        for (const BeadPoint& bead : beads_.neighbours(a, at.point, chart.normal, kBesideAt * d_)) {
+            out.push_back({0, a, bead.line, way, bead.arc, kFirstCut * d_, kFirstCut * d_});
             out.back().waste = d_ * longer(out.back(), turns(chart, out.back()));
         }
         return out;
@@ -161,44 +163,44 @@ class Exchanger {
         return surface::curve::chart(at, normal, next - corner);
     }
 
-    // What lies within the square of the swath, and half a bead about it.
-    [[nodiscard]] View look(const Place& at) const {
-        return beads_.look(chart_at(at), (std::numbers::sqrt2 * kSwathHalf + 0.5) * d_);
+    // The bead points within the square of the swath and half a bead around it.
+    [[nodiscard]] Surroundings surroundings(const Place& at) const {
+        return beads_.around(chart_at(at), (std::numbers::sqrt2 * kSwathHalf + 0.5) * d_);
     }
 
-    [[nodiscard]] double longer(const Exchange& e, const Turns& t) const {
+    [[nodiscard]] double longer(const LineExchange& e, const TurnPair& t) const {
         return geom::length(t.there) + geom::length(t.back) - 2 * e.cut_a - 2 * e.cut_b;
     }
 
-    // Where a line is, and how it runs there: unit, or 0.
-    struct Going {
+    // A point of a line on the chart, and its unit tangent (or 0).
+    struct Heading {
         Vec2 p, t;
     };
-    [[nodiscard]] Going going(const surface::curve::Chart& chart, std::uint32_t line, double way) const {
+    [[nodiscard]] Heading heading(const surface::curve::Chart& chart, std::uint32_t line, double way) const {
         const Vec2 p = chart.to(lanes_.at(line, way).point), a = chart.to(lanes_.at(line, way - kBeadGrain * d_).point),
                    b = chart.to(lanes_.at(line, way + kBeadGrain * d_).point);
         const double l = distance(a, b);
         return {p, l > 0 ? 1 / l * (b - a) : Vec2{}};
     }
 
-    [[nodiscard]] Turns turns(const surface::curve::Chart& chart, const Exchange& e) const {
-        Turns out;
-        out.same = dot(going(chart, e.a, e.at_a).t, going(chart, e.b, e.at_b).t) >= 0;
-        const Going a0 = going(chart, e.a, e.at_a - e.cut_a), a1 = going(chart, e.a, e.at_a + e.cut_a),
-                    b0 = going(chart, e.b, e.at_b - e.cut_b), b1 = going(chart, e.b, e.at_b + e.cut_b);
+    [[nodiscard]] TurnPair turns(const surface::curve::Chart& chart, const LineExchange& e) const {
+        TurnPair out;
+        out.same = dot(heading(chart, e.a, e.at_a).t, heading(chart, e.b, e.at_b).t) >= 0;
+        const Heading a0 = heading(chart, e.a, e.at_a - e.cut_a), a1 = heading(chart, e.a, e.at_a + e.cut_a),
+                      b0 = heading(chart, e.b, e.at_b - e.cut_b), b1 = heading(chart, e.b, e.at_b + e.cut_b);
         const double step = kBeadGrain * d_;
         if (out.same) {
-            out.there = led(a0.p, a0.t, b0.p, -1 * b0.t, step);
-            out.back = led(b1.p, -1 * b1.t, a1.p, a1.t, step);
+            out.there = cubic_turn(a0.p, a0.t, b0.p, -1 * b0.t, step);
+            out.back = cubic_turn(b1.p, -1 * b1.t, a1.p, a1.t, step);
         } else {
-            out.there = led(a0.p, a0.t, b1.p, b1.t, step);
-            out.back = led(b0.p, b0.t, a1.p, a1.t, step);
+            out.there = cubic_turn(a0.p, a0.t, b1.p, b1.t, step);
+            out.back = cubic_turn(b0.p, b0.t, a1.p, a1.t, step);
         }
         return out;
     }
 
-    // Whether both lines are there to be cut.
-    [[nodiscard]] bool free(const Exchange& e) const {
+    // Whether neither line has been cut at these places.
+    [[nodiscard]] bool free(const LineExchange& e) const {
         const auto there = [&](std::uint32_t line, double at, double cut) {
             const double all = beads_.length(line);
             const bool inside = given_[line].closed || (at - cut >= ends_ && at + cut <= all - ends_);
@@ -207,25 +209,25 @@ class Exchanger {
         return there(e.a, e.at_a, e.cut_a) && there(e.b, e.at_b, e.cut_b);
     }
 
-    // Of these cuts and places of the other line those that waste least; infinite if none are possible.
-    void judge(const View& view, Exchange& e, std::span<const double> cuts, std::span<const double> slips) {
+    // Sets `e` to the cuts and the shift of least waste; its waste is infinite if none are possible.
+    void judge(const Surroundings& view, LineExchange& e, std::span<const double> cuts, std::span<const double> slips) {
         swath_.clear();
         rest_.clear();
         for (const auto& bead : view.beads) {
             swath_.add(bead.p);
             if (bead.line != e.a && bead.line != e.b) rest_.add(bead.p);
         }
-        for (const Vec2& p : view.laid) {
+        for (const Vec2& p : view.added) {
             swath_.add(p);
             rest_.add(p);
         }
         covered_ = swath_.covered();
-        const Exchange given = e;
+        const LineExchange given = e;
         e.waste = std::numeric_limits<double>::infinity();
         for (const double slip : slips)
             for (const double cut_a : cuts)
                 for (const double cut_b : cuts) {
-                    Exchange now = given;
+                    LineExchange now = given;
                     now.at_b += slip * d_;
                     now.cut_a = cut_a * d_;
                     now.cut_b = cut_b * d_;
@@ -235,14 +237,14 @@ class Exchanger {
                 }
     }
 
-    [[nodiscard]] bool kept(const View::At& bead, const Exchange& e) const {
-        return (bead.line != e.a || beads_.off(e.a, bead.way, e.at_a) > e.cut_a) &&
-               (bead.line != e.b || beads_.off(e.b, bead.way, e.at_b) > e.cut_b);
+    [[nodiscard]] bool kept(const Surroundings::LinePoint& bead, const LineExchange& e) const {
+        return (bead.line != e.a || beads_.off(e.a, bead.arc, e.at_a) > e.cut_a) &&
+               (bead.line != e.b || beads_.off(e.b, bead.arc, e.at_b) > e.cut_b);
     }
 
-    // What is left bare and laid twice more than now.  What is laid twice is what is laid less what is covered.
-    [[nodiscard]] double waste(const View& view, const Exchange& e) {
-        const Turns t = turns(view.chart, e);
+    // Additional void and overlap, mm2. Overlap is the area of beads less the covered area.
+    [[nodiscard]] double waste(const Surroundings& view, const LineExchange& e) {
+        const TurnPair t = turns(view.chart, e);
         swath_ = rest_;
         for (const auto& bead : view.beads)
             if ((bead.line == e.a || bead.line == e.b) && kept(bead, e)) swath_.add(bead.p);
@@ -251,8 +253,8 @@ class Exchanger {
         return d_ * longer(e, t) + 2 * (covered_ - swath_.covered());
     }
 
-    // Whether a turn crosses what is there, or the other one.
-    [[nodiscard]] bool crosses(const View& view, const Exchange& e, const Turns& t) const {
+    // Whether a turn crosses another line or the other turn.
+    [[nodiscard]] bool crosses(const Surroundings& view, const LineExchange& e, const TurnPair& t) const {
         const auto cross = [](std::span<const Vec2> line, Vec2 a, Vec2 b) {
             for (std::size_t i = 1; i < line.size(); ++i)
                 if (geom::cross_properly(line[i - 1], line[i], a, b)) return true;
@@ -260,7 +262,7 @@ class Exchanger {
         };
         for (std::size_t i = 1; i < view.beads.size(); ++i) {
             const auto &a = view.beads[i - 1], &b = view.beads[i];
-            if (a.line != b.line || b.way - a.way > 1.5 * kBeadGrain * d_ || !kept(a, e) || !kept(b, e)) continue;
+            if (a.line != b.line || b.arc - a.arc > 1.5 * kBeadGrain * d_ || !kept(a, e) || !kept(b, e)) continue;
             if (cross(t.there, a.p, b.p) || cross(t.back, a.p, b.p)) return true;
         }
         for (std::size_t i = 1; i < t.back.size(); ++i)
@@ -268,21 +270,21 @@ class Exchanger {
         return false;
     }
 
-    // False if the turns lead over nothing, or over other lines.
-    bool take(const View& view, const Exchange& e) {
-        const Turns t = turns(view.chart, e);
+    // Makes the exchange. Returns false if the turns leave the surface or cross other lines.
+    bool take(const Surroundings& view, const LineExchange& e) {
+        const TurnPair t = turns(view.chart, e);
         if (crosses(view, e, t)) return false;
         const double a0 = e.at_a - e.cut_a, a1 = e.at_a + e.cut_a, b0 = e.at_b - e.cut_b, b1 = e.at_b + e.cut_b;
-        const auto there = laid(view.chart, t.there, lanes_.at(e.a, a0), lanes_.at(e.b, t.same ? b0 : b1));
-        const auto back = laid(view.chart, t.back, lanes_.at(e.b, t.same ? b1 : b0), lanes_.at(e.a, a1));
+        const auto there = on_surface(view.chart, t.there, lanes_.at(e.a, a0), lanes_.at(e.b, t.same ? b0 : b1));
+        const auto back = on_surface(view.chart, t.back, lanes_.at(e.b, t.same ? b1 : b0), lanes_.at(e.a, a1));
         if (there.size() < 2 || back.size() < 2) return false;
         const auto a = weave_.cut(e.a, a0, a1), b = weave_.cut(e.b, b0, b1);
         weave_.link({a, false}, {b, !t.same}, there);
         weave_.link({b, t.same}, {a, true}, back);
         beads_.cut(e.a, e.at_a, e.cut_a);
         beads_.cut(e.b, e.at_b, e.cut_b);
-        beads_.lay(there);
-        beads_.lay(back);
+        beads_.add(there);
+        beads_.add(back);
         const bool anchored = anchored_[sets_.root(e.a)] != 0 || anchored_[sets_.root(e.b)] != 0;
         sets_.unite(e.a, e.b);
         char& root = anchored_[sets_.root(e.a)];
@@ -290,19 +292,19 @@ class Exchanger {
         return true;
     }
 
-    // The turn on the surface; empty if it does not lead there.
-    [[nodiscard]] Line laid(const surface::curve::Chart& chart, std::vector<Vec2> turn, const Place& from,
-                            const Place& to) const {
+    // The turn on the surface; empty if it leaves that.
+    [[nodiscard]] Line on_surface(const surface::curve::Chart& chart, std::vector<Vec2> turn, const Place& from,
+                                  const Place& to) const {
         turn.front() = chart.to(from.point);
         turn.back() = chart.to(to.point);
-        auto out = surface::curve::lay(s_, chart, from, turn);
+        auto out = surface::curve::from_chart(s_, chart, from, turn);
         if (!out.whole || distance(out.line.places.back().point, to.point) > kSameWaste) return {};
         out.line.places.back() = to;
         return std::move(out.line);
     }
 
-    struct Later {
-        bool operator()(const Exchange& x, const Exchange& y) const {
+    struct MoreWaste {
+        bool operator()(const LineExchange& x, const LineExchange& y) const {
             return std::tie(x.waste, x.a, x.at_a, x.b) > std::tie(y.waste, y.a, y.at_a, y.b);
         }
     };
@@ -314,17 +316,17 @@ class Exchanger {
     lanes::Weave weave_;
     geom::DisjointSets sets_;
     std::vector<Vec3> normals_;
-    std::vector<char> anchored_; // per line; of a set that of its root: 1 if it takes in others only, 2 if a line of it
+    std::vector<char> anchored_; // per set, at its root: 1 if the line only takes in others, 2 if one of the set does
     Swath swath_, rest_;
-    double covered_ = 0; // mm2 of the swath, before anything changes
-    Beads beads_;
-    std::priority_queue<Exchange, std::vector<Exchange>, Later> queue_;
+    double covered_ = 0; // mm2 of the swath before the exchange
+    BeadMap beads_;
+    std::priority_queue<LineExchange, std::vector<LineExchange>, MoreWaste> queue_;
 };
 
 } // namespace
 
-Exchanged exchange_loops(const Surface& s, std::vector<Line>& lines, std::span<const char> keep,
-                         const Exchanges& options) {
+ExchangeResult exchange_loops(const Surface& s, std::vector<Line>& lines, std::span<const char> keep,
+                              const ExchangeOptions& options) {
     std::vector<std::uint32_t> which;
     std::vector<Line> there;
     std::vector<char> kept;
@@ -335,8 +337,8 @@ Exchanged exchange_loops(const Surface& s, std::vector<Line>& lines, std::span<c
         kept.push_back(keep[i]);
     }
     if (std::none_of(there.begin(), there.end(), [](const Line& l) { return l.closed; })) return {};
-    Exchanger exchanger(s, there, kept, options);
-    const Exchanged out = exchanger.run();
+    LineExchanger exchanger(s, there, kept, options);
+    const ExchangeResult out = exchanger.run();
     auto made = exchanger.lines();
     if (out.count > 0)
         for (std::size_t i = 0; i < which.size(); ++i) lines[which[i]] = std::move(made[i]);

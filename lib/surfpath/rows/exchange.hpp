@@ -1,4 +1,4 @@
-// Closed lines made part of the lines beside them without crossings.
+// Joins closed lines to neighbouring lines without crossings.
 #pragma once
 
 #include "surfpath/plan/plan.hpp"
@@ -11,28 +11,28 @@ using surface::Surface;
 using surface::curve::Line;
 using surface::curve::Place;
 
-// Square spacings: what shifts that cross waste (splice.hpp), of one left bare, one laid twice.
+// Square spacings of void and overlap that a pair of crossing shifts (splice.hpp) wastes: one of each.
 inline constexpr double kCrossingWastes = 2;
 
-struct Exchanges {
+struct ExchangeOptions {
     double spacing = 1; // mm
-    double ends = 0;    // mm: how far from the ends of open lines, at least
+    double ends = 0;    // mm: least distance from the ends of open lines
 };
 
-struct Exchanged {
+struct ExchangeResult {
     std::size_t count = 0;
-    double waste = 0; // mm2: left bare and laid twice in sum, more than before; less than nothing where tips go
+    double waste = 0; // mm2: additional void and overlap; may be negative where tips disappear
 };
 
-// Two lines side by side are both cut, and the ends that face each other joined by turns: of two lines, of which one is
-// closed, comes one, and nothing crosses.  Turns are half a spacing wide: half turns from line to line, quarter turns
-// where the tip of a loop pointed at the side of a line, next to none where two tips pointed at each other.
-//
-// Of all such exchanges that make lines part of others those are taken that waste least, mm2 left bare and mm2 laid
-// twice, one after the other, given those before (Kruskal 1956); none that wastes as much as shifts that cross
-// (splice.hpp).  Lines that are taken in are left empty.  `keep`: per line, those that take in others only, as open
-// ones do.  An open line keeps its ends and its sense.  Ties: the first line, the least way.
-Exchanged exchange_loops(const Surface& s, std::vector<Line>& lines, std::span<const char> keep,
-                         const Exchanges& options);
+// An exchange cuts two lines side by side open and connects the ends that face each other by turns, which makes one
+// line of two without a crossing. At least one of them is closed. Turns are half a spacing wide: half turns between
+// parallel lines, quarter turns where the tip of a loop points at the side of a line, almost none where two tips point
+// at each other.
+// Of all exchanges that join different lines the one that wastes least (mm2 of additional void and overlap) is made
+// first, then the next, given those before, as in Kruskal 1956. None is made that wastes as much as a pair of crossing
+// shifts (splice.hpp). Lines that are taken in become empty. `keep`: per line, whether it only takes in others, as
+// open lines do. An open line keeps its ends and its direction. Ties: the first line, the least arc length.
+ExchangeResult exchange_loops(const Surface& s, std::vector<Line>& lines, std::span<const char> keep,
+                              const ExchangeOptions& options);
 
 } // namespace filum::surfpath::rows

@@ -3,7 +3,7 @@
 #include "geom/point_grid.hpp"
 #include "surface/curve/ease.hpp"
 #include "surface/curve/walk.hpp"
-#include "surfpath/lanes/seam.hpp"
+#include "surfpath/lanes/spiral.hpp"
 #include "surfpath/rows/exchange.hpp"
 #include "surfpath/rows/splice.hpp"
 #include "surfpath/rows/winding.hpp"
@@ -16,22 +16,23 @@ namespace filum::surfpath::rows {
 
 namespace {
 
-constexpr double kShares[] = {1, 0.5, 0.2}; // of the radius, that shifts are tried with
-constexpr double kTurnsTake = 2;            // radii: what turns may take of the ends of rows
+constexpr double kShares[] = {1, 0.5, 0.2}; // radii of shifts that are tried, in least radii
+constexpr double kTurnsTake = 2;            // radii: length that turns may take from the ends of rows
 
-// Where closed lines go over from each to the next, as gently as there is room for; over fewer lanes than there are
-// lines if no place leads over all.
-lanes::Rungs seam_over(const lanes::Lanes& lanes, const Loops& o) {
-    lanes::Rungs out = lanes::seam_place(lanes, 0, 2 * std::sqrt(o.gentle * o.spacing));
+// A ladder on which closed lines can be connected to a spiral, with gentle links if there is room. It covers fewer
+// lanes if no place leads across all lines.
+lanes::Ladder spiral_over(const lanes::Lanes& lanes, const LoopOptions& o) {
+    lanes::Ladder out = lanes::spiral_ladder(lanes, 0, 2 * std::sqrt(o.gentle * o.spacing));
     if (out.lanes() < lanes.size() && o.radius < o.gentle)
-        out = lanes::seam_place(lanes, 0, 2 * std::sqrt(o.radius * o.spacing));
+        out = lanes::spiral_ladder(lanes, 0, 2 * std::sqrt(o.radius * o.spacing));
     return out;
 }
 
-// Per row whether it is one of a chain of closed ones that is to be a spiral.  A spiral costs a cut at most; as part of
-// the line beside it, each costs a join, as much as shifts that cross at most.  So long chains are spirals, and those
-// that are all there is, which need no cut; if joins may be tight only where one seam leads over all of them.
-std::vector<char> wound(const Surface& s, const Rows& found, std::span<const std::size_t> chain, const Loops& o) {
+// Per row whether it belongs to a chain of closed rows that becomes a spiral. A spiral costs at most one cut. As part
+// of a neighbouring line each ring costs a join, at most as much as a pair of crossing shifts. So long chains become
+// spirals, and also chains that are all of their component, which cost no cut. If joins may be tight, the latter
+// become spirals only if one ladder leads across all of their rings.
+std::vector<char> wound(const Surface& s, const Rows& found, std::span<const std::size_t> chain, const LoopOptions& o) {
     std::map<std::uint32_t, std::vector<std::size_t>> in_component;
     const auto component = [&](std::size_t i) { return s.component[found.rows[i].line.places[0].triangle]; };
     for (std::size_t i = 0; i < chain.size(); ++i) in_component[component(i)].push_back(i);
@@ -45,7 +46,7 @@ std::vector<char> wound(const Surface& s, const Rows& found, std::span<const std
         if (o.tight && which.size() > 1) {
             std::vector<Line> lines;
             for (const std::size_t i : which) lines.push_back(found.rows[i].line);
-            spiral = seam_over(lanes::Lanes(s, lines, o.spacing), o).lanes() == lines.size();
+            spiral = spiral_over(lanes::Lanes(s, lines, o.spacing), o).lanes() == lines.size();
         }
         if (spiral)
             for (const std::size_t i : which) out[i] = 1;
@@ -53,9 +54,9 @@ std::vector<char> wound(const Surface& s, const Rows& found, std::span<const std
     return out;
 }
 
-// Gives closed rows the levels by which wind() finds them; how many each row's chain has.
+// Sets the levels of closed rows by which wind() recognises chains. Returns the size of each row's chain.
 std::vector<std::size_t> level_rows(const Surface& s, Rows& found, double spacing) {
-    std::vector<Raw> rings;
+    std::vector<UnclippedLine> rings;
     for (std::size_t i = 0; i < found.rows.size(); ++i)
         rings.push_back({std::move(found.rows[i].line), spacing * static_cast<double>(i)});
     auto out = level_rings(s, rings, spacing);
@@ -66,20 +67,20 @@ std::vector<std::size_t> level_rows(const Surface& s, Rows& found, double spacin
     return out;
 }
 
-constexpr double kLookGrain = 0.5; // spacings, between places that are looked at
-constexpr double kLaid = 0.5;      // spacings: what is nearer to a row lies half on it
+constexpr double kLookGrain = 0.5; // spacings between sample points
+constexpr double kLaid = 0.5;      // spacings: a point nearer than this to a row is half on it
 
-// Where rows lie.
-class Laid {
+// The rows as points, to measure how much of a line overlaps them.
+class RowPoints {
   public:
-    Laid(const Rows& rows, double spacing) : spacing_(spacing) {
+    RowPoints(const Rows& rows, double spacing) : spacing_(spacing) {
         for (const Row& row : rows.rows)
             for (const Place& p : surface::curve::resampled(row.line, kLookGrain * spacing / 2).places)
                 points_.push_back(p.point);
         grid_ = geom::PointGrid<Vec3>(points_, kLaid * spacing);
     }
 
-    // How much of a line would lie on rows, mm.
+    // Length of the line that would overlap rows, mm.
     [[nodiscard]] double on_rows(const Line& line) const {
         double out = 0;
         for (const Place& p : surface::curve::resampled(line, kLookGrain * spacing_).places) {
@@ -97,30 +98,31 @@ class Laid {
     geom::PointGrid<Vec3> grid_;
 };
 
-// The way along the ring from a row's end on to its begin: of both the one that lies less on rows; of equal ones the
-// shorter.
-Line way_back(const Surface& s, const Row& row, const Inset& inset, const Laid& laid) {
+// The way along the ring of the inset from a row's end to its begin: of both directions the one that overlaps rows
+// less; ties: the shorter one.
+Line way_back(const Surface& s, const Row& row, const Inset& inset, const RowPoints& points) {
     const Line& ring = inset.rings[row.end.ring];
     const auto& ways = inset.ways[row.end.ring];
     const double from = row.end.way, to = row.begin.way, all = ways.back();
     Line ahead = surface::curve::part(ring, ways, from, to < from ? to + all : to);
     Line back = surface::curve::part(ring, ways, to, from < to ? from + all : from);
     surface::curve::reverse(back);
-    const auto cost = [&](const Line& l) { return std::pair(laid.on_rows(l), surface::curve::length(l)); };
+    const auto cost = [&](const Line& l) { return std::pair(points.on_rows(l), surface::curve::length(l)); };
     return surface::curve::threaded(s, cost(ahead) <= cost(back) ? ahead : back);
 }
 
 Line closed_by(const Surface& s, const Row& row, const Line& way, const Inset& inset, double radius) {
     Line out = row.line;
     surface::curve::append(out, way);
-    out.places.pop_back(); // the first one again
+    out.places.pop_back(); // equal to the first one
     out.closed = true;
     return surface::curve::ease(s, out, {.radius = radius, .corridor = inset.margin / 2}).line;
 }
 
-// Per row that is left, as it was before if it was closed by a way that lies on rows for the most part; else empty.
-std::vector<Row> close_rows(const Surface& s, Rows& rows, const Loops& o) {
-    const Laid laid(rows, o.spacing);
+// Closes rows along the inset. Returns per remaining row its state before if it was closed by a way that mostly
+// overlaps rows; otherwise an empty row.
+std::vector<Row> close_rows(const Surface& s, Rows& rows, const LoopOptions& o) {
+    const RowPoints points(rows, o.spacing);
     std::vector<std::size_t> ends(rows.inset.rings.size(), 0);
     for (const Row& row : rows.rows)
         if (!row.line.closed)
@@ -134,8 +136,8 @@ std::vector<Row> close_rows(const Surface& s, Rows& rows, const Loops& o) {
             !row.line.closed && ring != surface::kNone && ring == row.end.ring && rows.inset.rings[ring].closed;
         const double l = surface::curve::length(row.line);
         if (comes_back && l >= 2 * o.radius) {
-            const Line way = way_back(s, row, rows.inset, laid);
-            const double twice = laid.on_rows(way);
+            const Line way = way_back(s, row, rows.inset, points);
+            const double twice = points.on_rows(way);
             Line loop = closed_by(s, row, way, rows.inset, o.radius);
             if (twice <= o.cut && (ends[ring] <= 2 || surface::curve::length(loop) - l <= 2 * o.radius)) {
                 if (2 * twice > surface::curve::length(way)) open = row;
@@ -153,10 +155,10 @@ std::vector<Row> close_rows(const Surface& s, Rows& rows, const Loops& o) {
     return before;
 }
 
-// Closed rows that are all of a component and lie within each other, as a spiral that goes over from each to the next
-// at one seam: it begins with all of the first and ends with all of the last.  Where no seam leads over all they stay,
-// from the shorter end on: where wind() begins it leaves a wedge of half a lap bare.
-void spiral(const Surface& s, Rows& rows, const Loops& o) {
+// If all rows of a component are closed and nested, connects them to a spiral along one ladder: it begins with all of
+// the first ring and ends with all of the last. Without such a ladder they stay as they are, with the shorter end
+// first, because wind() leaves a wedge of half a lap void where it begins.
+void spiral(const Surface& s, Rows& rows, const LoopOptions& o) {
     std::map<std::uint32_t, std::vector<std::size_t>> in_component;
     for (std::size_t i = 0; i < rows.rows.size(); ++i)
         in_component[s.component[rows.rows[i].line.places[0].triangle]].push_back(i);
@@ -169,26 +171,27 @@ void spiral(const Surface& s, Rows& rows, const Loops& o) {
             for (const std::size_t i : which) rows.rows[i].level *= -1;
         const lanes::Lanes lanes(s, lines, o.spacing);
         lanes::Weave weave(lanes);
-        const lanes::Rungs seam = seam_over(lanes, o);
-        if (seam.lanes() < lines.size()) continue;
-        lanes::shift(weave, lanes, seam, 1);
-        auto courses = weave.courses();
-        if (courses.size() != 1 || courses[0].closed) continue;
-        rows.rows[which[0]].line = std::move(courses[0].line);
+        const lanes::Ladder ladder = spiral_over(lanes, o);
+        if (ladder.lanes() < lines.size()) continue;
+        lanes::shift(weave, lanes, ladder, 1);
+        auto curves = weave.curves();
+        if (curves.size() != 1 || curves[0].closed) continue;
+        rows.rows[which[0]].line = std::move(curves[0].line);
         for (std::size_t i = 1; i < which.size(); ++i) rows.rows[which[i]].line.places.clear();
     }
     std::erase_if(rows.rows, [](const Row& row) { return row.line.size() == 0; });
 }
 
-// Closed ones part of what lies beside them, without a crossing where that can be.
-Joined join(const Surface& s, std::vector<Line>& lines, const std::vector<char>& keep, double ends, const Loops& o) {
-    Joined out;
+// Joins closed lines to neighbouring lines, without crossings where possible.
+LoopJoins join(const Surface& s, std::vector<Line>& lines, const std::vector<char>& keep, double ends,
+               const LoopOptions& o) {
+    LoopJoins out;
     const auto cross = [&](double radius) {
         const auto more = splice_loops(s, lines, keep, o.spacing, radius);
         out.crossed.insert(out.crossed.end(), more.begin(), more.end());
     };
     if (!o.tight) cross(o.radius);
-    for (Exchanged more{1, 0}; more.count > 0;) { // what was in the way of one join may be a line to be joined to
+    for (ExchangeResult more{1, 0}; more.count > 0;) { // a line that was in the way may now be one to join
         more = exchange_loops(s, lines, keep, {o.spacing, ends});
         out.exchanged += more.count;
         out.waste += more.waste;
@@ -200,7 +203,7 @@ Joined join(const Surface& s, std::vector<Line>& lines, const std::vector<char>&
 
 } // namespace
 
-Joined open_loops(const Surface& s, Rows& rows, const Loops& o) {
+LoopJoins join_loops(const Surface& s, Rows& rows, const LoopOptions& o) {
     auto open = close_rows(s, rows, o);
     const auto keep = wound(s, rows, level_rows(s, rows, o.spacing), o);
     std::vector<Line> lines;
@@ -213,7 +216,8 @@ Joined open_loops(const Surface& s, Rows& rows, const Loops& o) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
         Row& row = rows.rows[i];
         row.line = std::move(lines[i]);
-        // A way back that lies on rows saved no cut, but where the loop is part of a spiral.
+        // A row that is still a closed loop has gained nothing from a way back that overlaps rows, unless it becomes a
+        // spiral.
         const bool alone = keep[i] == 0 && row.line.closed && surface::curve::length(row.line) == length[i];
         if (alone && open[i].line.size() > 0) row = std::move(open[i]);
     }
@@ -232,10 +236,10 @@ Joined open_loops(const Surface& s, Rows& rows, const Loops& o) {
 
 namespace {
 
-// All of a stroke as one line, closed straight if its ends are near enough.
+// A stroke as one line, closed by a straight line if its ends are at most `reach` mm apart.
 Line whole(const Surface& s, const plan::Stroke& stroke, double reach) {
     Line out;
-    for (const plan::Piece& piece : stroke.pieces) {
+    for (const plan::Section& piece : stroke.sections) {
         if (out.size() == 0)
             out = piece.line;
         else
@@ -245,12 +249,12 @@ Line whole(const Surface& s, const plan::Stroke& stroke, double reach) {
     const Line over = surface::curve::join(s, out.places.back(), out.places.front());
     if (!surface::curve::leads(s, over)) return out;
     surface::curve::append(out, over);
-    out.places.pop_back(); // the first one again
+    out.places.pop_back(); // equal to the first one
     out.closed = true;
     return out;
 }
 
-// Per line whether it is not to be taken in: the longest open one of each component, or the longest loop if none is
+// Per line whether it is not to be taken in: the longest open line of each component, or the longest loop if none is
 // open.
 std::vector<char> hosts(const Surface& s, const std::vector<Line>& lines) {
     std::map<std::uint32_t, std::size_t> best;
@@ -266,7 +270,7 @@ std::vector<char> hosts(const Surface& s, const std::vector<Line>& lines) {
 
 } // namespace
 
-Joined join_strokes(const Surface& s, std::vector<plan::Stroke>& strokes, const Loops& o) {
+LoopJoins join_strokes(const Surface& s, std::vector<plan::Stroke>& strokes, const LoopOptions& o) {
     if (strokes.size() < 2) return {};
     std::vector<Line> lines;
     std::vector<double> before;
@@ -290,7 +294,7 @@ Joined join_strokes(const Surface& s, std::vector<plan::Stroke>& strokes, const 
     return joined;
 }
 
-void tell_crossed(const std::vector<Vec3>& crossed, double spacing, Notes& notes) {
+void report_crossings(const std::vector<Vec3>& crossed, double spacing, Notes& notes) {
     if (!crossed.empty())
         notes.push_back({NoteCode::loop_by_crossing, spacing * spacing * static_cast<double>(crossed.size()),
                          crossed.size(), -1, crossed[0].x, crossed[0].y, crossed[0].z});

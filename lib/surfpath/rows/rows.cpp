@@ -16,17 +16,17 @@ namespace {
 
 using surface::kNone;
 
-// Of the way that is replaced, at most: half a circle over it is no detour yet.
+// Largest accepted ratio of a detour to the length it replaces: a half circle is still accepted.
 constexpr double kDetour = std::numbers::pi / 2;
-// Of the margin: what lines keep that follow the inset instead; they come no nearer to the next than .7 spacings so. By
-// trial: half of it covers .001 of faces more, and lays .004 twice.
+// Least distance from rims, in margins, at which a line continues along the inset; such lines come no nearer to the
+// next line than 0.7 spacings. Tuned: halving it gains 0.001 coverage and costs 0.004 overlap.
 constexpr double kFollowing = 0.4;
-// Slope of the distance from rims along a line that lies between two of them: as steep as leads from the margin to
-// kFollowing of it within a spacing, two margins.
+// Largest slope of the distance from rims along a line between two of them: the slope that leads from the margin to
+// kFollowing of it within a spacing, which is two margins.
 constexpr double kRimsBeside = (1 - kFollowing) / 2;
-constexpr double kCameRound = 1e-6; // mm: ends of a line that came round
+constexpr double kCameRound = 1e-6; // mm between the ends of a line that is closed again
 
-// Cuts lines where they come nearer to a rim than the margin.
+// Clips lines where they are nearer to a rim than the margin.
 class InsetClipper {
   public:
     InsetClipper(const Surface& s, double margin, double give) : surface_(s), margin_(margin), give_(give) {
@@ -41,8 +41,8 @@ class InsetClipper {
 
     [[nodiscard]] Inset& inset() { return inset_; }
 
-    // The stretches of the line that keep a share of the margin, or lie in the middle where the face is narrower; mm
-    // along it.
+    // The stretches of the line, mm along it, that keep `share` of the margin, or that lie in the middle of a part
+    // narrower than two margins.
     [[nodiscard]] std::vector<std::pair<double, double>> kept(const Line& line, std::span<const double> ways,
                                                               double share) const {
         const auto keeps = [&](const Place& p, double way) {
@@ -73,7 +73,7 @@ class InsetClipper {
         return out;
     }
 
-    // The place of the inset's rings that is nearest, within a margin.
+    // The nearest place of the inset's rings, if it is within a margin.
     [[nodiscard]] RingPlace nearest(const Vec3& p) const {
         RingPlace out;
         double least = std::numeric_limits<double>::infinity();
@@ -93,7 +93,7 @@ class InsetClipper {
         return out;
     }
 
-    // Where the line is nearest to a rim, and where it is farthest from all, mm along it.
+    // Arc lengths of the line's points nearest to a rim and farthest from all rims.
     [[nodiscard]] std::pair<double, double> extremes(const Line& line, std::span<const double> ways) const {
         std::size_t near = 0, far = 0;
         for (std::size_t i = 1; i < line.size(); ++i) {
@@ -103,13 +103,13 @@ class InsetClipper {
         return {ways[near], ways[far]};
     }
 
-    // The ring of the inset that is nearest to a place; none if none is within a margin.
+    // The ring of the inset nearest to a place; nullptr if it is farther than a margin.
     [[nodiscard]] const Line* ring(const Place& p) const {
         const RingPlace at = nearest(p.point);
         return at.ring == kNone ? nullptr : &inset_.rings[at.ring];
     }
 
-    // What leads along a ring beside the stretch of a line from one way to another; empty if that is a detour.
+    // The stretch of a ring beside a stretch of a line; empty if that would be a detour.
     [[nodiscard]] Line along(const Line& line, std::span<const double> ways, double from, double to) const {
         const auto at = [&](double way) { return surface::curve::at(line, ways, way).point; };
         const RingPlace a = nearest(at(from)), b = nearest(at(to));
@@ -118,7 +118,7 @@ class InsetClipper {
         const auto& of_ring = inset_.ways[a.ring];
         const double on = b.way - a.way, all = of_ring.back();
         const double ahead = ring.closed && on < 0 ? on + all : on, back = ring.closed && on > 0 ? all - on : -on;
-        // Of both ways round, the one whose middle is nearer to the stretch's.
+        // Of both ways around, take the one whose middle is nearer to that of the stretch.
         const auto off = [&](double way) {
             return distance(surface::curve::at(ring, of_ring, way).point, at((from + to) / 2));
         };
@@ -133,8 +133,8 @@ class InsetClipper {
     [[nodiscard]] double room(const Place& p) const { return inset_.room(surface_, p); }
 
   private:
-    // Whether the line is as far from rims as one can get there, with rims beside it rather than ahead: a step to
-    // either side, twice as far as lines are moved, leads towards one.
+    // Whether the line is in the middle between rims on its two sides: its distance from rims is almost constant along
+    // it, and decreases `reach` mm to either side, which is twice as far as lines may be moved.
     [[nodiscard]] bool in_middle(const Line& line, std::span<const double> ways, double way) const {
         const double reach = 2 * give_;
         const Place p = surface::curve::at(line, ways, way);
@@ -152,7 +152,7 @@ class InsetClipper {
                room(surface::curve::step(surface_, p, -1 * step)) <= here;
     }
 
-    // Up to where what holds at the begin of a stretch holds: part of it.
+    // Bisection: the parameter up to which keeps() has the value that it has at the start of a segment.
     template <class Keeps>
     [[nodiscard]] static double crossing(bool from_inside, const Keeps& keeps) {
         double lo = 0, hi = 1;
@@ -168,8 +168,8 @@ class InsetClipper {
     Inset inset_;
 };
 
-// A line as open ones that keep the margin: where it is at least kFollowing of the margin from a rim it follows the
-// inset.
+// Splits a line into open lines that keep the margin. Where it is nearer to a rim, but at least kFollowing of the
+// margin away, it follows the inset.
 class RingFollower {
   public:
     RingFollower(const Surface& s, const InsetClipper& clipper, const Line& line, std::span<const double> ways,
@@ -187,7 +187,7 @@ class RingFollower {
                 const bool first = now.size() == 0;
                 const Line way = ring(at, begin, first, false);
                 if (!first && way.size() < 2) {
-                    if (begin - at < 2 * margin_) // a mouth of another narrow place
+                    if (begin - at < 2 * margin_) // the mouth of another narrow part
                         surface::curve::append(now, surface::curve::part(line_, ways_, at, begin));
                     else
                         out.push_back(std::exchange(now, {}));
@@ -203,7 +203,8 @@ class RingFollower {
     }
 
   private:
-    // What leads along the inset instead of the stretch; from and up to a margin before it where the line ends there.
+    // The stretch along the inset that replaces a stretch of the line. It ends a margin earlier where the line begins
+    // or ends there.
     [[nodiscard]] Line ring(double from, double to, bool begins, bool ends) const {
         if (to - from < (begins || ends ? 2 * margin_ : 0)) return {};
         Line way = clipper_.along(line_, ways_, from, to);
@@ -219,13 +220,13 @@ class RingFollower {
     double margin_;
 };
 
-// A closed line that follows the inset where it comes nearer to a rim, still closed; empty if it cannot.
+// A closed line that follows the inset where it is nearer to a rim, and is closed again; empty if that is impossible.
 Line closed_within(const Surface& s, const InsetClipper& clipper, const Line& line, std::span<const double> ways,
                    double margin, double begin) {
     if (clipper.kept(line, ways, kFollowing).size() != 1 || clipper.room(line.places[0]) < kFollowing * margin)
         return {};
     const Place first = surface::curve::at(line, ways, begin);
-    if (clipper.room(first) < margin) { // nowhere far enough: the ring instead, if that is as long
+    if (clipper.room(first) < margin) { // the line keeps the margin nowhere: take the ring if it is about as long
         const Line* ring = clipper.ring(first);
         const bool alike = ring && ring->closed && surface::curve::length(*ring) < kDetour * ways.back();
         return alike ? *ring : Line{};
@@ -266,27 +267,27 @@ void Rows::drop(const Line& row) {
     dropped_at = row[row.size() / 2];
 }
 
-void add(std::vector<Raw>& to, const std::vector<surface::Isoline>& isolines, double sign) {
+void add(std::vector<UnclippedLine>& to, const std::vector<surface::Isoline>& isolines, double sign) {
     for (const auto& isoline : isolines) {
         to.push_back({surface::curve::line(isoline), sign * isoline.level});
         if (sign < 0) surface::curve::reverse(to.back().line);
     }
 }
 
-void leave_out(std::vector<Raw>& lines, std::span<const char> marked) {
+void leave_out(std::vector<UnclippedLine>& lines, std::span<const char> marked) {
     if (marked.empty()) return;
-    std::erase_if(lines, [&](const Raw& raw) {
+    std::erase_if(lines, [&](const UnclippedLine& raw) {
         const auto& places = raw.line.places;
         return std::all_of(places.begin(), places.end(), [&](const Place& p) { return marked[p.triangle] != 0; });
     });
 }
 
-Rows rows(const Surface& s, const std::vector<Raw>& lines, const RowLimits& limits) {
+Rows rows(const Surface& s, const std::vector<UnclippedLine>& lines, const RowLimits& limits) {
     const double margin = limits.margin;
     Rows out;
     InsetClipper clipper(s, margin, limits.give);
-    double least = margin; // where all are short; else
-    for (const Raw& raw : lines) {
+    double least = margin; // until a row reaches limits.shortest
+    for (const UnclippedLine& raw : lines) {
         auto parts = stretches(s, clipper, raw.line, surface::curve::arc_lengths(raw.line), margin);
         for (Line& line : parts) {
             const bool as_given = line.closed && line.size() == raw.line.size();

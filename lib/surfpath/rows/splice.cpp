@@ -14,25 +14,26 @@ namespace filum::surfpath::rows {
 
 namespace {
 
-constexpr double kLoopBeside = 1.3; // spacings: how far from each other lines side by side are, at most
-constexpr double kLoopGrain = 0.25; // spacings, between the places that are compared
-constexpr double kLoopWider = 1.15; // of the least radius: what shifts are rounded to, so that samples keep it
-constexpr double kLoopGive = 0.25;  // spacings: how far lines move to round the shift's corners
+constexpr double kLoopBeside = 1.3; // spacings: largest distance of lines side by side
+constexpr double kLoopGrain = 0.25; // spacings between sample points
+constexpr double kLoopWider = 1.15; // least radii: radius of shifts, so that their samples keep the least radius
+constexpr double kLoopGive = 0.25;  // spacings by which lines are moved to round the corners of a shift
 
-struct Spot3 {
+// A sample point near a loop.
+struct NearbySample {
     std::uint32_t line = surface::kNone;
     double way = 0, far = std::numeric_limits<double>::infinity();
 };
 
-// Where to go over: the loop's place, that of the other line, and whether they run the same way there.
-struct Over {
+// Where a loop is spliced into another line: arc lengths on both, and whether they run in the same direction.
+struct SpliceSite {
     double loop = 0, other = 0;
     std::uint32_t line = surface::kNone;
     bool same = true;
 };
 
-// A line by places kLoopGrain apart.
-struct Samples {
+// A line as points kLoopGrain spacings apart.
+struct SampledLine {
     std::vector<Vec3> points;
     geom::Box3 box;
     double length = 0; // mm
@@ -45,19 +46,19 @@ class Splicer {
         for (std::uint32_t i = 0; i < lines.size(); ++i) sample(i);
     }
 
-    // Of the shifts from now on, mm.
+    // Sets the radius of the next shifts, mm.
     void keep_to(double radius) {
         radius_ = kLoopWider * std::max(radius, d_ / 2);
-        half_ = std::sqrt(radius_ * d_); // two parabolas that bend so at most shift by a spacing over twice this length
+        half_ = std::sqrt(radius_ * d_); // two parabolas of this radius shift by a spacing over twice this length
     }
 
-    // False if there is no place for it.
+    // Splices the loop into another line. Returns false if there is no place for it.
     bool take_in(std::uint32_t loop, std::vector<Vec3>& crossed) {
-        if (lines_[loop].size() < 2) return false; // taken in before
+        if (lines_[loop].size() < 2) return false; // it was taken in before
         const auto ways = surface::curve::arc_lengths(lines_[loop]);
         if (ways.back() < 6 * half_) return false;
         gather(loop);
-        const Over at = best(lines_[loop], ways);
+        const SpliceSite at = best(lines_[loop], ways);
         if (at.line == surface::kNone) return false;
         Line made = joined(loop, ways, at);
         if (made.size() < 2) return false;
@@ -81,7 +82,7 @@ class Splicer {
         }
     }
 
-    // What of the other lines can be beside the loop.
+    // Collects the sample points of other lines near the loop.
     void gather(std::uint32_t loop) {
         spots_.clear();
         std::vector<Vec3> points;
@@ -101,9 +102,9 @@ class Splicer {
         points_ = std::move(points);
     }
 
-    // The nearest spot of the line, of any if it is kNone.
-    [[nodiscard]] Spot3 nearest(const Vec3& p, std::uint32_t line) const {
-        Spot3 out;
+    // The nearest sample point of the line, or of any line for kNone.
+    [[nodiscard]] NearbySample nearest(const Vec3& p, std::uint32_t line) const {
+        NearbySample out;
         grid_.near(p, 1, [&](std::uint32_t i) {
             const double far = distance(points_[i], p);
             if ((line == surface::kNone || spots_[i].line == line) && far <= kLoopBeside * d_ && far < out.far)
@@ -112,11 +113,11 @@ class Splicer {
         return out;
     }
 
-    [[nodiscard]] Over best(const Line& loop, std::span<const double> ways) const {
-        Over out;
+    [[nodiscard]] SpliceSite best(const Line& loop, std::span<const double> ways) const {
+        SpliceSite out;
         double least = std::numeric_limits<double>::infinity();
         for (double way = 0; way < ways.back(); way += d_) {
-            const Spot3 here = nearest(surface::curve::at(loop, ways, way).point, surface::kNone);
+            const NearbySample here = nearest(surface::curve::at(loop, ways, way).point, surface::kNone);
             if (here.line == surface::kNone) continue;
             const double all = samples_[here.line].length;
             if (all < 6 * half_) continue;
@@ -126,7 +127,7 @@ class Splicer {
             bool good = true;
             for (const std::size_t k : {0U, 1U}) {
                 const double side = k == 0 ? -half_ : half_;
-                const Spot3 there = nearest(surface::curve::at(loop, ways, way + side).point, here.line);
+                const NearbySample there = nearest(surface::curve::at(loop, ways, way + side).point, here.line);
                 on[k] = std::remainder(there.way - here.way, lines_[here.line].closed ? all : 4 * all);
                 good =
                     good && there.line != surface::kNone && std::abs(std::abs(on[k]) - half_) < std::max(d_, half_) / 2;
@@ -139,8 +140,8 @@ class Splicer {
         return out;
     }
 
-    // The other line up to the place, all of the loop, and the other line on.
-    [[nodiscard]] Line joined(std::uint32_t loop, std::span<const double> ways, const Over& at) const {
+    // The other line up to the site, the whole loop, and the rest of the other line.
+    [[nodiscard]] Line joined(std::uint32_t loop, std::span<const double> ways, const SpliceSite& at) const {
         const Line& other = lines_[at.line];
         const auto ways_other = surface::curve::arc_lengths(other);
         const double all = ways.back(), rest = ways_other.back();
@@ -170,14 +171,15 @@ class Splicer {
         return out;
     }
 
-    // The line without this much at its ends, mm.
+    // The line without `begin` mm at its start and `end` mm at its end.
     static Line cut(const Line& line, double begin, double end) {
         const auto ways = surface::curve::arc_lengths(line);
         return surface::curve::part(line, ways, begin, ways.back() - end);
     }
 
-    // From the other line over to the loop, or back: evenly with the way.  Empty if nothing leads there.
-    [[nodiscard]] Line drift(std::uint32_t loop, std::span<const double> ways, const Over& at, bool to_loop) const {
+    // The shift from the other line to the loop, or back; empty if it leaves the surface.
+    [[nodiscard]] Line drift(std::uint32_t loop, std::span<const double> ways, const SpliceSite& at,
+                             bool to_loop) const {
         const Line& other = lines_[at.line];
         const auto ways_other = surface::curve::arc_lengths(other);
         const int n = std::max(8, static_cast<int>(std::ceil(2 * half_ / (kLoopGrain * d_))));
@@ -196,7 +198,7 @@ class Splicer {
         return surface::curve::threaded(s_, out);
     }
 
-    // From the last stretch of one line over to the first one of another, half_ mm of each included, rounded.
+    // The shift with half_ mm of both lines, eased to the radius.
     [[nodiscard]] Line shift(const Line& from, const Line& over, const Line& to) const {
         if (over.size() < 2) return {};
         const auto ways_from = surface::curve::arc_lengths(from), ways_to = surface::curve::arc_lengths(to);
@@ -209,9 +211,9 @@ class Splicer {
     const Surface& s_;
     std::vector<Line>& lines_;
     double d_, radius_ = 0, half_ = 0;
-    std::vector<Spot3> spots_;
+    std::vector<NearbySample> spots_;
     std::vector<Vec3> points_;
-    std::vector<Samples> samples_; // by line
+    std::vector<SampledLine> samples_; // per line
     geom::PointGrid<Vec3> grid_;
 };
 

@@ -1,4 +1,4 @@
-// Closed lines made part of the lines beside them.
+// Splices closed lines into neighbouring lines by shifts that cross.
 #pragma once
 
 #include "surfpath/plan/plan.hpp"
@@ -9,10 +9,10 @@ using geom::Vec3;
 using surface::Surface;
 using surface::curve::Line;
 
-// Every closed one of `lines`, the shortest first, becomes a detour of the line beside it with which it runs side by
-// side best: that goes over to it, all round it, and back, by two shifts that cross each other and keep to `radius`.
-// Those beside which no other line runs for long enough stay closed.  Lines that are taken in are left empty.  `keep`:
-// per line, those that stay as they are, but may take in others. Returns where shifts cross.
+// Makes every closed line, the shortest first, a detour of another line: of the line beside which it runs best. That
+// line shifts over to the loop, follows it all around, and shifts back; the two shifts cross each other and keep
+// `radius`. Loops that do not run beside another line for long enough stay closed. Lines that are taken in become
+// empty. `keep`: per line, whether it only takes in others. Returns the places where shifts cross.
 std::vector<Vec3> splice_loops(const Surface& s, std::vector<Line>& lines, std::vector<char> keep, double spacing,
                                double radius);
 

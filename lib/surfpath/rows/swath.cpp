@@ -8,7 +8,7 @@ namespace filum::surfpath::rows {
 
 namespace {
 
-constexpr double kSwathGrain = 0.125; // widths, between points
+constexpr double kSwathGrain = 0.125; // widths between grid points
 
 } // namespace
 

@@ -15,10 +15,11 @@ namespace {
 using surface::kNone;
 
 constexpr double kUnreached = std::numeric_limits<double>::infinity();
-constexpr double kNoWay = 1e9; // mm: what none counts as, so that there are as few as may be
+constexpr double kNoWay = 1e9; // mm: cost of a missing way in a tour, so that few are missing
+// Number of chains up to which the best tour is computed.
 constexpr std::uint32_t kExact = 8;
 
-// From one place of a ring to another: how far ahead, negative if back; the shorter way round.
+// Signed distance along a ring from one place to another, around the shorter way if it is closed.
 double ahead(const Line& ring, std::span<const double> ways, double from, double to) {
     double on = to - from;
     if (!ring.closed) return on;
@@ -28,10 +29,10 @@ double ahead(const Line& ring, std::span<const double> ways, double from, double
     return on;
 }
 
-// The best tour of all chains, by dynamic programming over sets (Held, Karp 1962).
-std::vector<Turned> exact_tour(const std::vector<std::vector<double>>& length, std::uint32_t n) {
+// The best tour of all chains, by dynamic programming over subsets (Held, Karp 1962).
+std::vector<OrientedChain> exact_tour(const std::vector<std::vector<double>>& length, std::uint32_t n) {
     const std::uint32_t sets = 1u << n;
-    std::vector<double> best(sets * 2 * n, kUnreached); // by set and the end that the tour leaves from
+    std::vector<double> best(sets * 2 * n, kUnreached); // by subset and the end at which the tour stops
     std::vector<std::uint32_t> before(best.size(), kNone);
     for (std::uint32_t e = 0; e < 2 * n; ++e) best[(1u << (e / 2)) * 2 * n + e] = 0;
     for (std::uint32_t set = 1; set < sets; ++set)
@@ -48,9 +49,9 @@ std::vector<Turned> exact_tour(const std::vector<std::vector<double>>& length, s
                 }
             }
         }
-    const auto first = best.end() - static_cast<std::ptrdiff_t>(2) * n; // of the set of all
+    const auto first = best.end() - static_cast<std::ptrdiff_t>(2) * n; // of the full set
     auto at = static_cast<std::uint32_t>(std::min_element(first, best.end()) - best.begin());
-    std::vector<Turned> out;
+    std::vector<OrientedChain> out;
     for (; at != kNone; at = before[at]) {
         const std::uint32_t e = at % (2 * n);
         out.push_back({e / 2, e % 2 == 0});
@@ -59,8 +60,8 @@ std::vector<Turned> exact_tour(const std::vector<std::vector<double>>& length, s
     return out;
 }
 
-std::vector<Turned> nearest_tour(const std::vector<std::vector<double>>& length, std::uint32_t n) {
-    std::vector<Turned> out{{0, false}};
+std::vector<OrientedChain> nearest_tour(const std::vector<std::vector<double>>& length, std::uint32_t n) {
+    std::vector<OrientedChain> out{{0, false}};
     std::vector<char> seen(n, 0);
     seen[0] = 1;
     for (std::uint32_t e = 1; out.size() < n;) {
@@ -74,27 +75,27 @@ std::vector<Turned> nearest_tour(const std::vector<std::vector<double>>& length,
     return out;
 }
 
-// Of all ways the shortest first, as long as no end gets two and none closes a loop; what is still apart then follows
-// in the order of chains.
-std::vector<Turned> greedy_tour(const std::vector<std::vector<double>>& length, std::uint32_t n) {
+// Takes ways in the order of length, if no end gets two and none closes a loop. Tours that remain apart follow in the
+// order of chains.
+std::vector<OrientedChain> greedy_tour(const std::vector<std::vector<double>>& length, std::uint32_t n) {
     std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> ways;
     for (std::uint32_t a = 0; a < 2 * n; ++a)
         for (std::uint32_t b = a + 1; b < 2 * n; ++b)
             if (a / 2 != b / 2 && length[a][b] < kUnreached) ways.emplace_back(length[a][b], a, b);
     std::sort(ways.begin(), ways.end());
     geom::DisjointSets together(n);
-    std::vector<std::uint32_t> led(2 * n, kNone); // per end: to which other one
+    std::vector<std::uint32_t> linked(2 * n, kNone); // per end: the end to which it is connected
     for (const auto& [l, a, b] : ways) {
-        if (led[a] != kNone || led[b] != kNone || together.root(a / 2) == together.root(b / 2)) continue;
+        if (linked[a] != kNone || linked[b] != kNone || together.root(a / 2) == together.root(b / 2)) continue;
         together.unite(a / 2, b / 2);
-        led[a] = b;
-        led[b] = a;
+        linked[a] = b;
+        linked[b] = a;
     }
-    std::vector<Turned> out;
+    std::vector<OrientedChain> out;
     std::vector<char> seen(n, 0);
     for (std::uint32_t e = 0; e < 2 * n; ++e)
-        if (led[e] == kNone && seen[e / 2] == 0)
-            for (std::uint32_t in = e; in != kNone; in = led[in ^ 1u]) {
+        if (linked[e] == kNone && seen[e / 2] == 0)
+            for (std::uint32_t in = e; in != kNone; in = linked[in ^ 1u]) {
                 seen[in / 2] = 1;
                 out.push_back({in / 2, in % 2 == 1});
             }
@@ -103,14 +104,14 @@ std::vector<Turned> greedy_tour(const std::vector<std::vector<double>>& length, 
 
 } // namespace
 
-Transits::Transits(const Rows& rows) : rows_(rows), steps_(2 * rows.rows.size()) {
+Transits::Transits(const Rows& rows) : rows_(rows), edges_(2 * rows.rows.size()) {
     std::vector<std::vector<std::pair<double, std::uint32_t>>> on(rows.inset.rings.size());
     for (std::uint32_t r = 0; r < rows.rows.size(); ++r) {
         const Row& row = rows.rows[r];
         if (row.line.closed) continue;
         const double l = surface::curve::length(row.line);
-        steps_[2 * r].push_back({2 * r + 1, l, true});
-        steps_[2 * r + 1].push_back({2 * r, l, true});
+        edges_[2 * r].push_back({2 * r + 1, l, true});
+        edges_[2 * r + 1].push_back({2 * r, l, true});
         if (row.begin.ring != kNone) on[row.begin.ring].emplace_back(row.begin.way, 2 * r);
         if (row.end.ring != kNone) on[row.end.ring].emplace_back(row.end.way, 2 * r + 1);
     }
@@ -122,15 +123,15 @@ Transits::Transits(const Rows& rows) : rows_(rows), steps_(2 * rows.rows.size())
             const auto& [a, from] = ends[i];
             const auto& [b, to] = ends[(i + 1) % ends.size()];
             const double l = std::abs(ahead(rows.inset.rings[ring], rows.inset.ways[ring], a, b));
-            steps_[from].push_back({to, l, false});
-            steps_[to].push_back({from, l, false});
+            edges_[from].push_back({to, l, false});
+            edges_[to].push_back({from, l, false});
         }
     }
 }
 
-Transits::Tree Transits::search(std::uint32_t from, std::uint32_t to) const {
-    Tree out{std::vector<double>(steps_.size(), kUnreached), std::vector<std::uint32_t>(steps_.size(), kNone),
-             std::vector<char>(steps_.size(), 0)};
+Transits::PathTree Transits::search(std::uint32_t from, std::uint32_t to) const {
+    PathTree out{std::vector<double>(edges_.size(), kUnreached), std::vector<std::uint32_t>(edges_.size(), kNone),
+                 std::vector<char>(edges_.size(), 0)};
     using Item = std::pair<double, std::uint32_t>;
     std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
     out.length[from] = 0;
@@ -140,7 +141,7 @@ Transits::Tree Transits::search(std::uint32_t from, std::uint32_t to) const {
         queue.pop();
         if (l > out.length[at]) continue;
         const bool own = at / 2 == from / 2 || at / 2 == to / 2;
-        for (const Step& s : steps_[at])
+        for (const Edge& s : edges_[at])
             if (!(own && s.row) && l + s.length < out.length[s.to]) {
                 out.length[s.to] = l + s.length;
                 out.before[s.to] = at;
@@ -152,7 +153,7 @@ Transits::Tree Transits::search(std::uint32_t from, std::uint32_t to) const {
 }
 
 bool Transits::next_to(std::uint32_t a, std::uint32_t b) const {
-    return std::any_of(steps_[a].begin(), steps_[a].end(), [&](const Step& s) { return !s.row && s.to == b; });
+    return std::any_of(edges_[a].begin(), edges_[a].end(), [&](const Edge& s) { return !s.row && s.to == b; });
 }
 
 Line Transits::along(std::uint32_t from, std::uint32_t to) const {
@@ -168,13 +169,13 @@ Line Transits::along(std::uint32_t from, std::uint32_t to) const {
     return out;
 }
 
-std::optional<Transits::Way> Transits::way(std::uint32_t from, std::uint32_t to) const {
-    const Tree tree = search(from, to);
+std::optional<Transits::Transit> Transits::shortest(std::uint32_t from, std::uint32_t to) const {
+    const PathTree tree = search(from, to);
     if (!(tree.length[to] < kUnreached)) return std::nullopt;
     std::vector<std::uint32_t> ends{to};
     while (ends.back() != from) ends.push_back(tree.before[ends.back()]);
     std::reverse(ends.begin(), ends.end());
-    Way out{tree.length[to], {}};
+    Transit out{tree.length[to], {}};
     for (std::size_t i = 1; i < ends.size(); ++i) {
         if (tree.by_row[ends[i]] == 0) {
             Line next = along(ends[i - 1], ends[i]);
@@ -190,11 +191,11 @@ std::optional<Transits::Way> Transits::way(std::uint32_t from, std::uint32_t to)
     return out;
 }
 
-std::vector<Turned> tour(const std::vector<std::vector<double>>& length) {
+std::vector<OrientedChain> tour(const std::vector<std::vector<double>>& length) {
     const auto n = static_cast<std::uint32_t>(length.size() / 2);
     if (n == 0) return {};
     if (n <= kExact) return exact_tour(length, n);
-    const auto ways = [&](const std::vector<Turned>& tour) {
+    const auto ways = [&](const std::vector<OrientedChain>& tour) {
         double sum = 0;
         for (std::size_t i = 1; i < tour.size(); ++i) {
             const std::uint32_t from = 2 * tour[i - 1].chain + (tour[i - 1].reversed ? 0 : 1);

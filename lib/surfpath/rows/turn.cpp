@@ -11,20 +11,20 @@ namespace filum::surfpath::rows {
 
 namespace {
 
-constexpr double kArcStep = 1.0 / 180 * std::numbers::pi;
-constexpr double kHeadingSpan = 0.5; // mm to either side of a point: what says where a row leads there
-constexpr double kAllowed = 0.01;    // mm beyond the bound
-constexpr double kMore = 1 + 1e-9;   // of a distance: more than rounding
-constexpr int kPushes = 6;
-constexpr double kAsWide = 0.97; // of the radius: what a single arc may have instead
+constexpr double kArcStep = 1.0 / 180 * std::numbers::pi; // rad between points of an arc
+constexpr double kHeadingSpan = 0.5; // mm on either side of a point over which the direction of a row is measured
+constexpr double kAllowed = 0.01;    // mm beyond the bound that are accepted
+constexpr double kMore = 1 + 1e-9;   // factor of a distance above which another one is larger by more than rounding
+constexpr int kPushes = 6;           // most attempts to move a turn inside the bound
+constexpr double kAsWide = 0.97;     // radii: a single arc of this radius is accepted without trying a bulb
 
-// A row with what is needed to lay circles beside it.
-class Side {
+// A row from its end inwards, with functions to place circles beside it.
+class RowSide {
   public:
-    Side(std::span<const Vec2> row, bool inner_left) : row_(row), ways_(geom::arc_lengths(row)) {
+    RowSide(std::span<const Vec2> row, bool inner_left) : row_(row), arcs_(geom::arc_lengths(row)) {
         for (std::size_t i = 0, from = 0, to = 0; i < row.size(); ++i) {
-            while (ways_[i] - ways_[from] > kHeadingSpan) ++from;
-            while (to + 1 < row.size() && ways_[to] - ways_[i] < kHeadingSpan) ++to;
+            while (arcs_[i] - arcs_[from] > kHeadingSpan) ++from;
+            while (to + 1 < row.size() && arcs_[to] - arcs_[i] < kHeadingSpan) ++to;
             const Vec2 d = row[to] - row[from];
             const double l = norm(d);
             const Vec2 n = l > 0 ? 1 / l * geom::left_of(d) : Vec2{1, 0};
@@ -32,36 +32,39 @@ class Side {
         }
     }
 
-    struct Touch {
-        Vec2 centre, foot;
-        double way; // of the foot
+    struct TangentCircle {
+        Vec2 centre, foot; // foot: the place of contact
+        double arc;        // arc length of the foot
     };
 
-    // The circle of radius `r` whose centre has the height `y`, touching the row from its inner side.
-    [[nodiscard]] std::optional<Touch> touch(double r, double y) const {
+    // The circle of radius `r` with its centre at height `y` that touches the row on the inner side.
+    [[nodiscard]] std::optional<TangentCircle> touch(double r, double y) const {
         for (std::size_t i = 1; i < row_.size(); ++i) {
             const Vec2 a = row_[i - 1] + r * inward_[i - 1], b = row_[i] + r * inward_[i];
-            if (i == 1 && a.y < y) return Touch{{a.x, y}, row_[0], 0};
+            if (i == 1 && a.y < y) return TangentCircle{{a.x, y}, row_[0], 0};
             if (a.y < y || b.y > y) continue;
             const double t = a.y > b.y ? (a.y - y) / (a.y - b.y) : 0;
-            return Touch{lerp(a, b, t), lerp(row_[i - 1], row_[i], t), ways_[i - 1] + t * (ways_[i] - ways_[i - 1])};
+            return TangentCircle{lerp(a, b, t), lerp(row_[i - 1], row_[i], t),
+                                 arcs_[i - 1] + t * (arcs_[i] - arcs_[i - 1])};
         }
         return std::nullopt;
     }
 
-    // The circle of radius `r` that touches the row from its outer side, and below it one of the same size about `c`.
-    [[nodiscard]] std::optional<Touch> outer_touch(double r, Vec2 c) const {
+    // The circle of radius `r` that touches the row on the outer side and, below, a circle of the same radius around
+    // `c`.
+    [[nodiscard]] std::optional<TangentCircle> outer_touch(double r, Vec2 c) const {
         for (std::size_t i = 1; i < row_.size(); ++i) {
             const Vec2 a = row_[i - 1] - r * inward_[i - 1], b = row_[i] - r * inward_[i];
             const double da = distance(a, c) - 2 * r, db = distance(b, c) - 2 * r;
             if (b.y > c.y || da > 0 || db < 0) continue;
             const double t = db > da ? -da / (db - da) : 0;
-            return Touch{lerp(a, b, t), lerp(row_[i - 1], row_[i], t), ways_[i - 1] + t * (ways_[i] - ways_[i - 1])};
+            return TangentCircle{lerp(a, b, t), lerp(row_[i - 1], row_[i], t),
+                                 arcs_[i - 1] + t * (arcs_[i] - arcs_[i - 1])};
         }
         return std::nullopt;
     }
 
-    // Where the row has the height `y`.
+    // The x coordinate of the row at height `y`.
     [[nodiscard]] double at(double y) const {
         for (std::size_t i = 1; i < row_.size(); ++i)
             if (row_[i].y <= y) return row_[i].x;
@@ -70,11 +73,11 @@ class Side {
 
   private:
     std::span<const Vec2> row_;
-    std::vector<double> ways_;
+    std::vector<double> arcs_;
     std::vector<Vec2> inward_;
 };
 
-// Appends the arc about `c` from `a` to `b`, without `a`; clockwise if `sign` is 1, else (-1) the other way.
+// Appends the arc around `c` from `a` (excluded) to `b`: clockwise if `sign` is 1, counter-clockwise if it is -1.
 void arc(std::vector<Vec2>& out, Vec2 c, Vec2 a, Vec2 b, double sign = 1) {
     const Vec2 u = a - c, v = b - c;
     double sweep = -sign * std::atan2(cross(u, v), dot(u, v));
@@ -87,23 +90,23 @@ void arc(std::vector<Vec2>& out, Vec2 c, Vec2 a, Vec2 b, double sign = 1) {
     out.push_back(b);
 }
 
-struct Sides {
-    Side first, second;
+struct RowPair {
+    RowSide first, second;
 };
 
-// Two arcs and a straight stretch on the height `top`; none if the arcs are in each other's way.
-FlatTurn wide(const Sides& s, double r, double top) {
+// Two arcs connected by a straight line at height `top`; none if the arcs would overlap.
+FlatTurn wide(const RowPair& s, double r, double top) {
     const auto a = s.first.touch(r, top - r), b = s.second.touch(r, top - r);
     if (!a || !b || a->centre.x > b->centre.x) return {};
-    FlatTurn out{{a->foot}, r, a->way, b->way, 0, false};
+    FlatTurn out{{a->foot}, r, a->arc, b->arc, 0, false};
     arc(out.points, a->centre, a->foot, {a->centre.x, top});
     if (b->centre.x > a->centre.x + 1e-6) out.points.push_back({b->centre.x, top});
     arc(out.points, b->centre, {b->centre.x, top}, b->foot);
     return out;
 }
 
-// The arc that touches both rows, its top on the height `top`.
-FlatTurn narrow(const Sides& s, double most, double top) {
+// One arc that touches both rows, with its top at height `top`.
+FlatTurn narrow(const RowPair& s, double most, double top) {
     double depth = most;
     FlatTurn out;
     for (int round = 0; round < 20; ++round) {
@@ -119,7 +122,7 @@ FlatTurn narrow(const Sides& s, double most, double top) {
         if (std::abs(lo - depth) < 1e-6 || round == 19) {
             const auto a = s.first.touch(lo, top - depth), b = s.second.touch(lo, top - depth);
             if (!a || !b || !(lo > 0)) return {};
-            out = {{a->foot}, lo, a->way, b->way, 0, false};
+            out = {{a->foot}, lo, a->arc, b->arc, 0, false};
             arc(out.points, 0.5 * (a->centre + b->centre), a->foot, b->foot);
             return out;
         }
@@ -128,26 +131,26 @@ FlatTurn narrow(const Sides& s, double most, double top) {
     return out;
 }
 
-// A bulb: off the first row outwards, round, and onto the second one from outside, all of radius `r`.
-FlatTurn bulb(const Sides& s, double r, double top) {
+// A bulb of radius `r`: leaves the first row outwards, turns around, and reaches the second row from outside.
+FlatTurn bulb(const RowPair& s, double r, double top) {
     const double y = top - r;
     const Vec2 c{(s.first.at(y) + s.second.at(y)) / 2, y};
     const auto a = s.first.outer_touch(r, c), b = s.second.outer_touch(r, c);
     if (!a || !b) return {};
     const Vec2 p = 0.5 * (a->centre + c), q = 0.5 * (b->centre + c);
     if (p.x > c.x || q.x < c.x) return {};
-    FlatTurn out{{a->foot}, r, a->way, b->way, 0, true};
+    FlatTurn out{{a->foot}, r, a->arc, b->arc, 0, true};
     arc(out.points, a->centre, a->foot, p, -1);
     arc(out.points, c, p, q);
     arc(out.points, b->centre, q, b->foot, -1);
     return out;
 }
 
-// The nearest place of a side of the bound: how far it is, and of which side of it `p` lies.
-struct Off {
+// Distance from `p` to a segment of the bound, and on which side of it `p` lies.
+struct BoundDistance {
     double far = 1e300, side = 0;
 };
-Off off(Vec2 p, Vec2 a, Vec2 b) {
+BoundDistance to_bound(Vec2 p, Vec2 a, Vec2 b) {
     const Vec2 d = b - a;
     const double l2 = norm2(d);
     if (!(l2 > 0)) return {};
@@ -155,19 +158,19 @@ Off off(Vec2 p, Vec2 a, Vec2 b) {
     return {distance(p, a + t * d), cross(d, p - a)};
 }
 
-// How far the turn goes beyond the bound, mm.
+// How far the turn reaches beyond the bound, mm.
 double beyond(std::span<const Vec2> turn, std::span<const Vec2> bound) {
     double out = 0;
-    std::size_t last = 1; // the side that was nearest to the place before: no farther one needs a look
+    std::size_t last = 1; // the segment nearest to the point before, which limits the search
     for (const Vec2 p : turn) {
-        Off least;
-        double most = last < bound.size() ? kMore * off(p, bound[last - 1], bound[last]).far : least.far;
+        BoundDistance least;
+        double most = last < bound.size() ? kMore * to_bound(p, bound[last - 1], bound[last]).far : least.far;
         for (std::size_t i = 1; i < bound.size(); ++i) {
             const Vec2 a = bound[i - 1], b = bound[i];
             const double x = std::max(std::min(a.x, b.x) - p.x, p.x - std::max(a.x, b.x));
             const double y = std::max(std::min(a.y, b.y) - p.y, p.y - std::max(a.y, b.y));
             if (x > most || y > most) continue;
-            const Off now = off(p, a, b);
+            const BoundDistance now = to_bound(p, a, b);
             if (!(now.far < least.far)) continue;
             least = now;
             most = std::min(most, kMore * now.far);
@@ -178,7 +181,7 @@ double beyond(std::span<const Vec2> turn, std::span<const Vec2> bound) {
     return out;
 }
 
-// The turn of a form, pushed inwards until it is within the bound; none if that does not do.
+// The turn of a form, moved inwards until it is within the bound; none if that does not succeed.
 template <class Form>
 FlatTurn fitted(const TurnRoom& room, const Form& form) {
     double top = 0;
@@ -200,7 +203,7 @@ FlatTurn fitted(const TurnRoom& room, const Form& form) {
 } // namespace
 
 FlatTurn turn(const TurnRoom& room, double radius, bool bulbs) {
-    const Sides sides{{room.first, true}, {room.second, false}};
+    const RowPair sides{{room.first, true}, {room.second, false}};
     FlatTurn out = fitted(room, [&](double top) { return wide(sides, radius, top); });
     if (!out.points.empty()) return out;
     out = fitted(room, [&](double top) { return narrow(sides, radius, top); });
@@ -209,7 +212,7 @@ FlatTurn turn(const TurnRoom& room, double radius, bool bulbs) {
     return round.points.empty() ? out : round;
 }
 
-std::vector<Vec2> led(Vec2 p, Vec2 t, Vec2 q, Vec2 u, double step) {
+std::vector<Vec2> cubic_turn(Vec2 p, Vec2 t, Vec2 q, Vec2 u, double step) {
     const double chord = geom::distance(p, q), c = std::cos(std::acos(std::clamp(dot(t, u), -1.0, 1.0)) / 4);
     const double pull = chord / (3 * c * c);
     const Vec2 p1 = p + pull * t, q1 = q - pull * u;

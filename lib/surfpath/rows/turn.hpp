@@ -1,4 +1,4 @@
-// Turns from the end of a row to that of another, drawn flat.
+// Turns from the end of a row to that of another, in the plane.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -10,30 +10,30 @@ namespace filum::surfpath::rows {
 
 using geom::Vec2;
 
-// Both rows come from below (y < 0) and end on the line that bounds the turn: the first at the origin, the second to
-// the right of it.  Rows are polylines from their ends inwards, the bound one from the first end to the second.
+// The surroundings of a turn. Both rows come from below (y < 0) and end on the bound: the first at the origin, the
+// second to the right of it. Rows are polylines from their ends inwards; the bound leads from the first end to the
+// second.
 struct TurnRoom {
     std::span<const Vec2> first, second, bound;
-    double behind = 0; // mm: how far behind the outermost place the turn is wanted
+    double behind = 0; // mm from the bound to the outermost place of the turn
 };
 
 struct FlatTurn {
-    std::vector<Vec2> points; // from the first row to the second; empty if there is none
+    std::vector<Vec2> points; // from the first row to the second; empty if there is no turn
     double radius = 0;        // mm, of its arcs
-    double from_first = 0;    // mm along the first row from its end: where the turn begins
-    double from_second = 0;   // mm along the second row from its end: where it ends
+    double from_first = 0;    // mm along the first row from its end to the start of the turn
+    double from_second = 0;   // mm along the second row from its end to the end of the turn
     double length = 0;        // mm
-    bool bulb = false;        // it swings out on both sides of the rows
+    bool bulb = false;        // it bulges to both sides of the rows
 };
 
-// The outermost turn within the bound, or that far behind it: an arc off the first row, a straight stretch along the
-// bound and an arc onto the second row, of `radius`; where rows are nearer to each other than two radii a bulb of that
-// radius, and where there is no room for it, or none are wanted, the one arc that fits.  Everything stays below the
-// bound.  Smooth with rows that are.
+// The outermost turn within the bound, or `behind` mm inside of it. Usually an arc of `radius`, a straight line along
+// the bound, and another arc. If the rows are nearer than two radii it is a bulb of that radius; without room for a
+// bulb, or if `bulbs` is false, the one arc that fits. Its tangents are those of the rows.
 FlatTurn turn(const TurnRoom& room, double radius, bool bulbs = true);
 
-// From p along t on to q, where it comes by u, both unit: as a cubic that is an arc, but for a thousandth, where p and
-// q lie on a circle with these tangents.  Points are about `step` mm apart.
-std::vector<Vec2> led(Vec2 p, Vec2 t, Vec2 q, Vec2 u, double step);
+// A cubic from p with tangent t to q with tangent u, both unit. If p and q lie on a circle with these tangents, it
+// deviates from the arc by a thousandth at most. Points are about `step` mm apart.
+std::vector<Vec2> cubic_turn(Vec2 p, Vec2 t, Vec2 q, Vec2 u, double step);
 
 } // namespace filum::surfpath::rows

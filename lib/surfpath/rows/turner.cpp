@@ -13,26 +13,28 @@ using surface::curve::Chart;
 
 namespace {
 
-constexpr double kEasing = 2; // radii: how far a way along a rim may go off, and into rows, to be rounded: a half turn
-// Of the least radius: what turns, and ways along rims, are made with, so that they keep it when measured in steps of a
-// quarter of a millimetre on triangles.
+// Radii by which rounding a transit along a rim may depart from the rim, and reach into the rows: as far as a half
+// turn.
+constexpr double kEasing = 2;
+// Least radii: radius of turns, and of rounded transits, so that they keep the least radius when it is measured in
+// steps of a quarter of a millimetre on triangles.
 constexpr double kWider = 1.07, kEasedWider = 1.15;
-constexpr double kRoom = 0.8;      // of the margin: what turns keep from rims: a tenth of a spacing less, as eased rows
-constexpr double kTurning = 0.25;  // mm: steps that turning is measured in, as by metrics
-constexpr double kDeepestTurn = 2; // radii: how deep behind the rim turns may lie: the next arc is beside this one
-constexpr double kSameRadius = 1e-6;  // mm: less is rounding
-constexpr double kHairpin = 0.75;     // of the least radius: what is tighter costs as much as a hairpin
-constexpr double kBulb = 2 * kTight;  // mm: what a bulb is as bad as, for the voids beside it
-constexpr double kSharp = 3 * kTight; // mm: likewise, a hairpin
-// Which ends may be turned between: across the rows, spacings unless said.  More of them cost time; an order may be
-// found that is better, or one that is worse, as the search keeps so many states only.
-constexpr double kSameRow = 0.3;                // nearer ones are of one line
-constexpr double kNextButOne = 2.5;             // up to the next row but one
-constexpr double kWidest = 1.6, kWiderBy = 3.2; // of two radii; what turns may be wider than these: the lesser counts
-constexpr double kAlike = 0.5;                  // cosine of the angle between rows
-constexpr double kAskew = 3;                    // along the rows, of that across
-
-// A line drawn on a chart, up to `length` mm of it; `flip`: upside down.
+constexpr double kRoom = 0.8;      // margins between turns and rims: a tenth of a spacing less than rows, as eased rows
+constexpr double kTurning = 0.25;  // mm: steps in which curvature is measured, as in metrics
+constexpr double kDeepestTurn = 2; // radii: largest depth of a turn behind the rim; there the next arc lies beside this
+constexpr double kSameRadius = 1e-6;  // mm: smaller differences are rounding
+constexpr double kHairpin = 0.75;     // least radii: a tighter turn costs as much as a hairpin
+constexpr double kBulb = 2 * kTight;  // mm: cost of a bulb, for the voids beside it
+constexpr double kSharp = 3 * kTight; // mm: cost of a hairpin
+// Limits of the ends between which turns are considered. More turns take more time; the order found may be better or
+// worse, since the search keeps a limited number of states.
+constexpr double kSameRow = 0.3;    // spacings across the rows: nearer ends belong to one line
+constexpr double kNextButOne = 2.5; // spacings: reaches the next row but one
+constexpr double kWidest = 1.6,
+                 kWiderBy = 3.2; // widest turn: times two radii; two radii plus spacings; the lesser counts
+constexpr double kAlike = 0.5;   // cosine of the largest angle between rows
+constexpr double kAskew = 3;     // largest distance along the rows, in distances across
+// The first `length` mm of a line on a chart; `flip` mirrors it upside down.
 std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, bool flip) {
     std::vector<Vec2> out;
     double way = 0;
@@ -44,7 +46,7 @@ std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, boo
     return out;
 }
 
-// The way along a line of the point that lies `way` mm along its drawing.
+// Arc length on a line of the point that is at arc length `way` of its drawing.
 double undrawn(std::span<const double> ways, std::span<const Vec2> drawing, double way) {
     double done = 0;
     for (std::size_t i = 1; i < drawing.size(); ++i) {
@@ -57,13 +59,13 @@ double undrawn(std::span<const double> ways, std::span<const Vec2> drawing, doub
 
 } // namespace
 
-void turn_round(LaidTurn& t) {
+void reverse(SurfaceTurn& t) {
     surface::curve::reverse(t.line);
     std::swap(t.from, t.to);
     std::swap(t.from_trim, t.to_trim);
 }
 
-Turner::Turner(const Surface& s, const Rows& rows, const Transits& transits, const Turning& o)
+Turner::Turner(const Surface& s, const Rows& rows, const Transits& transits, const TurnOptions& o)
     : surface_(s), rows_(rows), transits_(transits), o_(o), normals_(surface::curve::vertex_normals(s)) {
     for (const Row& row : rows.rows) {
         ways_.push_back(surface::curve::arc_lengths(row.line));
@@ -73,15 +75,15 @@ Turner::Turner(const Surface& s, const Rows& rows, const Transits& transits, con
     }
 }
 
-std::vector<LaidTurn> Turner::turns() const {
-    std::vector<LaidTurn> out;
+std::vector<SurfaceTurn> Turner::turns() const {
+    std::vector<SurfaceTurn> out;
     const auto n = static_cast<std::uint32_t>(2 * rows_.rows.size());
     for (std::uint32_t a = 0; a < n; ++a)
         for (std::uint32_t b = a + 1; b < n; ++b) {
             if (a / 2 == b / 2) continue;
             const bool one = same_line(a, b);
             if (!one && near(a, b))
-                if (auto t = lay(a, b, 0); t.line.size() > 1) {
+                if (auto t = turn_between(a, b, 0); t.line.size() > 1) {
                     out.push_back(std::move(t));
                     continue;
                 }
@@ -93,15 +95,15 @@ std::vector<LaidTurn> Turner::turns() const {
     return out;
 }
 
-std::vector<LaidTurn> Turner::deeper(const LaidTurn& outermost, double apart) const {
-    std::vector<LaidTurn> out{outermost};
+std::vector<SurfaceTurn> Turner::deeper(const SurfaceTurn& outermost, double apart) const {
+    std::vector<SurfaceTurn> out{outermost};
     const bool swapped = outermost.from > outermost.to;
     const auto [a, b] = std::minmax(outermost.from, outermost.to);
     for (double behind = apart; behind < kDeepestTurn * o_.least_radius; behind += apart) {
-        LaidTurn t = lay(a, b, behind);
-        if (t.line.size() < 2) break; // the rows are too short
+        SurfaceTurn t = turn_between(a, b, behind);
+        if (t.line.size() < 2) break; // the rows are too short for a deeper turn
         if (t.radius < std::min(outermost.radius, o_.least_radius) - kSameRadius) continue;
-        if (swapped) turn_round(t);
+        if (swapped) reverse(t);
         out.push_back(std::move(t));
     }
     return out;
@@ -116,27 +118,28 @@ Line Turner::part(std::uint32_t in, double from, double to) const {
     return surface::curve::part(inwards(in), ways_inwards(in), from, to);
 }
 
-LaidTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, std::uint32_t to) const {
+SurfaceTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, std::uint32_t to) const {
     const double radius = o_.tight ? o_.spacing / 2 : o_.least_radius, most = kEasing * radius;
-    LaidTurn out{from, to, std::min(most, length(from / 2) / 2), std::min(most, length(to / 2) / 2), 0, 0, {}, false};
+    SurfaceTurn out{from, to,   std::min(most, length(from / 2) / 2), std::min(most, length(to / 2) / 2), 0, 0,
+                    {},   false};
     Line line = surface::curve::part(inwards(from), ways_inwards(from), 0, out.from_trim);
     surface::curve::reverse(line);
     for (const Line& l : stretches) surface::curve::append(line, l);
     surface::curve::append(line, surface::curve::part(inwards(to), ways_inwards(to), 0, out.to_trim));
     line = surface::curve::threaded(surface_, line);
     auto eased = surface::curve::ease(surface_, line, {.radius = kEasedWider * radius, .corridor = kEasing * radius});
-    // Round what juts out, like a corner of a hole, it comes too near to the rim: then rather tight.
+    // Around a convex corner, as of a hole, rounding comes too near to the rim; then the tight line is better.
     const bool inside = std::all_of(eased.line.places.begin(), eased.line.places.end(), [&](const Place& p) {
         return rows_.inset.room(surface_, p) >= kRoom * rows_.inset.margin;
     });
     out.line = inside ? std::move(eased.line) : std::move(line);
-    const auto k = turning(out.line, surface::curve::arc_lengths(out.line));
+    const auto k = curvatures(out.line, surface::curve::arc_lengths(out.line));
     out.radius = 1 / std::max(1e-3, *std::max_element(k.begin(), k.end()));
     return out;
 }
 
-// Turning of the line along the surface, 1/mm, in steps of kTurning, as it shows over twice that.
-std::vector<double> Turner::turning(const Line& line, std::span<const double> w) const {
+// Curvature of the line along the surface, 1/mm, at steps of kTurning, each measured over two steps.
+std::vector<double> Turner::curvatures(const Line& line, std::span<const double> w) const {
     std::vector<double> out{0};
     for (double at = kTurning; at + kTurning <= w.back(); at += kTurning) {
         const Place here = surface::curve::at(line, w, at);
@@ -161,7 +164,7 @@ std::span<const double> Turner::ways_inwards(std::uint32_t end) const {
     return end % 2 == 0 ? ways_[end / 2] : ways_reversed_[end / 2];
 }
 
-// Of a row at its end, inwards.
+// Unit tangent of a row at its end, inwards.
 Vec3 Turner::tangent(std::uint32_t end) const {
     const Line& l = inwards(end);
     const auto w = ways_inwards(end);
@@ -169,7 +172,7 @@ Vec3 Turner::tangent(std::uint32_t end) const {
     return 1 / std::max(1e-12, norm(d)) * d;
 }
 
-// Whether two ends lie as those of rows do between which one may turn.
+// Whether a turn between the two ends is worth considering.
 bool Turner::near(std::uint32_t a, std::uint32_t b) const {
     if (ring_place(a).ring != ring_place(b).ring || ring_place(a).ring == surface::kNone) return false;
     const Vec3 d = inwards(b)[0] - inwards(a)[0];
@@ -179,12 +182,12 @@ bool Turner::near(std::uint32_t a, std::uint32_t b) const {
     const Vec3 u = tangent(a);
     if (dot(u, tangent(b)) < kAlike) return false;
     const double w = norm(d - dot(d, u) * u);
-    // Of what is too near for an arc only the nearest, for hairpins and bulbs.
+    // Of ends too near for an arc only the nearest are considered, for hairpins and bulbs.
     if (w > kNextButOne * spacing && w < kHairpin * two) return false;
     return w > kSameRow * spacing && w < most && norm(d) < kAskew * w + spacing;
 }
 
-// Whether one line ends at a hole in `a` and goes on beyond it in `b`.
+// Whether one line ends at a hole in `a` and continues behind it in `b`.
 bool Turner::same_line(std::uint32_t a, std::uint32_t b) const {
     if (a / 2 == b / 2 || rows_.rows[a / 2].level != rows_.rows[b / 2].level) return false;
     if (ring_place(a).ring != ring_place(b).ring || ring_place(a).ring == surface::kNone) return false;
@@ -192,18 +195,18 @@ bool Turner::same_line(std::uint32_t a, std::uint32_t b) const {
     return dot(u, v) < 0 && dot(u, d) < 0 && dot(v, d) > 0;
 }
 
-// Of hybrid: whether the way along the rim from one end to the other passes no other one.
+// Of hybrid: whether the way along the rim between the ends passes no other end.
 bool Turner::leads_on(std::uint32_t a, std::uint32_t b) const { return o_.tight && transits_.next_to(a, b); }
 
-LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b, double behind, bool bulbs) const {
-    LaidTurn out{a, b, 0, 0, 0, 0, {}, false};
+SurfaceTurn Turner::turn_between(std::uint32_t a, std::uint32_t b, double behind, bool bulbs) const {
+    SurfaceTurn out{a, b, 0, 0, 0, 0, {}, false};
     const Place pa = inwards(a).places[0], pb = inwards(b).places[0];
     const Vec3 sum =
         surface::curve::normal_at(surface_, normals_, pa) + surface::curve::normal_at(surface_, normals_, pb);
     if (!(norm(sum) > 0.5)) return out;
     const Chart flat = surface::curve::chart(pa, 1 / norm(sum) * sum, pb.point - pa.point);
     const double reach = 6 * o_.least_radius + norm(flat.to(pb.point));
-    const bool flip = dot(tangent(a) + tangent(b), flat.y) > 0; // rows come from below
+    const bool flip = dot(tangent(a) + tangent(b), flat.y) > 0; // rows must come from below
     const auto first = drawn(flat, inwards(a), std::min(reach, length(a / 2) / 2), flip);
     const auto second = drawn(flat, inwards(b), std::min(reach, length(b / 2) / 2), flip);
     const auto bound = drawn(flat, transits_.along(a, b), 1e300, flip);
@@ -219,19 +222,20 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b, double behind, bool bulbs
     const Place end = surface::curve::at(inwards(b), ways_inwards(b), out.to_trim);
     points.front() = flat.to(begin.point);
     points.back() = flat.to(end.point);
-    auto laid = surface::curve::lay(surface_, flat, begin, points);
+    auto laid = surface::curve::from_chart(surface_, flat, begin, points);
     if (!laid.whole || distance(laid.line.places.back().point, end.point) > 1e-6)
-        return t.bulb ? lay(a, b, behind, false) : out;
+        return t.bulb ? turn_between(a, b, behind, false) : out;
     laid.line.places.back() = end;
     for (const Place& p : laid.line.places)
-        if (rows_.inset.room(surface_, p) < kRoom * rows_.inset.margin) return t.bulb ? lay(a, b, behind, false) : out;
+        if (rows_.inset.room(surface_, p) < kRoom * rows_.inset.margin)
+            return t.bulb ? turn_between(a, b, behind, false) : out;
     out.line = std::move(laid.line);
     out.radius = t.radius;
     out.cost = t.length - out.from_trim - out.to_trim + (t.bulb ? kBulb : tightness(t.radius));
     return out;
 }
 
-// What a tight turn is as bad as, mm.
+// Cost of a tight turn, mm.
 double Turner::tightness(double radius) const {
     const double part = radius / o_.least_radius;
     return o_.tight || part >= 0.999 ? 0 : (part < kHairpin ? kSharp : kTight) + kTight * (1 - part);

@@ -1,4 +1,4 @@
-// Turns between rows, laid on the surface.
+// Turns between rows on the surface.
 #pragma once
 
 #include "surfpath/rows/rows.hpp"
@@ -9,54 +9,54 @@
 
 namespace filum::surfpath::rows {
 
-inline constexpr double kTight = 20; // mm: what a tight turn costs at least
+inline constexpr double kTight = 20; // mm: least cost of a tight turn
 
-struct Turning {               // what is left out has no limit
+struct TurnOptions {           // limits that are left out do not apply
     double spacing = 1;        // mm, between rows
     double least_radius = 2.4; // mm, of turns, where there is room
-    double across = 1e300;     // mm: of ways straight over other rows, at most; rather than longer ones a cut
-    double along = 1e300;      // mm: likewise, of ways along rims and other rows
-    bool staggered = true;     // turns lie behind each other; else all at the rim
-    bool tight = false;        // turns within half a spacing cost no more than wide ones, as they waste less
+    double across = 1e300;     // mm: longest straight transit across other rows; the path is cut rather than go farther
+    double along = 1e300;      // mm: longest transit along rims and other rows
+    bool staggered = true;     // turns may lie at different depths; otherwise all are at the rim
+    bool tight = false;        // turns of half a spacing cost no more than wide ones, as they waste less
 };
 
-// Turns are never tighter than those between neighbouring rows.
-inline Turning turning(double spacing, double least_radius) {
+// Options for turns of a least radius, which is at least half a spacing, as between neighbouring rows.
+inline TurnOptions turn_options(double spacing, double least_radius) {
     return {.spacing = spacing, .least_radius = std::max(least_radius, spacing / 2)};
 }
 
-// From one end of a row to that of another; ends are numbered as in order.hpp.
-struct LaidTurn {
+// A turn or transit from one end of a row to another; ends are numbered as in plan/order.hpp.
+struct SurfaceTurn {
     std::uint32_t from = 0, to = 0;
-    double from_trim = 0, to_trim = 0; // mm: what it replaces of the rows
-    double radius = 0;                 // mm, the least
-    double cost = 0;                   // mm: what it adds to the path, and more for what is tight
-    Line line;                         // from `from` to `to`; none yet for a way round a hole
-    bool eased = false;                // a way along rims or across, no turn
+    double from_trim = 0, to_trim = 0; // mm of the rows that it replaces
+    double radius = 0;                 // mm: its least radius
+    double cost = 0;                   // mm by which it lengthens the path, plus a penalty if it is tight
+    Line line;                         // from `from` to `to`; empty for a way around a hole, which is computed later
+    bool eased = false;                // it is a rounded transit rather than a turn
 };
 
-// The same the other way round.
-void turn_round(LaidTurn& t);
+// Reverses the direction of a turn.
+void reverse(SurfaceTurn& t);
 
 class Turner {
   public:
-    // All must outlive it.
-    Turner(const Surface& s, const Rows& rows, const Transits& transits, const Turning& o);
+    // The arguments must outlive the object.
+    Turner(const Surface& s, const Rows& rows, const Transits& transits, const TurnOptions& o);
 
-    // The turns worth considering, by their ends; ways round holes among them, which join what is one line.
-    [[nodiscard]] std::vector<LaidTurn> turns() const;
+    // The turns worth considering, sorted by their ends, and the ways around holes that interrupt a line.
+    [[nodiscard]] std::vector<SurfaceTurn> turns() const;
 
-    // The same turn at several depths behind the rim, the outermost first, `apart` mm from each other, as far as it
-    // stays as wide: down to two radii, where the rows of the outermost no longer turn.
-    [[nodiscard]] std::vector<LaidTurn> deeper(const LaidTurn& turn, double apart) const;
+    // The same turn at several depths behind the rim, the outermost first, `apart` mm from each other, as long as its
+    // radius stays the same: to a depth of two radii, where rows of the outermost turn are straight again.
+    [[nodiscard]] std::vector<SurfaceTurn> deeper(const SurfaceTurn& turn, double apart) const;
 
-    // The way over `stretches` with its corners rounded; trims more than turns do.
-    [[nodiscard]] LaidTurn eased(std::uint32_t from, const std::vector<Line>& stretches, std::uint32_t to) const;
+    // The transit along `stretches` with its corners rounded; it may replace more of the rows than turns do.
+    [[nodiscard]] SurfaceTurn eased(std::uint32_t from, const std::vector<Line>& stretches, std::uint32_t to) const;
 
-    // The row from the end `in` to its other end, with these lengths cut off.
+    // The row from the end `in` to its other end, without the given lengths at both.
     [[nodiscard]] Line stretch(std::uint32_t in, double off_begin, double off_end) const;
 
-    // The row from the end `in` inwards, from one way to another.
+    // The part of the row between two arc lengths from its end `in`.
     [[nodiscard]] Line part(std::uint32_t in, double from, double to) const;
 
   private:
@@ -68,14 +68,14 @@ class Turner {
     [[nodiscard]] bool near(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] bool same_line(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] bool leads_on(std::uint32_t a, std::uint32_t b) const;
-    [[nodiscard]] LaidTurn lay(std::uint32_t a, std::uint32_t b, double behind, bool bulbs = true) const;
+    [[nodiscard]] SurfaceTurn turn_between(std::uint32_t a, std::uint32_t b, double behind, bool bulbs = true) const;
     [[nodiscard]] double tightness(double radius) const;
-    [[nodiscard]] std::vector<double> turning(const Line& line, std::span<const double> ways) const;
+    [[nodiscard]] std::vector<double> curvatures(const Line& line, std::span<const double> ways) const;
 
     const Surface& surface_;
     const Rows& rows_;
     const Transits& transits_;
-    Turning o_;
+    TurnOptions o_;
     std::vector<Vec3> normals_;
     std::vector<Line> reversed_;
     std::vector<std::vector<double>> ways_, ways_reversed_;

@@ -10,20 +10,20 @@ namespace filum::surfpath::rows {
 
 namespace {
 
-constexpr std::size_t kSamples = 24; // of a ring, to tell whether another runs beside it
-constexpr double kRingsBeside = 1.6; // of the difference of levels: how far apart rings beside each other may be
-constexpr double kSpiralStep = 0.4;  // of the spacing, between places of a spiral
-constexpr double kApart = 100;       // spacings, of levels, between chains that have nothing to do with each other
-constexpr double kNearInset = 2;     // spacings: from where the spiral's end is led to the inset
+constexpr std::size_t kSamples = 24; // sample points of a ring to decide whether another runs beside it
+constexpr double kRingsBeside = 1.6; // largest distance of rings beside each other, in differences of their levels
+constexpr double kSpiralStep = 0.4;  // spacings between places of a spiral
+constexpr double kApart = 100;       // spacings of level between unrelated chains
+constexpr double kNearInset = 2;     // spacings from the inset within which a spiral's end is led to it
 
-struct Foot {
+struct NearestPoint {
     double far = std::numeric_limits<double>::infinity();
     double way = 0;
 };
 
-// The nearest place of a closed or open line.
-Foot foot(const Line& line, std::span<const double> ways, const Vec3& p) {
-    Foot out;
+// The place of a closed or open line that is nearest to `p`.
+NearestPoint nearest_point(const Line& line, std::span<const double> ways, const Vec3& p) {
+    NearestPoint out;
     for (std::size_t i = 0; i + 1 < ways.size(); ++i) {
         const Vec3 &a = line[i], d = line[(i + 1) % line.size()] - a;
         const double l2 = dot(d, d), t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;
@@ -32,44 +32,45 @@ Foot foot(const Line& line, std::span<const double> ways, const Vec3& p) {
     return out;
 }
 
-struct Contour {
+struct RingLine {
     Line line;
     std::vector<double> ways;
     double level;
     geom::Box3 box;
 };
 
-Contour contour(const Line& line, double level) {
-    Contour out{line, surface::curve::arc_lengths(line), level, {}};
+RingLine ring_line(const Line& line, double level) {
+    RingLine out{line, surface::curve::arc_lengths(line), level, {}};
     for (const Place& p : line.places) out.box.add(p.point);
     return out;
 }
 
-// How far rings are from each other, mm, in the mean; infinite if anywhere farther than `most`.
-double apart(const Contour& a, const Contour& b, double most) {
-    const Vec3 low = a.box.lo - b.box.lo, high = a.box.hi - b.box.hi; // of rings that near, boxes are alike
+// Mean distance of two rings, mm; infinite if it exceeds `most` anywhere.
+double apart(const RingLine& a, const RingLine& b, double most) {
+    const Vec3 low = a.box.lo - b.box.lo, high = a.box.hi - b.box.hi; // boxes of rings that near are almost equal
     for (const double off : {low.x, low.y, low.z, high.x, high.y, high.z})
         if (std::abs(off) > most) return std::numeric_limits<double>::infinity();
     double sum = 0;
     for (std::size_t i = 0; i < kSamples; ++i)
         for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)}) {
             const double way = static_cast<double>(i) / kSamples * from->ways.back();
-            const double far = foot(to->line, to->ways, surface::curve::at(from->line, from->ways, way).point).far;
+            const double far =
+                nearest_point(to->line, to->ways, surface::curve::at(from->line, from->ways, way).point).far;
             if (far > most) return std::numeric_limits<double>::infinity();
             sum += far;
         }
     return sum / (2 * kSamples);
 }
 
-bool beside(const Contour& a, const Contour& b) {
+bool beside(const RingLine& a, const RingLine& b) {
     return std::isfinite(apart(a, b, kRingsBeside * std::abs(a.level - b.level)));
 }
 
-// Rings in chains, each beside the next.
-std::vector<std::vector<Contour>> chained(std::vector<Contour> rings, double spacing) {
-    std::vector<std::vector<Contour>> out;
-    for (Contour& ring : rings) {
-        std::vector<Contour>* to = nullptr;
+// Sorts rings into chains in which each lies beside the next.
+std::vector<std::vector<RingLine>> chained(std::vector<RingLine> rings, double spacing) {
+    std::vector<std::vector<RingLine>> out;
+    for (RingLine& ring : rings) {
+        std::vector<RingLine>* to = nullptr;
         for (auto& chain : out)
             if (const double rise = ring.level - chain.back().level;
                 rise > 0 && rise < 1.5 * spacing && beside(chain.back(), ring)) {
@@ -82,12 +83,12 @@ std::vector<std::vector<Contour>> chained(std::vector<Contour> rings, double spa
     return out;
 }
 
-class Winder {
+class SpiralWinder {
   public:
-    Winder(const Surface& s, const Rows& rows, double spacing)
+    SpiralWinder(const Surface& s, const Rows& rows, double spacing)
         : surface_(s), rows_(rows), spacing_(spacing), normals_(surface::curve::vertex_normals(s)) {}
 
-    [[nodiscard]] Row wound(const std::vector<Contour>& chain, bool from_rim) const {
+    [[nodiscard]] Row wound(const std::vector<RingLine>& chain, bool from_rim) const {
         Row out;
         out.level = chain.front().level;
         const auto [place, to_inset] = landing(chain.back());
@@ -100,9 +101,9 @@ class Winder {
         for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
             const Line lap = over(chain[i], at, chain[i + 1]);
             surface::curve::append(line, lap);
-            at = foot(chain[i + 1].line, chain[i + 1].ways, line.places.back().point).way;
+            at = nearest_point(chain[i + 1].line, chain[i + 1].ways, line.places.back().point).way;
         }
-        const Contour& last = chain.back();
+        const RingLine& last = chain.back();
         if (chain.size() > 1) {
             double to = place.ring == surface::kNone ? at + last.ways.back() : to_inset;
             const double lap = last.ways.back();
@@ -123,14 +124,14 @@ class Winder {
     }
 
   private:
-    // Where the spiral that ends on `ring` lands on the inset, and from where on the ring.
-    [[nodiscard]] std::pair<RingPlace, double> landing(const Contour& ring) const {
+    // Where the spiral that ends on `ring` reaches the inset, and the arc length at which it leaves the ring.
+    [[nodiscard]] std::pair<RingPlace, double> landing(const RingLine& ring) const {
         RingPlace place;
         double least = kNearInset * spacing_, from = 0;
         for (std::uint32_t r = 0; r < rows_.inset.rings.size(); ++r)
             for (std::size_t i = 0; i < ring.line.size();) {
-                const Foot f = foot(rows_.inset.rings[r], rows_.inset.ways[r], ring.line[i]);
-                const double nearer = ring.ways[i] + f.far - least; // not before that far on
+                const NearestPoint f = nearest_point(rows_.inset.rings[r], rows_.inset.ways[r], ring.line[i]);
+                const double nearer = ring.ways[i] + f.far - least; // no place before this arc length can be nearer
                 if (f.far < least) {
                     least = f.far;
                     place = {r, f.way};
@@ -141,21 +142,21 @@ class Winder {
         return {place, from};
     }
 
-    // Where on the first ring to begin, so that the last lap comes to be half a lap before its end; of a single ring,
-    // at its end.
-    [[nodiscard]] double start(const std::vector<Contour>& chain) const {
+    // Where on the first ring the spiral begins such that its last lap starts half a lap before its end; for a single
+    // ring, at its end.
+    [[nodiscard]] double start(const std::vector<RingLine>& chain) const {
         const auto [place, to_inset] = landing(chain.back());
         if (chain.size() == 1) return to_inset;
         double way = place.ring == surface::kNone ? 0 : to_inset + chain.back().ways.back() / 2;
         for (std::size_t i = chain.size() - 1; i-- > 0;)
-            way =
-                foot(chain[i].line, chain[i].ways, surface::curve::at(chain[i + 1].line, chain[i + 1].ways, way).point)
-                    .way;
+            way = nearest_point(chain[i].line, chain[i].ways,
+                                surface::curve::at(chain[i + 1].line, chain[i + 1].ways, way).point)
+                      .way;
         return way;
     }
 
-    // A lap from `at` on one ring that goes over to the other.
-    [[nodiscard]] Line over(const Contour& ring, double at, const Contour& to) const {
+    // One lap from `at` on a ring that gradually shifts to the next ring.
+    [[nodiscard]] Line over(const RingLine& ring, double at, const RingLine& to) const {
         const double all = ring.ways.back(), gap = std::abs(to.level - ring.level);
         const auto n = static_cast<std::size_t>(std::max(48.0, std::ceil(all / (kSpiralStep * spacing_))));
         const double side = outward(ring, at, to, gap);
@@ -168,8 +169,8 @@ class Winder {
         return out;
     }
 
-    // The place beside the ring, mm to its left.
-    [[nodiscard]] Place aside(const Contour& ring, double way, double left) const {
+    // The place `left` mm to the left of the ring.
+    [[nodiscard]] Place aside(const RingLine& ring, double way, double left) const {
         const Place p = surface::curve::at(ring.line, ring.ways, way);
         if (left == 0) return p;
         const double h = std::min(0.5 * spacing_, ring.ways.back() / 16);
@@ -179,8 +180,8 @@ class Winder {
         return surface::curve::step(surface_, p, left / norm(across) * across);
     }
 
-    [[nodiscard]] double outward(const Contour& ring, double at, const Contour& to, double gap) const {
-        const auto off = [&](double left) { return foot(to.line, to.ways, aside(ring, at, left).point).far; };
+    [[nodiscard]] double outward(const RingLine& ring, double at, const RingLine& to, double gap) const {
+        const auto off = [&](double left) { return nearest_point(to.line, to.ways, aside(ring, at, left).point).far; };
         return off(gap) <= off(-gap) ? 1 : -1;
     }
 
@@ -193,13 +194,13 @@ class Winder {
 } // namespace
 
 void wind(const Surface& s, Rows& rows, double spacing, bool from_rim) {
-    std::vector<Contour> rings;
+    std::vector<RingLine> rings;
     for (const Row& row : rows.rows)
-        if (row.line.closed) rings.push_back(contour(row.line, row.level));
+        if (row.line.closed) rings.push_back(ring_line(row.line, row.level));
     if (rings.empty()) return;
-    const Winder winder(s, rows, spacing);
+    const SpiralWinder winder(s, rows, spacing);
     std::vector<Row> wound;
-    const double first = rings.front().level; // of the seed's own, rows being sorted
+    const double first = rings.front().level; // the least level, as rows are sorted: next to the seed
     for (const auto& chain : chained(std::move(rings), spacing))
         wound.push_back(winder.wound(chain, from_rim || chain.front().level > first));
     std::erase_if(rows.rows, [](const Row& row) { return row.line.closed; });
@@ -209,28 +210,28 @@ void wind(const Surface& s, Rows& rows, double spacing, bool from_rim) {
 
 namespace {
 
-// Turns `b` round unless `a`, which runs beside it, lies to its left.
-void turn_from(const Surface& s, Line& b, const Contour& a) {
+// Reverses `b` unless `a`, which runs beside it, is on its left.
+void turn_from(const Surface& s, Line& b, const RingLine& a) {
     const auto ways = surface::curve::arc_lengths(b);
     const Place p = b.places[0];
     const Vec3 t = surface::curve::at(b, ways, ways.back() / 1000).point - p.point;
-    const Vec3 q = surface::curve::at(a.line, a.ways, foot(a.line, a.ways, p.point).way).point;
+    const Vec3 q = surface::curve::at(a.line, a.ways, nearest_point(a.line, a.ways, p.point).way).point;
     if (dot(cross(surface::normal(s, p.triangle), t), q - p.point) < 0) surface::curve::reverse(b);
 }
 
 } // namespace
 
-std::vector<std::size_t> level_rings(const Surface& s, std::vector<Raw>& lines, double spacing) {
+std::vector<std::size_t> level_rings(const Surface& s, std::vector<UnclippedLine>& lines, double spacing) {
     std::vector<std::size_t> which;
-    std::vector<Contour> rings;
+    std::vector<RingLine> rings;
     for (std::size_t i = 0; i < lines.size(); ++i)
         if (lines[i].line.closed) {
             which.push_back(i);
-            rings.push_back(contour(lines[i].line, 0));
+            rings.push_back(ring_line(lines[i].line, 0));
         }
     const std::size_t n = rings.size();
     using Near = std::pair<double, std::size_t>;
-    std::vector<std::vector<Near>> next(n); // nearest first
+    std::vector<std::vector<Near>> next(n); // the nearest first
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t k = i + 1; k < n; ++k) {
             const double far = apart(rings[i], rings[k], kRingsBeside * spacing);
@@ -242,7 +243,7 @@ std::vector<std::size_t> level_rings(const Surface& s, std::vector<Raw>& lines, 
     std::vector<char> seen(n, 0);
     std::vector<std::size_t> sizes(lines.size(), 0);
     double level = 0;
-    for (const std::size_t most : {1U, 2U, 1000U}) // from the ends of chains on, then what closes up or branches
+    for (const std::size_t most : {1U, 2U, 1000U}) // starts at ends of chains, then takes cycles and branches
         for (std::size_t i = 0; i < n; ++i) {
             if (seen[i] || next[i].size() > most) continue;
             level += kApart * spacing;
@@ -260,7 +261,7 @@ std::vector<std::size_t> level_rings(const Surface& s, std::vector<Raw>& lines, 
                 sizes[which[chain[k]]] = chain.size();
                 if (k > 0) turn_from(s, lines[which[chain[k]]].line, rings[chain[k - 1]]);
             }
-            if (chain.size() > 1) { // the first one as the second
+            if (chain.size() > 1) { // the first ring has the second one on the other side
                 Line& first = lines[which[chain[0]]].line;
                 turn_from(s, first, rings[chain[1]]);
                 surface::curve::reverse(first);

@@ -1,21 +1,21 @@
-// Closed rows made one open row: a spiral.
+// Winds closed rows into open ones: spirals.
 #pragma once
 
 #include "surfpath/rows/rows.hpp"
 
 namespace filum::surfpath::rows {
 
-// Closed rows that follow each other at neighbouring levels, each beside the next all along, become one row that winds
-// from the first to the last: on every lap it goes over from one row to the next, evenly with the way.  A lap follows
-// the last row alone, half of one if the inset is near, on which it ends then; and one the first, but for those of the
-// least level if not `from_rim`.
-// The levels of `rows` are those along one direction.
+// Connects closed rows at consecutive levels, each beside the next all along, to one row that winds from the first to
+// the last: on every lap it shifts evenly from one to the next. The last lap follows the last row alone; it is half a
+// lap if the inset is near, on which the spiral then ends. A lap also follows the first row alone, except on the rows
+// of least level if not `from_rim`.
+// The levels of `rows` must be those along one direction.
 void wind(const Surface& s, Rows& rows, double spacing, bool from_rim);
 
-// Gives the closed ones of `lines` levels by which wind() finds them, and turns them so that what is less lies to their
-// left: in chains of which each runs beside the next, all along, levels grow by the spacing from one to the next, and
-// by much more from chain to chain.  Of open ones the level stays.  Returns per line how many its chain has; 0 for open
-// ones.
-std::vector<std::size_t> level_rings(const Surface& s, std::vector<Raw>& lines, double spacing);
+// Sets the levels of closed lines such that wind() recognises their chains, in which each runs beside the next all
+// along: levels grow by the spacing within a chain and by much more between chains. Also directs these lines such that
+// smaller levels are on their left. Open lines keep their levels. Returns per line the size of its chain; 0 for open
+// lines.
+std::vector<std::size_t> level_rings(const Surface& s, std::vector<UnclippedLine>& lines, double spacing);
 
 } // namespace filum::surfpath::rows

@@ -7,27 +7,29 @@ namespace filum::surfpath::strands {
 
 namespace {
 
-constexpr double kNoGap = 2.2; // spacings
+constexpr double kNoGap = 2.2; // spacings: larger gaps are open
+// Most sweeps of the relaxation.
 constexpr int kSweeps = 400;
-constexpr double kOver = 1.6;  // relaxation
-constexpr double kRest = 1e-4; // spacings: what moves less rests
-constexpr double kLean = 1;    // weight of squared slopes against that of squared strains
+constexpr double kOver = 1.6;  // over-relaxation
+constexpr double kRest = 1e-4; // spacings: relaxation ends when no knot moves farther
+constexpr double kLean = 1;    // weight of squared slopes relative to squared strains
+// Smoothings after the relaxation.
 constexpr int kSmoothings = 4;
 
-constexpr std::size_t kNobody = ~std::size_t{0};
+constexpr std::size_t kNoKnot = ~std::size_t{0};
 
-// A spot and the pulls on it: those of neighbours along its front, and of the spots before and behind it.
+// A spot of a strand with its neighbours along the front and along the strand.
 struct Knot {
-    std::size_t left = kNobody, right = kNobody, before = kNobody, behind = kNobody;
+    std::size_t left = kNoKnot, right = kNoKnot, before = kNoKnot, behind = kNoKnot;
     double left_gap = 0, right_gap = 0; // mm, before anything moved
-    double rim = 0, rim_weight = 0;     // mm that it lies too near to rims, and how much that counts
+    double rim = 0, rim_weight = 0;     // mm by which it is too near to rims, and the weight of that
     double moved = 0;                   // mm along the front
     bool held = false;
 };
 
-class Sheet {
+class ElasticSheet {
   public:
-    Sheet(const std::vector<Strand>& strands, const Fronts& fronts, double d) : fronts_(fronts), d_(d) {
+    ElasticSheet(const std::vector<Strand>& strands, const Fronts& fronts, double d) : fronts_(fronts), d_(d) {
         for (const Strand& s : strands) {
             first_.push_back(knots_.size());
             for (std::size_t j = 0; j < s.spots.size(); ++j) {
@@ -38,12 +40,12 @@ class Sheet {
                 knots_.push_back(k);
             }
         }
-        std::vector<std::vector<Seat>> rows(fronts.levels());
+        std::vector<std::vector<FrontKnot>> rows(fronts.levels());
         for (std::size_t i = 0; i < strands.size(); ++i)
             for (std::size_t j = 0; j < strands[i].spots.size(); ++j)
                 rows[strands[i].first + j].push_back({strands[i].spots[j], first_[i] + j});
-        for (std::size_t level = 0; level < rows.size(); ++level) seat(level, rows[level]);
-        for (std::size_t i = 0; i < strands.size(); ++i) feel_rims(strands[i], first_[i]);
+        for (std::size_t level = 0; level < rows.size(); ++level) connect(level, rows[level]);
+        for (std::size_t i = 0; i < strands.size(); ++i) add_rims(strands[i], first_[i]);
     }
 
     void relax() {
@@ -61,17 +63,17 @@ class Sheet {
     }
 
   private:
-    struct Seat {
+    struct FrontKnot {
         Spot spot;
         std::size_t knot;
     };
 
-    void seat(std::size_t level, std::vector<Seat>& row) {
-        std::stable_sort(row.begin(), row.end(), [](const Seat& a, const Seat& b) {
+    void connect(std::size_t level, std::vector<FrontKnot>& row) {
+        std::stable_sort(row.begin(), row.end(), [](const FrontKnot& a, const FrontKnot& b) {
             return a.spot.front != b.spot.front ? a.spot.front < b.spot.front : a.spot.x < b.spot.x;
         });
         for (std::size_t begin = 0, i = 0; i < row.size(); ++i) {
-            const Seat& here = row[i];
+            const FrontKnot& here = row[i];
             if (i == 0 || row[i - 1].spot.front != here.spot.front)
                 begin = i;
             else
@@ -91,8 +93,9 @@ class Sheet {
         knots_[b].left_gap = gap;
     }
 
-    // Rims count for the outermost strands of open fronts, the less the more these lead away from them or to them.
-    void feel_rims(const Strand& s, std::size_t first) {
+    // Adds the attraction of rims to the outermost strands of open fronts. It is weaker the more a strand diverges
+    // from the rim.
+    void add_rims(const Strand& s, std::size_t first) {
         for (std::size_t j = 0; j < s.spots.size(); ++j) {
             Knot& k = knots_[first + j];
             const Front& front = fronts_.at(s.first + j)[s.spots[j].front];
@@ -109,27 +112,27 @@ class Sheet {
                 k.rim += sign * weight * (d_ / 2 - x);
             };
             const double x = s.spots[j].x, y = s.spots[other].x;
-            if (k.left == kNobody) feel(x, y, 1);
-            if (k.right == kNobody) feel(front.length() - x, beside.length() - y, -1);
+            if (k.left == kNoKnot) feel(x, y, 1);
+            if (k.right == kNoKnot) feel(front.length() - x, beside.length() - y, -1);
         }
     }
 
     double pull(Knot& k) {
         const double across = 1 / (d_ * d_), along = kLean / (fronts_.step() * fronts_.step());
         double weight = k.rim_weight * across, sum = k.rim * across;
-        if (k.left != kNobody) {
+        if (k.left != kNoKnot) {
             weight += across;
             sum += across * (d_ - k.left_gap + knots_[k.left].moved);
         }
-        if (k.right != kNobody) {
+        if (k.right != kNoKnot) {
             weight += across;
             sum += across * (k.right_gap - d_ + knots_[k.right].moved);
         }
-        if (k.before != kNobody) {
+        if (k.before != kNoKnot) {
             weight += along;
             sum += along * knots_[k.before].moved;
         }
-        if (k.behind != kNobody) {
+        if (k.behind != kNoKnot) {
             weight += along;
             sum += along * knots_[k.behind].moved;
         }
@@ -139,12 +142,12 @@ class Sheet {
         return way;
     }
 
-    // Takes out what turns from step to step.
+    // Removes oscillations from step to step.
     void smooth() {
         std::vector<double> next;
         next.reserve(knots_.size());
         for (const Knot& k : knots_) {
-            const bool inner = k.before != kNobody && k.behind != kNobody && !k.held;
+            const bool inner = k.before != kNoKnot && k.behind != kNoKnot && !k.held;
             next.push_back(inner ? (knots_[k.before].moved + 2 * k.moved + knots_[k.behind].moved) / 4 : k.moved);
         }
         for (std::size_t i = 0; i < knots_.size(); ++i) knots_[i].moved = next[i];
@@ -153,13 +156,13 @@ class Sheet {
     const Fronts& fronts_;
     double d_;
     std::vector<Knot> knots_;
-    std::vector<std::size_t> first_; // per strand: the knot of its first spot
+    std::vector<std::size_t> first_; // per strand: index of its first knot
 };
 
 } // namespace
 
 void make_room(std::vector<Strand>& strands, const Fronts& fronts, double spacing) {
-    Sheet sheet(strands, fronts, spacing);
+    ElasticSheet sheet(strands, fronts, spacing);
     sheet.relax();
     for (std::size_t i = 0; i < strands.size(); ++i)
         for (std::size_t j = 0; j < strands[i].spots.size(); ++j) {

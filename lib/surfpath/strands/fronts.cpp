@@ -12,12 +12,13 @@ namespace filum::surfpath::strands {
 
 namespace {
 
+// Most fronts of a field.
 constexpr std::size_t kMostFronts = 20'000;
-constexpr double kArrived = 0.05;     // of a step: what ends farther from the next front has not come there
-constexpr double kInset = 0.02;       // of the grain: how far from the ends of a front its outermost samples are
-constexpr double kOffVertices = 1e-4; // of a step: how far levels keep from distances of vertices
-constexpr double kSpeck = 1e-3;       // of a step: what is shorter is no front
-constexpr int kRings = 3;             // of triangles about a place, in which fronts near it are sought
+constexpr double kArrived = 0.05;     // steps: a line that ends farther from the next front has not reached it
+constexpr double kInset = 0.02;       // grains between the ends of a front and its outermost samples
+constexpr double kOffVertices = 1e-4; // steps between a level and the distance of any vertex
+constexpr double kSpeck = 1e-3;       // steps: shorter fronts are dropped
+constexpr int kRings = 3;             // rings of triangles around a place in which fronts are searched
 
 double farthest(const Surface& s, std::span<const double> distance) {
     double out = 0;
@@ -27,8 +28,8 @@ double farthest(const Surface& s, std::span<const double> distance) {
     return out;
 }
 
-// step, 2 step, ... up to `far`, each a little more where that is just the distance of a vertex: there isolines fall
-// apart by rounding.
+// step, 2 step, ... up to `far`, slightly raised where a level equals the distance of a vertex: rounding would break
+// the isolines there.
 std::vector<double> levels_between(std::vector<double> distance, double step, double far) {
     std::sort(distance.begin(), distance.end());
     std::vector<double> out;
@@ -44,7 +45,7 @@ std::vector<double> levels_between(std::vector<double> distance, double step, do
     return out;
 }
 
-// The triangle and those about it, ring by ring.
+// The triangle and its neighbours, ring by ring.
 std::vector<std::uint32_t> about(const Surface& s, std::uint32_t triangle) {
     std::vector<std::uint32_t> out{triangle};
     std::size_t begin = 0;
@@ -58,10 +59,10 @@ std::vector<std::uint32_t> about(const Surface& s, std::uint32_t triangle) {
     return out;
 }
 
-// Makes the places where samples lead ascend along each front: those that crossed share the mean of their places. Lines
-// that start out straight from a smooth front do not cross, but on triangles all curvature sits in the vertices, and
-// behind each that bulges the lines that pass it on both sides do.  On closed fronts places run on beyond the first
-// point; where places go back by more than `back` mm, another stretch of the front begins.
+// Makes the targets of samples ascend along each front: targets that crossed are replaced by their mean (pool adjacent
+// violators). Lines that start perpendicular to a smooth front do not cross; but on a mesh all curvature is in the
+// vertices, and lines that pass a convex vertex on both sides do cross. On closed fronts arc lengths continue beyond
+// the start. Where they fall by more than `back` mm, another stretch of the front begins.
 template <class Sample>
 void uncross(std::vector<Sample>& samples, const std::vector<Front>& fronts, double back) {
     struct Pool {
@@ -80,7 +81,7 @@ void uncross(std::vector<Sample>& samples, const std::vector<Front>& fronts, dou
              ++i) {
             double x = samples[i].to->x;
             if (around > 0) x -= around * std::round((x - before) / around);
-            if (x < before - back) break; // a closed front opened here
+            if (x < before - back) break; // another stretch: a closed front opened here
             before = x;
             pools.push_back({x, i, 1});
             while (pools.size() > 1 && pools[pools.size() - 2].mean > pools.back().mean) {
@@ -128,13 +129,14 @@ void Fronts::add_level(std::vector<Line> lines) {
     Level level;
     for (Line& line : lines) {
         auto ways = surface::curve::arc_lengths(line);
-        if (!(ways.back() > kSpeck * step_)) continue; // about a vertex
+        if (!(ways.back() > kSpeck * step_)) continue; // a tiny loop around a vertex
         const auto front = static_cast<std::uint32_t>(level.fronts.size());
-        for (std::uint32_t i = 0; i + 1 < ways.size(); ++i) level.pieces.push_back({line.places[i].triangle, front, i});
+        for (std::uint32_t i = 0; i + 1 < ways.size(); ++i)
+            level.segments.push_back({line.places[i].triangle, front, i});
         level.fronts.push_back({std::move(line), std::move(ways)});
     }
-    std::stable_sort(level.pieces.begin(), level.pieces.end(),
-                     [](const Piece& a, const Piece& b) { return a.triangle < b.triangle; });
+    std::stable_sort(level.segments.begin(), level.segments.end(),
+                     [](const FrontSegment& a, const FrontSegment& b) { return a.triangle < b.triangle; });
     levels_.push_back(std::move(level));
 }
 
@@ -143,7 +145,7 @@ Place Fronts::place(std::size_t level, Spot spot) const {
     return surface::curve::at(f.line, f.ways, spot.x);
 }
 
-// Upright on the front; on a source curve on its right, elsewhere by the slope of the distance.
+// The direction of a line: perpendicular to a source curve on its right; elsewhere along the gradient of the distance.
 Vec3 Fronts::heading(std::size_t level, Spot spot, const Place& from) const {
     const Vec3 normal = surface::normal(surface_, from.triangle);
     const Front& f = levels_[level].fronts[spot.front];
@@ -170,16 +172,16 @@ std::optional<Spot> Fronts::locate(std::size_t level, const Place& p) const {
     double least = kArrived * step_;
     std::optional<Spot> out;
     for (const std::uint32_t t : about(surface_, p.triangle)) {
-        auto it = std::lower_bound(l.pieces.begin(), l.pieces.end(), t,
-                                   [](const Piece& a, std::uint32_t v) { return a.triangle < v; });
-        for (; it != l.pieces.end() && it->triangle == t; ++it) {
+        auto it = std::lower_bound(l.segments.begin(), l.segments.end(), t,
+                                   [](const FrontSegment& a, std::uint32_t v) { return a.triangle < v; });
+        for (; it != l.segments.end() && it->triangle == t; ++it) {
             const Front& f = l.fronts[it->front];
-            const Vec3 &a = f.line[it->stretch], d = f.line[(it->stretch + 1) % f.line.size()] - a;
+            const Vec3 &a = f.line[it->segment], d = f.line[(it->segment + 1) % f.line.size()] - a;
             const double l2 = dot(d, d), along = l2 > 0 ? std::clamp(dot(p.point - a, d) / l2, 0.0, 1.0) : 0;
             const double off = distance(p.point, a + along * d);
             if (off < least) {
                 least = off;
-                out = Spot{it->front, f.ways[it->stretch] + along * std::sqrt(l2)};
+                out = Spot{it->front, f.ways[it->segment] + along * std::sqrt(l2)};
             }
         }
     }
@@ -193,7 +195,7 @@ std::optional<Spot> Fronts::walk_on(std::size_t level, Spot spot) const {
     return locate(level + 1, surface::curve::walk(surface_, from, way, step_).places.back());
 }
 
-// Where lines lead that are `grain` apart, in order (see uncross).
+// Computes where lines lead that are `grain` mm apart, in order (see uncross).
 void Fronts::sample(std::size_t level, double grain) {
     levels_[level].onward.clear();
     for (std::uint32_t f = 0; f < levels_[level].fronts.size(); ++f) {

@@ -1,4 +1,5 @@
-// The fronts of a distance field, one behind the other, and where straight lines lead from each to the next.
+// The fronts of a distance field, which are isolines at equal steps, and where straight lines lead from each to the
+// next.
 #pragma once
 
 #include "geodesic/exact.hpp"
@@ -8,25 +9,25 @@
 
 namespace filum::surfpath::strands {
 
-// A line of equal distance; the way it came lies to its left.  Of a source curve there are two, one for each side.
+// An isoline with smaller distances on its left. A source curve is two fronts, one per side.
 struct Front {
     Line line;
-    std::vector<double> ways; // of its points, mm
+    std::vector<double> ways; // arc lengths of its points, mm
 
     [[nodiscard]] double length() const { return ways.back(); }
 };
 
-// A place on a front of some level.
+// A place on a front of a known level.
 struct Spot {
     std::uint32_t front = 0;
-    double x = 0; // mm along it
+    double x = 0; // mm along the front
 };
 
 class Fronts {
   public:
-    // Level 0 are the source curves, each way round; level k lies k * step mm from all sources.  `grain` is how far
-    // apart straight lines are that tell where all others lead.
-    // Throws Error(usage) if there were more than 20,000 levels.
+    // Level 0 consists of the source curves, each in both directions; level k is at distance k * step mm from all
+    // sources. `grain` is the distance of the lines that are computed exactly; others are interpolated.
+    // Throws Error(usage) if there would be more than 20,000 levels.
     Fronts(const Surface& surface, const surface::Sources& sources, double step, double grain);
 
     [[nodiscard]] std::size_t levels() const { return levels_.size(); }
@@ -36,18 +37,18 @@ class Fronts {
 
     [[nodiscard]] Place place(std::size_t level, Spot spot) const;
 
-    // Where on the next level the line leads that stands upright on the front here: on a shortest path from the
-    // sources (Mitchell, Mount, Papadimitriou 1987), so that lines never cross.  None where it ends at a rim or passes
-    // where another way is shorter.
+    // Where the line perpendicular to the front reaches the next level. It is on a shortest path from the sources
+    // (Mitchell, Mount, Papadimitriou 1987), so lines never cross. None if it ends at a rim or where another path is
+    // shorter.
     [[nodiscard]] std::optional<Spot> onward(std::size_t level, Spot spot) const;
 
-    // The line from the spot on to its end: a rim, or where another way from the sources is shorter.  At most two steps
-    // long.
+    // The line from the spot to its end, which is a rim or where another path from the sources is shorter; at most two
+    // steps.
     [[nodiscard]] Line last(std::size_t level, Spot spot) const;
 
   private:
-    struct Piece { // of a front
-        std::uint32_t triangle, front, stretch;
+    struct FrontSegment {
+        std::uint32_t triangle, front, segment;
     };
     struct Sample {
         double x;
@@ -55,7 +56,7 @@ class Fronts {
     };
     struct Level {
         std::vector<Front> fronts;
-        std::vector<Piece> pieces;               // by triangles
+        std::vector<FrontSegment> segments;      // by triangles
         std::vector<std::vector<Sample>> onward; // per front, ascending
     };
     void add_level(std::vector<Line> lines);

@@ -13,7 +13,7 @@ using surface::Segment;
 
 constexpr double kSamePoint = 1e-6; // mm
 
-// Per segment the numbers of the points at its ends: ends that meet have one number.
+// Per segment the numbers of its end points; end points that meet have the same number.
 std::vector<std::array<std::uint32_t, 2>> ends(const std::vector<Segment>& segments) {
     const std::size_t n = 2 * segments.size();
     const auto point = [&](std::size_t i) { return i % 2 == 0 ? segments[i / 2].a : segments[i / 2].b; };
@@ -35,9 +35,9 @@ std::vector<std::array<std::uint32_t, 2>> ends(const std::vector<Segment>& segme
     return out;
 }
 
-class Chains {
+class CurveBuilder {
   public:
-    explicit Chains(std::vector<Segment> segments) : segments_(std::move(segments)), ends_(ends(segments_)) {
+    explicit CurveBuilder(std::vector<Segment> segments) : segments_(std::move(segments)), ends_(ends(segments_)) {
         std::uint32_t points = 0;
         for (const auto& e : ends_) points = std::max({points, e[0] + 1, e[1] + 1});
         at_.resize(points);
@@ -48,7 +48,7 @@ class Chains {
 
     std::vector<Line> all() {
         std::vector<std::pair<std::uint32_t, Line>> found;
-        for (std::uint32_t pass = 0; pass < 2; ++pass) // first those that end, then loops
+        for (std::uint32_t pass = 0; pass < 2; ++pass) // open curves first, then closed ones
             for (std::uint32_t i = 0; i < segments_.size(); ++i)
                 for (const std::uint32_t p : ends_[i])
                     if (!used_[i] && (pass == 1 || at_[p].size() != 2)) found.push_back(follow(i, p));
@@ -59,7 +59,7 @@ class Chains {
     }
 
   private:
-    // The curve that leaves point `from` along segment `i`, and the least of its segments.
+    // The curve that starts at point `from` with segment `i`, and the lowest number of its segments.
     std::pair<std::uint32_t, Line> follow(std::uint32_t i, std::uint32_t from) {
         std::uint32_t least = i, p = from;
         Line out;
@@ -95,7 +95,7 @@ std::vector<Line> source_lines(const surface::Sources& sources) {
     std::vector<Segment> long_ones;
     for (const Segment& s : sources.segments)
         if (distance(s.a, s.b) > kSamePoint) long_ones.push_back(s);
-    return Chains(std::move(long_ones)).all();
+    return CurveBuilder(std::move(long_ones)).all();
 }
 
 } // namespace filum::surfpath::strands

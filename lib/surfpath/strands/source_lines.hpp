@@ -1,4 +1,4 @@
-// The sources of a distance field as curves.
+// Converts the sources of a distance field to curves.
 #pragma once
 
 #include "surface/curve/line.hpp"
@@ -11,9 +11,9 @@ using surface::Surface;
 using surface::curve::Line;
 using surface::curve::Place;
 
-// The segments of the sources joined where their ends meet within 1e-6 mm: closed curves, and open ones that end where
-// no segment, or more than one, goes on.  Ordered by the first of their segments.  Segments without length, and
-// vertices, are no curves.
+// Connects source segments whose ends are within 1e-6 mm of each other, to closed curves and to open ones, which end
+// where no segment or several continue. In the order of the first of their segments. Vertices and segments without
+// length are left out.
 std::vector<Line> source_lines(const surface::Sources& sources);
 
 } // namespace filum::surfpath::strands

@@ -12,22 +12,22 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kTooNear = 0.35; // spacings
-constexpr double kTie = 1e-9;     // spacings: a tie
-constexpr double kBrief = 3;      // spacings: what would live, or be dead, for less before a rim is not worth it
+constexpr double kTooNear = 0.35; // spacings: of two strands nearer than this one dies
+constexpr double kTie = 1e-9;     // spacings: smaller differences are ties
+constexpr double kBrief = 3;      // spacings: a strand is not worth starting, or ending, nearer than this to a rim
 
-struct Alive {
+struct LiveStrand {
     double x = 0; // mm along its front
     std::uint32_t strand = 0;
-    double before = -1;     // mm from the begin of the front that it was on before, < 0: none
-    double before_end = -1; // mm from its end
+    double before = -1;     // mm from the start of the front before; negative: none
+    double before_end = -1; // mm from the end of the front before
 };
 
 class March {
   public:
-    March(const Fronts& fronts, const Law& law)
-        : fronts_(fronts), law_(law), d_(law.spacing), half_(law.group == 1 ? 5 : 9),
-          most_(law.group == 1 ? 0.55 : 1.05), wide_(law.group == 1 ? 1.8 : 2.6) {}
+    March(const Fronts& fronts, const SpacingRule& rule)
+        : fronts_(fronts), rule_(rule), d_(rule.spacing), half_(rule.group == 1 ? 5 : 9),
+          most_(rule.group == 1 ? 0.55 : 1.05), wide_(rule.group == 1 ? 1.8 : 2.6) {}
 
     Strands run() {
         begin();
@@ -50,7 +50,7 @@ class March {
         return static_cast<std::uint32_t>(out_.strands.size() - 1);
     }
 
-    // Strands in equal distances on both sides of each source curve, from the same places.
+    // Starts strands at equal distances on both sides of each source curve, in pairs at the same places.
     void begin() {
         const auto& sources = fronts_.at(0);
         alive_.assign(sources.size(), {});
@@ -71,10 +71,10 @@ class March {
     }
 
     void advance(std::size_t k) {
-        std::vector<std::vector<Alive>> next(fronts_.at(k + 1).size());
+        std::vector<std::vector<LiveStrand>> next(fronts_.at(k + 1).size());
         for (std::uint32_t f = 0; f < alive_.size(); ++f) {
             const double l = fronts_.at(k)[f].length();
-            for (const Alive& a : alive_[f]) {
+            for (const LiveStrand& a : alive_[f]) {
                 const auto to = fronts_.onward(k, {f, a.x});
                 if (!to) continue;
                 out_.strands[a.strand].spots.push_back(*to);
@@ -84,45 +84,45 @@ class March {
         }
         level_ = k + 1;
         for (std::uint32_t f = 0; f < next.size(); ++f) {
-            std::stable_sort(next[f].begin(), next[f].end(), [](const Alive& a, const Alive& b) { return a.x < b.x; });
+            std::stable_sort(next[f].begin(), next[f].end(),
+                             [](const LiveStrand& a, const LiveStrand& b) { return a.x < b.x; });
             apply(f, next[f]);
         }
         record(next);
         alive_ = std::move(next);
     }
 
-    // ---- the law, on one front
-
-    void apply(std::uint32_t f, std::vector<Alive>& row) {
+    // ---- the spacing rule, on one front
+    void apply(std::uint32_t f, std::vector<LiveStrand>& row) {
         if (row.empty()) return settle(f, row);
         thin(f, row);
         fill(f, row);
         const std::size_t before = row.size();
         while (row.size() < 2 * before + 2 && bear(f, row)) {
         }
-        if (row.size() > before) return; // windows at rims hold fewer gaps: no strand dies for one just born
+        if (row.size() > before) return; // windows at rims hold fewer gaps; no strand may die for one just born
         while (reap(f, row)) {
         }
     }
 
-    // The first strands on a front that no other leads to.
-    void settle(std::uint32_t f, std::vector<Alive>& row) {
+    // Starts strands on a front that no strand reaches.
+    void settle(std::uint32_t f, std::vector<LiveStrand>& row) {
         const double l = front(f).length();
         auto n = static_cast<std::size_t>(std::round(l / d_));
-        n -= n % law_.group;
+        n -= n % rule_.group;
         const std::uint32_t group = groups_;
         for (std::size_t i = 0; i < n; ++i) {
             const double x = l * (static_cast<double>(i) + 0.5) / static_cast<double>(n);
-            row.push_back({x, add(f, x, StrandEnd::law, group + static_cast<std::uint32_t>(i / law_.group))});
+            row.push_back({x, add(f, x, StrandEnd::interior, group + static_cast<std::uint32_t>(i / rule_.group))});
         }
-        groups_ += static_cast<std::uint32_t>((n + 1) / law_.group);
+        groups_ += static_cast<std::uint32_t>((n + 1) / rule_.group);
         out_.born += n;
     }
 
-    // How much too wide the gaps are: before each strand, and of an open front behind the last one.  What lies between
-    // a strand and a rim along which it runs should be half a spacing; where it runs across, the rim has no say unless
-    // there is room for one more.
-    [[nodiscard]] std::vector<double> excess(std::uint32_t f, const std::vector<Alive>& row) const {
+    // How much too wide each gap is: the one before each strand and, on an open front, the one behind the last.
+    // Between a strand and a rim along which it runs there should be half a spacing. If the strand runs towards the
+    // rim, that gap counts only if it has room for one more strand.
+    [[nodiscard]] std::vector<double> excess(std::uint32_t f, const std::vector<LiveStrand>& row) const {
         const Front& on = front(f);
         const double l = on.length();
         std::vector<double> e;
@@ -138,42 +138,42 @@ class March {
         return e;
     }
 
-    // Puts n strands into gap i (before strand i).
-    void insert(std::uint32_t f, std::vector<Alive>& row, std::size_t i, std::size_t n) {
+    // Inserts n strands into gap i, which is before strand i.
+    void insert(std::uint32_t f, std::vector<LiveStrand>& row, std::size_t i, std::size_t n) {
         const Front& on = front(f);
         const double l = on.length();
         double from, to;
         if (on.line.closed) {
             from = i > 0 ? row[i - 1].x : row.back().x - l;
             to = row[i].x;
-        } else { // rims stand for strands half a spacing beyond them
+        } else { // a rim counts as a strand half a spacing outside
             from = i > 0 ? row[i - 1].x : -d_ / 2;
             to = i < row.size() ? row[i].x : l + d_ / 2;
         }
-        std::vector<Alive> added;
+        std::vector<LiveStrand> added;
         for (std::size_t j = 1; j <= n; ++j) {
             double x = from + (to - from) * static_cast<double>(j) / static_cast<double>(n + 1);
             if (on.line.closed && x < 0) x += l;
             x = std::clamp(x, 0.0, l);
-            const auto group = groups_ + static_cast<std::uint32_t>((j - 1) / law_.group);
-            added.push_back({x, add(f, x, StrandEnd::law, group)});
+            const auto group = groups_ + static_cast<std::uint32_t>((j - 1) / rule_.group);
+            added.push_back({x, add(f, x, StrandEnd::interior, group)});
         }
-        groups_ += static_cast<std::uint32_t>((n + law_.group - 1) / law_.group);
+        groups_ += static_cast<std::uint32_t>((n + rule_.group - 1) / rule_.group);
         out_.born += n;
         row.insert(row.begin() + static_cast<std::ptrdiff_t>(i), added.begin(), added.end());
-        std::stable_sort(row.begin(), row.end(), [](const Alive& a, const Alive& b) { return a.x < b.x; });
+        std::stable_sort(row.begin(), row.end(), [](const LiveStrand& a, const LiveStrand& b) { return a.x < b.x; });
     }
 
-    void kill(std::vector<Alive>& row, std::size_t i, std::uint32_t group) {
+    void kill(std::vector<LiveStrand>& row, std::size_t i, std::uint32_t group) {
         Strand& s = out_.strands[row[i].strand];
-        s.end = StrandEnd::law;
+        s.end = StrandEnd::interior;
         s.dies_with = group;
         ++out_.died;
         row.erase(row.begin() + static_cast<std::ptrdiff_t>(i));
     }
 
-    // Of strands that are much too near the younger dies.
-    void thin(std::uint32_t f, std::vector<Alive>& row) {
+    // Of two strands that are much too near the younger dies.
+    void thin(std::uint32_t f, std::vector<LiveStrand>& row) {
         for (std::size_t i = 0; row.size() > 1 && i < row.size();) {
             const bool closed = front(f).line.closed;
             const double gap = i > 0 ? row[i].x - row[i - 1].x : row[0].x + front(f).length() - row.back().x;
@@ -187,27 +187,27 @@ class March {
         }
     }
 
-    // Gaps that are wide enough for more are filled at once.
-    void fill(std::uint32_t f, std::vector<Alive>& row) {
+    // Fills wide gaps.
+    void fill(std::uint32_t f, std::vector<LiveStrand>& row) {
         for (std::size_t i = 0; i < excess(f, row).size(); ++i) {
             const double gap = excess(f, row)[i] + d_;
             if (gap < wide_ * d_) continue;
             auto n = static_cast<std::size_t>(std::round(gap / d_)) - 1;
-            n -= n % law_.group;
+            n -= n % rule_.group;
             if (n == 0) continue;
             insert(f, row, i, n);
             i += n;
         }
     }
 
-    // Sums of `sign` times the excess over windows of neighbouring gaps, by the first gap of each; of all gaps if those
-    // are not more than a window holds.
-    struct Windows {
+    // Sums of `sign` times the excess over windows of neighbouring gaps, by the first gap of each. If there are no
+    // more gaps than a window holds, there is one window with all.
+    struct WindowSums {
         std::vector<double> sum;
         std::size_t gaps = 0, size = 0;
         bool closed = false;
 
-        // The least sum of those that hold the gap.
+        // The least sum of the windows that contain the gap.
         [[nodiscard]] double least(std::size_t gap) const {
             if (sum.size() == 1) return sum[0];
             double out = std::numeric_limits<double>::infinity();
@@ -220,8 +220,8 @@ class March {
         }
     };
 
-    [[nodiscard]] Windows windows(const std::vector<double>& e, bool closed, double sign) const {
-        Windows w{{}, e.size(), std::min(2 * half_ + 1, e.size()), closed};
+    [[nodiscard]] WindowSums windows(const std::vector<double>& e, bool closed, double sign) const {
+        WindowSums w{{}, e.size(), std::min(2 * half_ + 1, e.size()), closed};
         const std::size_t n = w.size == w.gaps ? 1 : closed ? w.gaps : w.gaps - w.size + 1;
         for (std::size_t i = 0; i < n; ++i) {
             double sum = 0;
@@ -231,30 +231,32 @@ class March {
         return w;
     }
 
-    // A birth in a window where one is due; not if it made one of another window due to die.  False if nowhere.
-    bool bear(std::uint32_t f, std::vector<Alive>& row) {
+    // Makes a birth where a window demands one, unless it would make another window demand a death. Returns false if
+    // none is due.
+    bool bear(std::uint32_t f, std::vector<LiveStrand>& row) {
         const auto e = excess(f, row);
-        const Windows w = windows(e, front(f).line.closed, 1);
-        const double allowed = (static_cast<double>(law_.group) - most_ + kTie) * d_;
+        const WindowSums w = windows(e, front(f).line.closed, 1);
+        const double allowed = (static_cast<double>(rule_.group) - most_ + kTie) * d_;
         for (std::size_t i = 0; i < w.sum.size(); ++i) {
             if (!(w.sum[i] > most_ * d_)) continue;
             std::size_t best = e.size();
             for (std::size_t back = 0; back < w.size; ++back) {
-                const std::size_t j = (i + (w.size / 2 + back) % w.size) % w.gaps; // from the middle on
+                const std::size_t j = (i + (w.size / 2 + back) % w.size) % w.gaps; // starting in the middle
                 if (w.least(j) >= allowed && (best == e.size() || e[j] > e[best] + kTie * d_)) best = j;
             }
             if (best == e.size()) continue;
-            insert(f, row, best, law_.group);
+            insert(f, row, best, rule_.group);
             return true;
         }
         return false;
     }
 
-    // A death likewise: the group dies whose gaps, those on both its sides included, are the narrowest.
-    bool reap(std::uint32_t f, std::vector<Alive>& row) {
+    // Makes a death under the same rule: the group dies whose gaps, including those on both sides, are narrowest in
+    // total.
+    bool reap(std::uint32_t f, std::vector<LiveStrand>& row) {
         const auto e = excess(f, row);
-        const Windows w = windows(e, front(f).line.closed, -1);
-        const std::size_t g = law_.group, size = row.size();
+        const WindowSums w = windows(e, front(f).line.closed, -1);
+        const std::size_t g = rule_.group, size = row.size();
         if (size <= g) return false;
         const double allowed = (static_cast<double>(g) - most_ + kTie) * d_;
         for (std::size_t i = 0; i < w.sum.size(); ++i) {
@@ -280,15 +282,14 @@ class March {
         return false;
     }
 
-    // ---- how much wider the fronts get
-
-    void record(const std::vector<std::vector<Alive>>& rows) {
+    // ---- growth of the fronts' widths, for the lower bound
+    void record(const std::vector<std::vector<LiveStrand>>& rows) {
         done_ = true;
         for (std::uint32_t f = 0; f < rows.size(); ++f) {
             if (!rows[f].empty()) done_ = false;
             for (std::size_t i = 1; i < rows[f].size(); ++i) {
                 const Strand &a = out_.strands[rows[f][i - 1].strand], &b = out_.strands[rows[f][i].strand];
-                if (a.first == level_ || b.first == level_) continue; // their room had grown before
+                if (a.first == level_ || b.first == level_) continue; // the room for a new strand had grown before
                 const Spot &sa = a.spots[a.spots.size() - 2], &sb = b.spots[b.spots.size() - 2];
                 if (sa.front != sb.front || sb.x < sa.x) continue;
                 change(root_[rows[f][i - 1].strand], rows[f][i].x - rows[f][i - 1].x - (sb.x - sa.x));
@@ -302,7 +303,7 @@ class March {
         c[level_] += by;
     }
 
-    // Sums of rises, those taken as one that are apart by falls of less than half a spacing.
+    // Sum of the rises of the widths; rises separated by a fall of less than half a spacing count as one.
     [[nodiscard]] std::size_t bound() const {
         std::size_t out = 0;
         for (const auto& [root, steps] : changes_) {
@@ -323,7 +324,7 @@ class March {
     }
 
     const Fronts& fronts_;
-    const Law& law_;
+    const SpacingRule& rule_;
     double d_;
     std::size_t half_;
     double most_, wide_;
@@ -331,15 +332,15 @@ class March {
     bool done_ = false;
     std::uint32_t groups_ = 0;
     Strands out_;
-    std::vector<std::vector<Alive>> alive_; // per front of the level
-    std::vector<std::uint32_t> root_;       // per strand: the source front that it comes from
+    std::vector<std::vector<LiveStrand>> alive_; // per front of the level
+    std::vector<std::uint32_t> root_;            // per strand: the source front from which it comes
     std::map<std::uint32_t, std::vector<double>> changes_;
 };
 
-// Strands that died shortly before a rim go on to it.
+// Extends strands that died shortly before a rim to that rim.
 void revive(std::vector<Strand>& strands, const Fronts& fronts, double brief, std::size_t& died) {
     for (Strand& s : strands) {
-        if (s.end != StrandEnd::law) continue;
+        if (s.end != StrandEnd::interior) continue;
         Strand longer = s;
         bool rim = false;
         while (!rim && static_cast<double>(longer.last() - s.last()) * fronts.step() < brief) {
@@ -355,7 +356,7 @@ void revive(std::vector<Strand>& strands, const Fronts& fronts, double brief, st
     }
 }
 
-// Leaves out what is too short, with its other side if that is too short as well together.
+// Leaves out strands that are too short. A strand and its mate count together.
 void drop_short(Strands& all, const Fronts& fronts, double shortest, double brief) {
     const std::size_t n = all.strands.size();
     std::vector<double> length(n);
@@ -370,14 +371,14 @@ void drop_short(Strands& all, const Fronts& fronts, double shortest, double brie
     for (std::size_t i = 0; i < n; ++i) {
         const Strand& s = all.strands[i];
         const double whole = length[i] + (s.mate != kNone ? length[s.mate] : 0);
-        const double least = s.begin == StrandEnd::law ? std::max(shortest, brief) : shortest;
+        const double least = s.begin == StrandEnd::interior ? std::max(shortest, brief) : shortest;
         if (length[i] > 1e-6 && whole >= least) {
             number[i] = static_cast<std::uint32_t>(kept.size());
             kept.push_back(s);
         } else if (length[i] > 1e-6) {
             all.left_out.push_back({s.last(), s.spots.back(), length[i]});
-            if (s.begin == StrandEnd::law) --all.born;
-            if (s.end == StrandEnd::law) --all.died;
+            if (s.begin == StrandEnd::interior) --all.born;
+            if (s.end == StrandEnd::interior) --all.died;
         }
     }
     for (Strand& s : kept)
@@ -387,11 +388,11 @@ void drop_short(Strands& all, const Fronts& fronts, double shortest, double brie
 
 } // namespace
 
-Strands strands(const Fronts& fronts, const Law& law) {
-    Strands out = March(fronts, law).run();
-    revive(out.strands, fronts, kBrief * law.spacing, out.died);
-    drop_short(out, fronts, std::max(law.shortest, law.spacing), kBrief * law.spacing);
-    make_room(out.strands, fronts, law.spacing);
+Strands strands(const Fronts& fronts, const SpacingRule& rule) {
+    Strands out = March(fronts, rule).run();
+    revive(out.strands, fronts, kBrief * rule.spacing, out.died);
+    drop_short(out, fronts, std::max(rule.shortest, rule.spacing), kBrief * rule.spacing);
+    make_room(out.strands, fronts, rule.spacing);
     return out;
 }
 

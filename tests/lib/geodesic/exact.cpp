@@ -66,8 +66,8 @@ TEST(Exact, WhatIsShutCostsNothingAndChangesNothingOnTheNearSide) {
         for (const Isoline& l : isolines(s.surface, from, std::vector{level}))
             for (std::size_t i = 0; i < l.triangles.size(); ++i)
                 line.segments.push_back({l.triangles[i], l.points[i], l.points[(i + 1) % l.points.size()]});
-        const auto shut = beyond(s.surface, from.distance, level + surface::longest_edge(s.surface));
-        const auto all = exact(s.surface, line), some = exact(s.surface, line, kInf, from.ground, shut);
+        const auto shut = triangles_beyond(s.surface, from.distance, level + surface::longest_edge(s.surface));
+        const auto all = exact(s.surface, line), some = exact(s.surface, line, kInf, from.unfolding, shut);
         std::size_t far = 0;
         for (std::size_t v = 0; v < s.flat.size(); ++v)
             if (from.distance[v] < level)
@@ -307,7 +307,7 @@ TEST(Exact, IsSymmetricAndSlopesAtMostOne) {
     const auto a = exact(s, {{17}, {}}), b = exact(s, {{400}, {}});
     EXPECT_NEAR(a.distance[400], b.distance[17], 1e-11);
     for (std::uint32_t h = 0; h < s.twin.size(); ++h)
-        EXPECT_LE(a.distance[s.head(h)], a.distance[s.tail(h)] + a.ground->frame[h].length + 1e-11);
+        EXPECT_LE(a.distance[s.head(h)], a.distance[s.tail(h)] + a.unfolding->frame[h].length + 1e-11);
     const auto both = exact(s, {{17, 400}, {}});
     for (std::size_t v = 0; v < s.vertices.size(); ++v)
         EXPECT_NEAR(both.distance[v], std::min(a.distance[v], b.distance[v]), 1e-11);
@@ -316,8 +316,8 @@ TEST(Exact, IsSymmetricAndSlopesAtMostOne) {
 TEST(Exact, SourcesOfOneFieldAreNoneOfAnotherOnItsGround) {
     const Surface s = surfaces::bumpy_sphere(3, 0.2, 1);
     const auto first = exact(s, {{17}, {}}), alone = exact(s, {{40}, {}});
-    const auto second = exact(s, {{40}, {}}, std::numeric_limits<double>::infinity(), first.ground);
-    EXPECT_EQ(second.ground, first.ground);
+    const auto second = exact(s, {{40}, {}}, std::numeric_limits<double>::infinity(), first.unfolding);
+    EXPECT_EQ(second.unfolding, first.unfolding);
     EXPECT_EQ(second.distance, alone.distance);
     EXPECT_EQ(second.propagated, alone.propagated);
 }

@@ -3,8 +3,8 @@
 #include "../surface/grid.hpp"
 #include "base/error.hpp"
 #include "geodesic/certificate.hpp"
-#include "geodesic/choose.hpp"
 #include "geodesic/measure.hpp"
+#include "geodesic/named_sources.hpp"
 #include "geodesic/query.hpp"
 #include "surface/finer.hpp"
 #include "surfaces.hpp"
@@ -146,7 +146,7 @@ TEST(Choose, NamesSources) {
         [](int i, int j) { return i >= 4 && i < 8 && j >= 4 && j < 8; });
     Notes notes;
     const auto count = [&](const char* words) {
-        const Sources got = choose(s.surface, words, notes);
+        const Sources got = named_sources(s.surface, words, notes);
         return std::pair{got.vertices.size(), got.segments.size()};
     };
     EXPECT_EQ(count(""), (std::pair<std::size_t, std::size_t>{0, 0}));
@@ -164,13 +164,13 @@ TEST(Choose, NamesSources) {
                             "boundary:inner", "plane:0,0,0,1", "plane:1,0,0", "plane:0,0,1,5", "point:1,2",
                             "point:1,2,nan", "point:1,2,inf", "plane:1,0,0,2.5,"}) {
         try {
-            choose(s.surface, bad, notes);
+            named_sources(s.surface, bad, notes);
             ADD_FAILURE() << bad;
         } catch (const Error& e) {
             EXPECT_EQ(e.exit(), Exit::usage) << bad;
         }
     }
-    EXPECT_THROW(choose(surfaces::cube(1), "boundary", notes), Error);
+    EXPECT_THROW(named_sources(surfaces::cube(1), "boundary", notes), Error);
 }
 
 TEST(Certificate, MeasuresSlopes) {
@@ -195,7 +195,7 @@ TEST(Certificate, MeasuresSlopes) {
 TEST(Measure, DrawsLevelsAndMultiplesOfTheSpacing) {
     surface::Sheet sheet{surfaces::sheet(10, 4, 10, 4, 3).surface, {}, {}};
     Notes notes;
-    const auto sources = choose(sheet.surface, "plane:1,0,0,0", notes);
+    const auto sources = named_sources(sheet.surface, "plane:1,0,0,0", notes);
     measure(sheet, sources, {.levels = {0.7}, .spacing = 2, .first = 1}, notes);
     std::vector<double> levels;
     for (const auto& line : sheet.isolines) levels.push_back(line.level);

@@ -1,8 +1,8 @@
 #include "geodesic/sides.hpp"
 
 #include "base/error.hpp"
-#include "geodesic/choose.hpp"
 #include "geodesic/measure.hpp"
+#include "geodesic/named_sources.hpp"
 #include "surface/trace.hpp"
 #include "surfaces.hpp"
 
@@ -16,7 +16,7 @@ using surfaces::sheet;
 
 Sources from(const Surface& s, const char* words) {
     Notes notes;
-    return choose(s, words, notes);
+    return named_sources(s, words, notes);
 }
 
 TEST(Sides, OfAPlaneAreItsNormals) {

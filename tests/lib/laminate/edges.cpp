@@ -13,14 +13,14 @@ namespace {
 
 using geom::Vec2;
 
-Base plate() { // 40 x 40 mm, a mm apart, the middle at (0, 0); faces: 1 where x < 0, else 2
+BaseSurface plate() { // 40 x 40 mm, a mm apart, the middle at (0, 0); faces: 1 where x < 0, else 2
     Notes notes;
-    Base out{surface::connect(surface::grid(40, 40, 40, 40,
-                                            [](Vec2 p) {
-                                                return Vec3{p.x - 20, p.y - 20, 0};
-                                            }),
-                              notes),
-             {}};
+    BaseSurface out{surface::connect(surface::grid(40, 40, 40, 40,
+                                                   [](Vec2 p) {
+                                                       return Vec3{p.x - 20, p.y - 20, 0};
+                                                   }),
+                                     notes),
+                    {}};
     for (const auto& t : out.surface.triangles) {
         const auto& v = out.surface.vertices;
         out.faces.push_back(v[t[0]].x + v[t[1]].x + v[t[2]].x < 0 ? 1 : 2);
@@ -28,8 +28,8 @@ Base plate() { // 40 x 40 mm, a mm apart, the middle at (0, 0); faces: 1 where x
     return out;
 }
 
-Within circle(double radius, double x = 0, double way = 1) { // way 1: counter-clockwise
-    Within out;
+Area circle(double radius, double x = 0, double way = 1) { // way 1: counter-clockwise
+    Area out;
     out.curves.emplace_back();
     for (int i = 0; i < 60; ++i) {
         const double a = way * i * std::numbers::pi / 30;
@@ -41,7 +41,7 @@ Within circle(double radius, double x = 0, double way = 1) { // way 1: counter-c
 double out_from(const Vec3& p, double x, double radius) { return std::hypot(p.x - x, p.y) - radius; }
 
 TEST(Edges, OfCurvesAreToTheirLeft) {
-    const Base base = plate();
+    const BaseSurface base = plate();
     Notes notes;
     const Edge in = edge_of(base, circle(12), 0.5, notes), out = edge_of(base, circle(12, 0, -1), 0.5, notes);
     for (std::size_t v = 0; v < in.size(); ++v) {
@@ -58,9 +58,9 @@ TEST(Edges, OfCurvesAreToTheirLeft) {
 }
 
 TEST(Edges, AlongRimsAreNone) {
-    const Base base = plate();
+    const BaseSurface base = plate();
     Notes notes;
-    Within within; // the left half, drawn a little beyond the rims of it
+    Area within; // the left half, drawn a little beyond the rims of it
     within.curves = {{{-20.1, -20.1, 0}, {4, -20.1, 0}, {4, 20.1, 0}, {-20.1, 20.1, 0}}};
     const Edge edge = edge_of(base, within, 0.5, notes);
     for (std::size_t v = 0; v < edge.size(); ++v) {
@@ -74,9 +74,9 @@ TEST(Edges, AlongRimsAreNone) {
 }
 
 TEST(Edges, OfFacesAreTheirBorders) {
-    const Base base = plate();
+    const BaseSurface base = plate();
     Notes notes;
-    Within within;
+    Area within;
     within.faces = {2};
     const Edge edge = edge_of(base, within, 0.5, notes);
     for (std::size_t v = 0; v < edge.size(); ++v) EXPECT_NEAR(edge[v], -base.surface.vertices[v].x, 1e-6);
@@ -85,7 +85,7 @@ TEST(Edges, OfFacesAreTheirBorders) {
 }
 
 TEST(Edges, PliesThatEndAlikeBecomeARamp) {
-    const Base base = plate();
+    const BaseSurface base = plate();
     Notes notes;
     const std::vector<Ply> plies(4, Ply{.spacing = 1, .height = 0.25});
     const Edge around = edge_of(base, circle(16), 0.5, notes);
@@ -117,7 +117,7 @@ TEST(Edges, PliesThatEndAlikeBecomeARamp) {
 }
 
 TEST(Edges, WhatCannotBeARampIsTold) {
-    const Base base = plate();
+    const BaseSurface base = plate();
     Notes notes;
     const std::vector<Ply> plies(2, Ply{.spacing = 1, .height = 0.25});
     std::vector<Edge> edges{edge_of(base, circle(8, -4), 0.5, notes), edge_of(base, circle(8, 4), 0.5, notes)};

@@ -40,9 +40,9 @@ TEST(Laminate, IsAsThickAsItsBeadsAreMuch) {
     const auto plies = plies_of("0,90", Ply{.spacing = 2, .height = 0.25}, false);
     const auto made = laminate(flat(), plies, narrow(), 1);
     double volume = 0, area = 0;
-    for (const Laid& l : made.plies)
+    for (const PlacedPly& l : made.plies)
         for (const auto& stroke : l.plan.strokes)
-            for (const auto& piece : stroke.pieces) volume += surface::curve::length(piece.line) * 2 * 0.25;
+            for (const auto& piece : stroke.sections) volume += surface::curve::length(piece.line) * 2 * 0.25;
     for (const double a : made.map.area) area += a;
     EXPECT_NEAR(area, 480, 1e-6);
     // What hangs over the rim, and passes of a bead that are one by being near along it, are not in the map.
@@ -61,7 +61,7 @@ TEST(Laminate, LinesRunAtTheirAnglesOnBothSides) {
     for (const std::size_t k : {0U, 1U}) {
         double along = 0, all = 0; // by hand: the part of the length along 30 degrees from x, seen from above
         for (const auto& stroke : made.plies[k].plan.strokes)
-            for (const auto& piece : stroke.pieces)
+            for (const auto& piece : stroke.sections)
                 for (std::size_t i = 1; i < piece.line.size(); ++i) {
                     const Vec3 way = piece.line[i] - piece.line[i - 1];
                     const double c = std::abs(way.x * std::sqrt(0.75) + way.y * 0.5) / std::max(norm(way), 1e-12);
@@ -147,7 +147,7 @@ TEST(Laminate, LinesOfPliesThatRunAlikeAreBornApart) {
 
 // How far from each other the paths of two plies begin.
 double begins_apart(const Laminate& l) {
-    const auto at = [&](std::size_t k) { return l.plies[k].plan.strokes.front().pieces.front().line[0]; };
+    const auto at = [&](std::size_t k) { return l.plies[k].plan.strokes.front().sections.front().line[0]; };
     return distance(at(0), at(1));
 }
 
@@ -168,7 +168,7 @@ TEST(Laminate, PliesThatEndAtARimAndWithinTurnOutsideAtTheRimOnly) {
     const auto made = laminate(flat(), plies, o, 1);
     double left = 0, right = 0;
     for (const auto& stroke : made.plies[0].plan.strokes)
-        for (const auto& piece : stroke.pieces)
+        for (const auto& piece : stroke.sections)
             for (const auto& p : piece.line.places) {
                 left = std::min(left, p.point.x);
                 right = std::max(right, p.point.x);

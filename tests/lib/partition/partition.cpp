@@ -69,7 +69,7 @@ TEST(Partition, ASharpFoldIsABorderARoundOneOnlyBeyondTheBend) {
     const double length = 40 + 5 * std::numbers::pi;
     Notes notes;
     Options by_shape;
-    by_shape.pull.by = PullOptions::By::shape;
+    by_shape.pull.by = PullOptions::Basis::shape;
     EXPECT_EQ(divide(grid(40, 20, 40, 20, [](Vec2 p) { return folded(p, 0); }), by_shape, 1, notes).size(), 2U);
     const Sheet round = grid(length, 20, 56, 20, [](Vec2 p) { return folded(p, 10); });
     EXPECT_EQ(divide(round, by_shape, 1, notes).size(), 1U);
@@ -228,11 +228,11 @@ TEST(Partition, MissingStressesAreErrorsOnlyIfAskedFor) {
     const Sheet sheet = grid(10, 10, 5, 5, flat);
     Notes notes;
     Options options;
-    options.pull.by = PullOptions::By::stress;
+    options.pull.by = PullOptions::Basis::stress;
     EXPECT_THROW(divide(sheet, options, 1, notes), Error);
-    options.pull = {.by = PullOptions::By::either, .cases = {"Z"}, .field = ""};
+    options.pull = {.by = PullOptions::Basis::either, .cases = {"Z"}, .field = ""};
     EXPECT_THROW(divide(sheet, options, 1, notes), Error);
-    options.pull = {.by = PullOptions::By::either, .cases = {}, .field = "wind"};
+    options.pull = {.by = PullOptions::Basis::either, .cases = {}, .field = "wind"};
     EXPECT_THROW(divide(sheet, options, 1, notes), Error);
     options = {};
     options.mask = 0.1;

@@ -22,13 +22,13 @@ Surface connected(mesh::Mesh mesh) {
     return connect(std::move(mesh), notes);
 }
 
-double flange_area(const Flanged& f) {
+double flange_area(const FlangedSurface& f) {
     double out = 0;
     for (std::uint32_t t = f.part; t < f.surface.triangles.size(); ++t) out += area(f.surface, t);
     return out;
 }
 
-double lid_area(const Flanged& f) {
+double lid_area(const FlangedSurface& f) {
     double out = 0;
     for (const Lid& lid : f.lids) out += lid.area;
     return out;

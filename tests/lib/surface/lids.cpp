@@ -32,7 +32,7 @@ std::function<bool(geom::Vec2)> slot(double wide, double deep) {
 
 TEST(Lids, ASlotIsClosedAtItsMouth) {
     const Surface s = plate(slot(3, 12));
-    const Closed c = with_lids(s, 5, kTolerance);
+    const SurfaceWithLids c = with_lids(s, 5, kTolerance);
     ASSERT_EQ(c.lids.size(), 1U);
     EXPECT_TRUE(c.lids[0].notch);
     EXPECT_NEAR(c.lids[0].area, 36, 1e-9);
@@ -47,13 +47,14 @@ TEST(Lids, ASlotIsClosedAtItsMouth) {
 TEST(Lids, EverySlotOfACombIsClosed) {
     const Surface s =
         plate([](geom::Vec2 p) { return std::fmod(p.x + 2.5, 10) < 4 && p.x > 5 && p.x < 35 && p.y > 25; });
-    const Closed c = with_lids(s, 5, kTolerance);
+    const SurfaceWithLids c = with_lids(s, 5, kTolerance);
     EXPECT_EQ(c.lids.size(), 3U);
     EXPECT_NEAR(area(c.surface), 1600, 1e-9);
 }
 
 TEST(Lids, AHoleIsNoNotch) {
-    const Closed c = with_lids(plate([](geom::Vec2 p) { return std::hypot(p.x - 20, p.y - 20) < 4; }), 5, kTolerance);
+    const SurfaceWithLids c =
+        with_lids(plate([](geom::Vec2 p) { return std::hypot(p.x - 20, p.y - 20) < 4; }), 5, kTolerance);
     ASSERT_EQ(c.lids.size(), 1U);
     EXPECT_FALSE(c.lids[0].notch);
 }
@@ -76,7 +77,7 @@ TEST(Lids, ABayBehindANarrowMouthStaysOpen) {
 
 TEST(Lids, ASlotRoundACornerIsClosedToo) {
     const auto out = [](geom::Vec2 p) { return slot(3, 15)(p) || (p.x > 18 && p.x < 34 && p.y > 12 && p.y < 15); };
-    const Closed c = with_lids(plate(out), 5, kTolerance);
+    const SurfaceWithLids c = with_lids(plate(out), 5, kTolerance);
     ASSERT_EQ(c.lids.size(), 1U);
     EXPECT_NEAR(area(c.surface), 1600, 1e-9);
 }

@@ -34,7 +34,7 @@ TEST(Meet, APlaneOfTrianglesCutsAsAPlaneDoes) {
     const auto wall = grid(40, 40, 7, 5, [&](Vec2 p) { // x + y = 9, oblique to the grid of the wall
         return Vec3{4.5 + k * (p.x - 20.3), 4.5 - k * (p.x - 20.3), p.y - 17.1};
     });
-    const Meeting m = meet(s, wall);
+    const Intersection m = meet(s, wall);
     const auto cut = section(s, {{1, 1, 0}, 9});
     EXPECT_NEAR(length(m.segments), length(cut), 1e-6);
     EXPECT_NEAR(m.crossing, length(cut), 1e-6);
@@ -81,7 +81,7 @@ TEST(Meet, ASharedBorderCountsThoughItsTrianglesDiffer) {
     const auto flange = grid(3, 6, 37, 10, [&](Vec2 p) { // a ring in the plane z = 0, inwards and outwards
         return (2 + p.y) / 5 * round(p.x, 0);
     });
-    const Meeting m = meet(upper, flange);
+    const Intersection m = meet(upper, flange);
     double along = 0;
     for (const auto& l : m.segments) {
         EXPECT_NEAR(l.a.z, 0, 1e-9);
@@ -89,7 +89,7 @@ TEST(Meet, ASharedBorderCountsThoughItsTrianglesDiffer) {
     }
     EXPECT_NEAR(along, 15, 0.02);
     const auto other = grid(3, 6, 29, 10, [&](Vec2 p) { return (5 + p.y) / 5 * round(p.x, 0); }); // outwards only
-    const Meeting rim = meet(upper, other);
+    const Intersection rim = meet(upper, other);
     EXPECT_NEAR(rim.touching, 15, 0.02); // chords of both lie up to 0.008 mm apart
     EXPECT_EQ(rim.crossing, 0);
     expect_in_triangles(upper, rim.segments);
@@ -98,7 +98,7 @@ TEST(Meet, ASharedBorderCountsThoughItsTrianglesDiffer) {
 TEST(Meet, ARimThatOnlyPassesTheMeshDoesNotCount) {
     const Surface s = surface_of(grid(10, 10, 10, 10, [](Vec2 p) { return Vec3{p.x, p.y, 0}; }));
     const auto wall = grid(30, 10, 3, 2, [](Vec2 p) { return Vec3{4.3 + 0.2 * (p.x - 15), p.x - 10, p.y - 5}; });
-    const Meeting m = meet(s, wall);
+    const Intersection m = meet(s, wall);
     EXPECT_EQ(m.touching, 0);
     EXPECT_NEAR(m.crossing, 10 * std::sqrt(1.04), 1e-9);
 }
@@ -106,7 +106,7 @@ TEST(Meet, ARimThatOnlyPassesTheMeshDoesNotCount) {
 TEST(Meet, WhatLiesOnTheMeshIsToldByItsArea) {
     const Surface s = surface_of(grid(10, 10, 5, 5, [](Vec2 p) { return Vec3{p.x, p.y, 0}; }));
     const auto patch = grid(3, 3, 2, 2, [](Vec2 p) { return Vec3{2.7 + p.x, 3.1 + p.y, 0}; });
-    const Meeting m = meet(s, patch);
+    const Intersection m = meet(s, patch);
     EXPECT_NEAR(m.flush, 9, 1e-9);
     EXPECT_GT(length(m.segments), 12);
     for (const auto& l : m.segments)

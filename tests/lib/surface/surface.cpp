@@ -188,7 +188,7 @@ TEST(Surface, MakesAManifoldOfAnyTriangles) {
             for (const Rim& rim : s.rims) in_rims += rim.sides.size();
             EXPECT_EQ(open, in_rims);
         } catch (const Error& e) {
-            EXPECT_STREQ(e.what(), "cannot use the surface: no triangle of it has an area");
+            EXPECT_STREQ(e.what(), "cannot use the surface: none of its triangles has an area");
         }
     }
 }

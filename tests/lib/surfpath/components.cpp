@@ -2,11 +2,11 @@
 #include "surfpath/components.hpp"
 
 #include "base/error.hpp"
-#include "geodesic/choose.hpp"
+#include "geodesic/named_sources.hpp"
 #include "surfpath/fexa.hpp"
 #include "surfpath/outside.hpp"
-#include "surfpath/plan/in_turn.hpp"
 #include "surfpath/plan/least_strokes.hpp"
+#include "surfpath/plan/nearest_order.hpp"
 
 #include "../surface/grid.hpp"
 #include "../trials.hpp"
@@ -39,13 +39,13 @@ mesh::Mesh all_of(const std::vector<mesh::Mesh>& parts) {
 surface::Sheet sheet_from(const mesh::Mesh& mesh, const std::string& source) {
     Notes notes;
     surface::Sheet out{surface::connect(mesh, notes), {}, {}};
-    if (!source.empty()) out.sources = geodesic::choose(out.surface, source, notes);
+    if (!source.empty()) out.sources = geodesic::named_sources(out.surface, source, notes);
     return out;
 }
 
 std::vector<Vec3> points(const Stroke& stroke) {
     std::vector<Vec3> out;
-    for (const Piece& piece : stroke.pieces)
+    for (const Section& piece : stroke.sections)
         for (const Place& p : piece.line.places) out.push_back(p.point);
     return out;
 }
@@ -54,9 +54,9 @@ std::vector<Vec3> points(const Stroke& stroke) {
 std::vector<std::vector<Vec3>> strokes_on(const Surface& s, const Plan& plan, std::uint32_t component) {
     std::vector<std::vector<Vec3>> out;
     for (const Stroke& stroke : plan.strokes) {
-        if (s.component[stroke.pieces[0].line.places[0].triangle] != component) continue;
+        if (s.component[stroke.sections[0].line.places[0].triangle] != component) continue;
         out.push_back(points(stroke));
-        for (const Piece& piece : stroke.pieces)
+        for (const Section& piece : stroke.sections)
             for (const Place& p : piece.line.places)
                 EXPECT_LT(distance(surface::nearest_in(s, p.triangle, p.point), p.point), 1e-6);
     }
@@ -124,7 +124,7 @@ TEST(Components, BoundsAndCoverAreThoseOfTheWhole) {
     Plan laid = plan_paths(both, o);
     EXPECT_EQ(fact(laid, "cuts"), static_cast<double>(laid.strokes.size() - 1));
     finish(both.surface, laid, o);
-    tell_least_cuts(both.surface, {o.spacing, o.cut_length, true}, laid);
+    report_cuts_bound(both.surface, {o.spacing, o.cut_length, true}, laid);
     EXPECT_EQ(fact(laid, "cuts-bound"), 1);
     EXPECT_LT(fact(laid, "uncovered"), 0.1 * (20 * 14 + 12 * 12));
 }
@@ -181,16 +181,16 @@ TEST(InTurn, IsTheNearestNext) {
     std::mt19937 random(3);
     const auto place = [&] { return Vec3{1.0 * (random() % 9), 1.0 * (random() % 9), 1.0 * (random() % 9)}; };
     for (int trial = 0; trial < 200; ++trial) {
-        std::vector<Ends> ends(1 + random() % 30);
-        for (Ends& e : ends) e = {place(), place()};
-        const auto order = in_turn(ends);
+        std::vector<EndPoints> ends(1 + random() % 30);
+        for (EndPoints& e : ends) e = {place(), place()};
+        const auto order = nearest_order(ends);
         ASSERT_EQ(order.size(), ends.size());
         EXPECT_EQ(order[0].row, 0U);
         EXPECT_FALSE(order[0].reversed);
         std::vector<char> done(ends.size(), 0);
         done[0] = 1;
         for (std::size_t k = 1; k < order.size(); ++k) {
-            const Ends& last = ends[order[k - 1].row];
+            const EndPoints& last = ends[order[k - 1].row];
             const Vec3 at = order[k - 1].reversed ? last.begin : last.end;
             std::uint32_t best = 0;
             double least = 1e9;
@@ -206,7 +206,7 @@ TEST(InTurn, IsTheNearestNext) {
             done[order[k].row] = 1;
         }
     }
-    EXPECT_TRUE(in_turn({}).empty());
+    EXPECT_TRUE(nearest_order({}).empty());
 }
 
 } // namespace

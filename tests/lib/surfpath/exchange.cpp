@@ -4,7 +4,7 @@
 #include "geom/segment.hpp"
 #include "surface/curve/locate.hpp"
 #include "surface/curve/walk.hpp"
-#include "surfpath/plan/bare.hpp"
+#include "surfpath/plan/voids.hpp"
 
 #include "../surface/grid.hpp"
 #include "../trials.hpp"
@@ -68,8 +68,8 @@ double wasted(const Surface& s, const std::vector<Line>& lines) {
         l.closed = false;
         plan.strokes.push_back({{{std::move(l), false}}});
     }
-    const Cover c = cover(s, plan, 1);
-    return c.bare() + c.overlap();
+    const Coverage c = cover(s, plan, 1);
+    return c.voids() + c.overlap();
 }
 
 std::size_t whole(const std::vector<Line>& lines) {
@@ -99,7 +99,7 @@ TEST(Exchange, ALoopBesideALineBecomesPartOfIt) {
         if (reversed) surface::curve::reverse(lines[0]);
         const Vec3 first = lines[0][0], last = lines[0].places.back().point;
         const double before = wasted(s, lines);
-        const Exchanged made = exchange_loops(s, lines, std::vector<char>{0, 0}, {1, 4});
+        const ExchangeResult made = exchange_loops(s, lines, std::vector<char>{0, 0}, {1, 4});
         EXPECT_EQ(made.count, 1U);
         ASSERT_EQ(lines[1].size(), 0U);
         EXPECT_FALSE(lines[0].closed);
@@ -116,12 +116,12 @@ TEST(Exchange, TipsAreOpenedFirst) {
     const Surface s = sheet_to_join_on();
     std::vector<Line> at_line{straight(s, 10), pill(s, {20, 11.5}, 20, std::numbers::pi / 2)};
     const double before = wasted(s, at_line);
-    const Exchanged one = exchange_loops(s, at_line, std::vector<char>{0, 0}, {1, 4});
+    const ExchangeResult one = exchange_loops(s, at_line, std::vector<char>{0, 0}, {1, 4});
     EXPECT_EQ(one.count, 1U);
     EXPECT_LT(one.waste, 0.3);
     EXPECT_NEAR(wasted(s, at_line) - before, one.waste, 0.1);
     std::vector<Line> tips{pill(s, {5, 20}, 10, 0), pill(s, {17, 20}, 10, 0)};
-    const Exchanged two = exchange_loops(s, tips, std::vector<char>{0, 0}, {1, 4});
+    const ExchangeResult two = exchange_loops(s, tips, std::vector<char>{0, 0}, {1, 4});
     EXPECT_EQ(two.count, 1U);
     EXPECT_LT(two.waste, -0.3);
     EXPECT_EQ(whole(tips), 1U);
@@ -155,7 +155,7 @@ TEST(Exchange, RingsAtRandomBecomeOne) {
         double length = 0;
         for (const Line& l : lines) length += surface::curve::length(l);
         const std::size_t loops = lines.size() - 1;
-        const Exchanged made = exchange_loops(s, lines, std::vector<char>(lines.size(), 0), {1, 4});
+        const ExchangeResult made = exchange_loops(s, lines, std::vector<char>(lines.size(), 0), {1, 4});
         EXPECT_EQ(made.count, loops);
         EXPECT_EQ(whole(lines), 1U);
         EXPECT_EQ(crossings(lines), 0U);

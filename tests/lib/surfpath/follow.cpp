@@ -89,7 +89,7 @@ TEST(Follow, AStripAsWideAsALineOrLessIsOneLine) {
         const Plan p = plan_paths(sheet, field(0));
         ASSERT_EQ(p.strokes.size(), 1U) << width;
         double length = 0;
-        for (const Piece& piece : p.strokes[0].pieces) length += surface::curve::length(piece.line);
+        for (const Section& piece : p.strokes[0].sections) length += surface::curve::length(piece.line);
         EXPECT_GT(covered(sheet.surface, p), width > 1 ? 0.89 : 0.97) << width; // there is no room to turn
         EXPECT_GT(length, width > 1 ? 105 : 58) << width;
         EXPECT_LT(length, width > 1 ? 120 : 60) << width;
@@ -102,7 +102,7 @@ TEST(Follow, LinesAloneCoverAllAndNothingTwice) {
     o.turns = RowTurns::none;
     const Plan p = plan_paths(sheet, o);
     double length = 0;
-    for (const Stroke& s : p.strokes) length += surface::curve::length(s.pieces.at(0).line);
+    for (const Stroke& s : p.strokes) length += surface::curve::length(s.sections.at(0).line);
     EXPECT_NEAR(length, 600, 12);
     EXPECT_GT(covered(sheet.surface, p), 0.985);
 }
@@ -145,7 +145,7 @@ TEST(Follow, RoundATubeIsOneHelix) {
     ASSERT_EQ(p.strokes.size(), 1U);
     EXPECT_GT(covered(sheet.surface, p), 0.97);
     double length = 0;
-    for (const Piece& piece : p.strokes[0].pieces) length += surface::curve::length(piece.line);
+    for (const Section& piece : p.strokes[0].sections) length += surface::curve::length(piece.line);
     EXPECT_NEAR(length, 30 * 2 * std::numbers::pi * 10, 80);
 }
 
@@ -157,9 +157,9 @@ TEST(Follow, TheOrderOfTrianglesDoesNotMatter) {
     std::rotate(mesh.triangles.begin(), mesh.triangles.begin() + 1000, mesh.triangles.end());
     const Plan other = plan_paths(sheet_of(mesh), field(0.5));
     ASSERT_EQ(one.strokes.size(), other.strokes.size());
-    ASSERT_EQ(one.strokes[0].pieces.size(), other.strokes[0].pieces.size());
-    for (std::size_t i = 0; i < one.strokes[0].pieces.size(); ++i)
-        EXPECT_EQ(one.strokes[0].pieces[i].line[0], other.strokes[0].pieces[i].line[0]);
+    ASSERT_EQ(one.strokes[0].sections.size(), other.strokes[0].sections.size());
+    for (std::size_t i = 0; i < one.strokes[0].sections.size(); ++i)
+        EXPECT_EQ(one.strokes[0].sections[i].line[0], other.strokes[0].sections[i].line[0]);
 }
 
 // Between a hole of radius 4 and a circle of radius 14; the hole lies `aside` mm off the middle.
@@ -185,7 +185,7 @@ TEST(Hybrid, RingsAloneAreOneSpiralThatGoesOverAtASeam) {
     ASSERT_EQ(p.strokes.size(), 1U);
     EXPECT_GT(covered(sheet.surface, p), 0.985);
     double length = 0;
-    for (const Piece& piece : p.strokes[0].pieces) length += surface::curve::length(piece.line);
+    for (const Section& piece : p.strokes[0].sections) length += surface::curve::length(piece.line);
     EXPECT_NEAR(length, std::numbers::pi * (14 * 14 - 4 * 4), 25);
 }
 
@@ -206,7 +206,7 @@ TEST(Hybrid, RingsOfASmallDiscAreJoined) {
 TEST(Rows, ThatAreNotWorthTheirWayAreLeftOut) {
     const auto sheet = sheet_of(surface::grid(40, 40, 40, 40, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; }));
     const Surface& s = sheet.surface;
-    std::vector<Raw> lines;
+    std::vector<UnclippedLine> lines;
     const auto add = [&](const Vec3& from, const Vec3& to) {
         Line line;
         for (const Vec3& p : {from, to}) {
@@ -219,7 +219,7 @@ TEST(Rows, ThatAreNotWorthTheirWayAreLeftOut) {
     add({0, 38, 0}, {2, 40, 0});
     const Rows found = rows(s, lines, {0.5, 0.5, 0.5, 0.1});
     ASSERT_EQ(found.rows.size(), 9U);
-    Turning turns = turning(1, 2.4);
+    TurnOptions turns = turn_options(1, 2.4);
     turns.tight = true;
     const Plan p = boustrophedon(s, found, turns);
     EXPECT_EQ(p.strokes.size(), 1U);
@@ -264,7 +264,8 @@ TEST(Rows, ALoopBesideAHoleStaysClosed) {
             const auto at = surface::nearest(s, Vec3{4.3 * std::cos(a) + off, (4.3 + off) * std::sin(a), 0});
             loop.places.push_back({at.triangle, at.a});
         }
-        const Rows found = rows(s, std::vector{Raw{surface::curve::threaded(s, loop), 0}}, {0.5, 0.5, 2.4, 0.1});
+        const Rows found =
+            rows(s, std::vector{UnclippedLine{surface::curve::threaded(s, loop), 0}}, {0.5, 0.5, 2.4, 0.1});
         if (off > 0.5) { // it leaves the surface: no ring leads past that
             for (const Row& row : found.rows) EXPECT_FALSE(row.line.closed);
             continue;

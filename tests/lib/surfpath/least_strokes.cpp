@@ -64,7 +64,7 @@ TEST(LeastStrokes, AreNoMoreThanHybridTakesAndOneLessAtLeast) {
             const surface::Sheet sheet{of(comb(tooth, 1)), {}, {}};
             const Options o{.algorithm = Algorithm::hybrid, .least_radius = radius};
             Plan p = plan_paths(sheet, o);
-            tell_least_cuts(sheet.surface, {o.spacing, o.cut_length}, p);
+            report_cuts_bound(sheet.surface, {o.spacing, o.cut_length}, p);
             EXPECT_EQ(fact(p, "cuts-bound"), tooth > 50 ? 2 : 0);
             const auto cuts = static_cast<double>(p.strokes.size()) - 1;
             EXPECT_GE(cuts, fact(p, "cuts-bound")) << tooth;

@@ -54,7 +54,7 @@ surface::Sheet sector() {
     return out;
 }
 
-const Line& line(const Stroke& s) { return s.pieces.at(0).line; }
+const Line& line(const Stroke& s) { return s.sections.at(0).line; }
 
 TEST(Ortheo, OnARectangleLinesAreStraightAndGoThroughTheSeed) {
     const auto sheet = seeded(grid(20, 30,

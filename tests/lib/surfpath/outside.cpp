@@ -44,7 +44,7 @@ Plan planned(const surface::Sheet& sheet, Options o, double depth) {
     Plan out = plan_paths(f.sheet, o);
     thread(f.sheet.surface, out);
     finish(f.sheet.surface, out, o);
-    tell_trims(f, depth, out);
+    report_trims(f, depth, out);
     return out;
 }
 
@@ -122,7 +122,7 @@ TEST(Outside, RowsStayStraightWhereRimsComeNearer) {
     EXPECT_EQ(fact(on, "hairpins"), 0);
     EXPECT_LT(fact(on, "uncovered"), 1);
     for (const Stroke& stroke : on.strokes)
-        for (const Piece& piece : stroke.pieces)
+        for (const Section& piece : stroke.sections)
             for (const Place& p : piece.line.places)
                 if (std::abs(p.point.x) < 9) {
                     EXPECT_NEAR(std::abs(p.point.y) - std::floor(std::abs(p.point.y)), 0.5, 1e-6) << p.point.x;

@@ -26,7 +26,7 @@ inline double fact(const Plan& plan, const std::string& name) {
 inline double covered(const Surface& s, const Plan& plan, double reach = 0.501) {
     std::vector<std::pair<Vec3, Vec3>> path;
     for (const Stroke& stroke : plan.strokes)
-        for (const Piece& piece : stroke.pieces)
+        for (const Section& piece : stroke.sections)
             for (std::size_t i = 1; i < piece.line.size(); ++i) path.emplace_back(piece.line[i - 1], piece.line[i]);
     std::vector<std::vector<std::size_t>> grid(160 * 160);
     const auto cell = [](const Vec3& p, int dx, int dy) {

@@ -35,32 +35,32 @@ Surface cells_of(double a, double b, const Within& within, double cell = 0.5) {
 }
 bool anywhere(Vec2) { return true; }
 
-TEST(Reach, OfASquareLeavesItsCorners) {
+TEST(RingBound, OfASquareLeavesItsCorners) {
     for (const double radius : {1.0, 2.4, 5.0}) {
-        const Reach r = reach(cells_of(30, 30, anywhere), 1, radius);
+        const RingBound r = ring_bound(cells_of(30, 30, anywhere), 1, radius);
         const double out = radius + 0.5;
         EXPECT_NEAR(r.surface, 900, 1e-6);
         EXPECT_NEAR(r.surface - r.reached, (4 - pi) * out * out, 0.3) << radius;
     }
-    EXPECT_EQ(reach(cells_of(30, 30, anywhere), 1, 0).share(), 1);
+    EXPECT_EQ(ring_bound(cells_of(30, 30, anywhere), 1, 0).share(), 1);
 }
 
-TEST(Reach, OfStripsIsNothingButRoundAHoleItIsAll) {
-    EXPECT_EQ(reach(cells_of(60, 5, anywhere), 1, 2.4).reached, 0);
-    EXPECT_GT(reach(cells_of(60, 7, anywhere), 1, 2.4).share(), 0.95);
+TEST(RingBound, OfStripsIsNothingButRoundAHoleItIsAll) {
+    EXPECT_EQ(ring_bound(cells_of(60, 5, anywhere), 1, 2.4).reached, 0);
+    EXPECT_GT(ring_bound(cells_of(60, 7, anywhere), 1, 2.4).share(), 0.95);
     // A closed way 5 mm wide: its outer corners cannot be turned as tightly, but it hangs together round a hole.
     const auto round = [](Vec2 p) { return norm(p - Vec2{20, 20}) > 12 && norm(p - Vec2{20, 20}) < 17; };
-    EXPECT_GT(reach(cells_of(40, 40, round), 1, 2.4).share(), 0.99);
+    EXPECT_GT(ring_bound(cells_of(40, 40, round), 1, 2.4).share(), 0.99);
 }
 
 // A way between two rooms may be narrower than a disc; one that ends may not.
-TEST(Reach, NarrowWaysThatLeadOnAreOpen) {
+TEST(RingBound, NarrowWaysThatLeadOnAreOpen) {
     const auto door = [](Vec2 p) { return std::abs(p.x - 20) > 5 || std::abs(p.y - 8) < 1.5; };
     const auto pocket = [](Vec2 p) { return p.x < 15 || (p.x < 25 && std::abs(p.y - 8) < 1.5); };
     const double out = (4 - pi) * 2.9 * 2.9;
-    EXPECT_NEAR(reach(cells_of(40, 16, door), 1, 2.4).surface - reach(cells_of(40, 16, door), 1, 2.4).reached, 2 * out,
-                1);
-    const Reach r = reach(cells_of(40, 16, pocket), 1, 2.4);
+    EXPECT_NEAR(ring_bound(cells_of(40, 16, door), 1, 2.4).surface - ring_bound(cells_of(40, 16, door), 1, 2.4).reached,
+                2 * out, 1);
+    const RingBound r = ring_bound(cells_of(40, 16, pocket), 1, 2.4);
     EXPECT_GE(r.dead, 1U);
     EXPECT_LE(r.dead, 7U);
     EXPECT_GT(r.largest, 20);
@@ -68,10 +68,10 @@ TEST(Reach, NarrowWaysThatLeadOnAreOpen) {
     EXPECT_GT(r.surface - r.reached, out + 20);
 }
 
-TEST(Reach, TellsWhatIsBeyond) {
+TEST(RingBound, TellsWhatIsBeyond) {
     const auto comb = [](Vec2 p) { return p.y < 8 || std::fmod(p.x, 5) < 2; };
     Plan plan;
-    tell_reach(reach(cells_of(40, 30, comb), 1, 2.4), plan);
+    report_ring_bound(ring_bound(cells_of(40, 30, comb), 1, 2.4), plan);
     EXPECT_LT(fact(plan, "rings-bound"), 0.6);
     ASSERT_EQ(plan.notes.size(), 1U);
     EXPECT_EQ(plan.notes[0].code, NoteCode::area_out_of_rings);
@@ -79,9 +79,9 @@ TEST(Reach, TellsWhatIsBeyond) {
     EXPECT_GT(plan.notes[0].y, 5); // beside a tooth or in it
 }
 
-TEST(Reach, TellsOneCaseWithoutAPlaceWhereAllIsBeyond) {
+TEST(RingBound, TellsOneCaseWithoutAPlaceWhereAllIsBeyond) {
     Plan plan;
-    tell_reach(reach(cells_of(40, 30, [](Vec2) { return true; }), 90, 2.4), plan);
+    report_ring_bound(ring_bound(cells_of(40, 30, [](Vec2) { return true; }), 90, 2.4), plan);
     ASSERT_EQ(plan.notes.size(), 1U);
     EXPECT_EQ(plan.notes[0].count, 1U);
     EXPECT_NEAR(plan.notes[0].amount, 1200, 1e-6);
@@ -140,14 +140,14 @@ Plan gentle_rings(const Surface& s, double spacing, double radius) {
 
 constexpr double kSamplers = 0.006; // share: what five places a triangle may be off, with as many triangles
 
-TEST(Reach, NoGentleRingCoversMoreAndItIsNotFarOff) {
+TEST(RingBound, NoGentleRingCoversMoreAndItIsNotFarOff) {
     std::mt19937 random(5);
     double bare = 0, left = 0;
     for (int trial = 0; trial < trials(12); ++trial) {
         const Surface s = random_face(random);
         const double radius = 1 + 2.5 * static_cast<double>(random()) / 4294967296.0;
         const Plan rings = gentle_rings(s, 1, radius);
-        const double share = covered(s, rings), most = reach(s, 1, radius).share();
+        const double share = covered(s, rings), most = ring_bound(s, 1, radius).share();
         EXPECT_LE(share, most + kSamplers) << trial << ' ' << radius;
         bare += 1 - most;
         left += 1 - share;
@@ -158,7 +158,7 @@ TEST(Reach, NoGentleRingCoversMoreAndItIsNotFarOff) {
     EXPECT_GT(bare, 0.02 * trials(12));
 }
 
-TEST(Reach, NoPathOfRingsCoversMoreAtTheRadiusThatItKeeps) {
+TEST(RingBound, NoPathOfRingsCoversMoreAtTheRadiusThatItKeeps) {
     FILUM_NOT_SANITIZED();
     std::mt19937 random(23);
     int laid = 0;
@@ -175,7 +175,7 @@ TEST(Reach, NoPathOfRingsCoversMoreAtTheRadiusThatItKeeps) {
         }
         finish(s, p, o);
         const double kept = std::min(o.least_radius, fact(p, "least-radius"));
-        EXPECT_LE(covered(s, p), reach(s, 1, kept).share() + kSamplers) << trial;
+        EXPECT_LE(covered(s, p), ring_bound(s, 1, kept).share() + kSamplers) << trial;
         ++laid;
     }
     EXPECT_GE(laid, 5);

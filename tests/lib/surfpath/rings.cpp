@@ -50,7 +50,7 @@ Lift disc(double r, const std::function<double(double)>& height) {
 
 Line whole(const Stroke& stroke) {
     Line out;
-    for (const Piece& piece : stroke.pieces) surface::curve::append(out, piece.line);
+    for (const Section& piece : stroke.sections) surface::curve::append(out, piece.line);
     return out;
 }
 
@@ -59,7 +59,7 @@ double tight(const Surface& s, const Plan& plan) {
     double out = 0, all = 0;
     for (const Stroke& stroke : plan.strokes) {
         all += surface::curve::length(whole(stroke));
-        for (const Piece& piece : stroke.pieces) {
+        for (const Section& piece : stroke.sections) {
             if (piece.hairpin || surface::curve::length(piece.line) < 1) continue;
             const Line line = surface::curve::resampled(piece.line, 0.5);
             for (std::size_t i = 1; i + 1 < line.size(); ++i) {
@@ -90,9 +90,9 @@ Plan finished(const surface::Sheet& sheet, Algorithm algorithm) {
 
 void check(const surface::Sheet& sheet, const Plan& plan, double least) {
     ASSERT_EQ(plan.strokes.size(), 1U);
-    const auto& pieces = plan.strokes[0].pieces;
-    for (std::size_t i = 1; i < pieces.size(); ++i)
-        EXPECT_LT(distance(pieces[i - 1].line.places.back().point, pieces[i].line[0]), 1e-6);
+    const auto& sections = plan.strokes[0].sections;
+    for (std::size_t i = 1; i < sections.size(); ++i)
+        EXPECT_LT(distance(sections[i - 1].line.places.back().point, sections[i].line[0]), 1e-6);
     const Line line = whole(plan.strokes[0]);
     for (const Place& p : line.places) {
         ASSERT_LT(p.triangle, sheet.surface.triangles.size());
@@ -194,7 +194,7 @@ TEST(GeoContour, RingsThroughVerticesAreWhole) {
     const Plan p = plan_paths(s, {.algorithm = Algorithm::geo_contour, .spacing = 1.6});
     ASSERT_EQ(p.strokes.size(), 1);
     double length = 0;
-    for (const Piece& piece : p.strokes[0].pieces) length += surface::curve::length(piece.line);
+    for (const Section& piece : p.strokes[0].sections) length += surface::curve::length(piece.line);
     EXPECT_NEAR(1.6 * length, 32 * 24, 0.1 * 32 * 24);
 }
 
@@ -212,7 +212,7 @@ TEST(RingTree, FindsTheNearestPointOfAllRings) {
     const RingTree tree(rings);
     for (double x = -4; x < 26; x += 1.3)
         for (double y = -5; y < 5; y += 0.7) {
-            const On on = tree.nearest({x, y, 0});
+            const RingPosition on = tree.nearest({x, y, 0});
             double least = 1e300;
             for (const Ring& ring : rings)
                 for (const Place& p : ring.line.places) least = std::min(least, distance(p.point, {x, y, 0}));

@@ -1,6 +1,6 @@
 // Paths of rows on surfaces whose answers are known: one stroke, nothing tight, everything covered.
 #include "base/error.hpp"
-#include "geodesic/choose.hpp"
+#include "geodesic/named_sources.hpp"
 #include "geodesic/query.hpp"
 #include "surfpath/fexa.hpp"
 #include "surfpath/fina.hpp"
@@ -32,7 +32,7 @@ surface::Sheet seeded(
     Notes notes;
     auto mesh = surface::pierced_grid(a, b, static_cast<int>(a), static_cast<int>(b), lift, hole);
     surface::Sheet out{surface::connect(std::move(mesh), notes), {}, {}};
-    out.sources = geodesic::choose(out.surface, source, notes);
+    out.sources = geodesic::named_sources(out.surface, source, notes);
     return out;
 }
 
@@ -42,7 +42,7 @@ Vec3 flat(Vec2 p) { return {p.x, p.y, 0}; }
 double least_radius(const Surface& s, const Stroke& stroke) {
     const auto normals = surface::curve::vertex_normals(s);
     double most = 0;
-    for (const Piece& piece : stroke.pieces) {
+    for (const Section& piece : stroke.sections) {
         if (piece.hairpin || surface::curve::length(piece.line) < 1) continue;
         const Line l = surface::curve::resampled(piece.line, 0.25);
         for (std::size_t i = 1; i + 1 < l.size(); ++i) {
@@ -57,7 +57,7 @@ double least_radius(const Surface& s, const Stroke& stroke) {
 void expect_sound(const Surface& s, const Plan& plan) {
     for (const Stroke& stroke : plan.strokes) {
         const Vec3* last = nullptr;
-        for (const Piece& piece : stroke.pieces) {
+        for (const Section& piece : stroke.sections) {
             ASSERT_GE(piece.line.size(), 2U);
             if (last) {
                 EXPECT_LT(distance(*last, piece.line[0]), 1e-6);
@@ -82,7 +82,7 @@ void expect_inside(const Surface& s, const Plan& plan) {
     const auto field = geodesic::exact(s, rims);
     double least = 1;
     for (const Stroke& stroke : plan.strokes)
-        for (const Piece& piece : stroke.pieces)
+        for (const Section& piece : stroke.sections)
             for (const auto& p : piece.line.places)
                 least = std::min(least, geodesic::distance_at(s, field, p.triangle, p.point));
     EXPECT_GT(least, 0.39);
@@ -114,7 +114,7 @@ TEST(Fina, RowsAreStraightBehindAHole) {
     const auto s = seeded(50, 40, "plane:0,1,0,0", flat, [](Vec2 p) { return distance(p, {25, 20}) < 4; });
     const Plan plan = fina(s, {.algorithm = Algorithm::fina});
     for (const Stroke& stroke : plan.strokes)
-        for (const Piece& piece : stroke.pieces)
+        for (const Section& piece : stroke.sections)
             for (const auto& p : piece.line.places)
                 if (std::abs(p.point.x - 25) < 8 && p.point.y > 26 && p.point.y < 39) {
                     EXPECT_NEAR(p.point.y - std::floor(p.point.y), 0.5, 1e-3);
@@ -156,12 +156,12 @@ TEST(Fina, ClosedRowsBecomeAHelix) {
         }
     Notes notes;
     surface::Sheet s{surface::connect(std::move(mesh), notes), {}, {}};
-    s.sources = geodesic::choose(s.surface, "plane:0,0,1,8", notes);
+    s.sources = geodesic::named_sources(s.surface, "plane:0,0,1,8", notes);
     const Plan plan = fina(s, {.algorithm = Algorithm::fina});
     ASSERT_EQ(plan.strokes.size(), 1U);
-    ASSERT_EQ(plan.strokes[0].pieces.size(), 1U);
+    ASSERT_EQ(plan.strokes[0].sections.size(), 1U);
     expect_sound(s.surface, plan);
-    const Line& l = plan.strokes[0].pieces[0].line;
+    const Line& l = plan.strokes[0].sections[0].line;
     EXPECT_NEAR(surface::curve::length(l), 20 * 60 * 2 * 10 * std::sin(pi / 60),
                 40); // area by spacing, but for its ends
     double turned = 0;
@@ -176,9 +176,10 @@ TEST(Fina, IsTheSameEveryTime) {
     const Plan a = fina(s, {.algorithm = Algorithm::fina}), b = fina(s, {.algorithm = Algorithm::fina});
     ASSERT_EQ(a.strokes.size(), b.strokes.size());
     for (std::size_t i = 0; i < a.strokes.size(); ++i) {
-        ASSERT_EQ(a.strokes[i].pieces.size(), b.strokes[i].pieces.size());
-        for (std::size_t k = 0; k < a.strokes[i].pieces.size(); ++k)
-            EXPECT_EQ(a.strokes[i].pieces[k].line.places.back().point, b.strokes[i].pieces[k].line.places.back().point);
+        ASSERT_EQ(a.strokes[i].sections.size(), b.strokes[i].sections.size());
+        for (std::size_t k = 0; k < a.strokes[i].sections.size(); ++k)
+            EXPECT_EQ(a.strokes[i].sections[k].line.places.back().point,
+                      b.strokes[i].sections[k].line.places.back().point);
     }
 }
 
@@ -211,7 +212,7 @@ TEST(Fexa, RowsLieAsFarApartOnASlope) {
     EXPECT_EQ(fact(plan, "rows"), 40);
     expect_sound(s.surface, plan);
     EXPECT_GT(covered(s.surface, plan), 0.96);
-    for (const Piece& piece : plan.strokes[0].pieces)
+    for (const Section& piece : plan.strokes[0].sections)
         for (const auto& p : piece.line.places)
             if (std::abs(p.point.y - 20) < 10) {
                 const double row = 2 * p.point.x; // along the slope

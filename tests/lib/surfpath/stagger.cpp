@@ -2,7 +2,7 @@
 #include "surfpath/plan/stagger.hpp"
 
 #include "surface/curve/walk.hpp"
-#include "surfpath/plan/bare.hpp"
+#include "surfpath/plan/voids.hpp"
 #include "surfpath/rows/boustrophedon.hpp"
 
 #include "../surface/grid.hpp"
@@ -48,19 +48,19 @@ Stroke stroke_across(const Surface& s, double y, double from, double to) {
 TEST(Stagger, WhatOnlyOneWayCoversCountsTwiceAgainstItsLength) {
     const Surface s = sheet_of(20, 10);
     // The first way is 10 mm longer: 10 mm2 more, and it covers 10 mm2 that the second one does not.
-    const std::vector<Depths> turn{{stroke_across(s, 5.3, 2.3, 17.3), stroke_across(s, 5.3, 2.3, 7.3)}};
+    const std::vector<TurnVariants> turn{{stroke_across(s, 5.3, 2.3, 17.3), stroke_across(s, 5.3, 2.3, 7.3)}};
     EXPECT_EQ(staggered(s, {}, turn, 1), std::vector<std::uint32_t>{0});
     Plan below; // covers all of that
     below.strokes = {stroke_across(s, 5.3, 1.2, 18.7)};
     EXPECT_EQ(staggered(s, below, turn, 1), std::vector<std::uint32_t>{1});
     // Two turns that could both cover it: one does.
-    EXPECT_EQ(staggered(s, {}, std::vector<Depths>{turn[0], turn[0]}, 1), (std::vector<std::uint32_t>{1, 0}));
+    EXPECT_EQ(staggered(s, {}, std::vector<TurnVariants>{turn[0], turn[0]}, 1), (std::vector<std::uint32_t>{1, 0}));
     EXPECT_TRUE(staggered(s, below, {}, 1).empty());
 }
 
 // Lines along x, `spacing` apart, from rim to rim.
-std::vector<Raw> rim_to_rim(const Surface& s, double a, double b, double spacing, Bending lift) {
-    std::vector<Raw> out;
+std::vector<UnclippedLine> rim_to_rim(const Surface& s, double a, double b, double spacing, Bending lift) {
+    std::vector<UnclippedLine> out;
     for (double y = spacing / 2; y < b - 0.4 * spacing; y += spacing) {
         Line line;
         for (int i = 0; i <= 24; ++i) {
@@ -94,15 +94,15 @@ TEST(Stagger, TurnsBehindEachOtherLayLessTwiceThanAllAtTheRim) {
         const double a = std::floor(between(14, 18)), b = std::floor(between(14, 18)), spacing = between(0.8, 1.2);
         const double radius = between(1.6, 2.8);
         const Surface s = sheet_of(a, b, lift);
-        Turning turns = turning(spacing, radius);
+        TurnOptions turns = turn_options(spacing, radius);
         const Rows all = rows(s, rim_to_rim(s, a, b, spacing, lift), {spacing / 2, 2 * radius, radius, spacing / 4});
         const Plan plan = boustrophedon(s, all, turns);
         turns.staggered = false;
         const Plan at_rim = boustrophedon(s, all, turns);
         ASSERT_EQ(plan.strokes.size(), at_rim.strokes.size());
-        const Cover c = cover(s, plan, spacing), d = cover(s, at_rim, spacing);
+        const Coverage c = cover(s, plan, spacing), d = cover(s, at_rim, spacing);
         EXPECT_LE(c.overlap(), d.overlap()) << spacing << ' ' << radius;
-        EXPECT_LT(c.bare() + c.overlap(), d.bare() + d.overlap()) << spacing << ' ' << radius;
+        EXPECT_LT(c.voids() + c.overlap(), d.voids() + d.overlap()) << spacing << ' ' << radius;
         staggered += c.overlap();
         piled += d.overlap();
     }
@@ -121,10 +121,10 @@ TEST(Stagger, TurnsWasteLittleMoreThanTheBestKnownOnes) {
     for (const auto& [lift, best] : {Rim{unbent, 1.61}, Rim{sheared, 2.79}}) {
         const Surface s = sheet_of(24, kEnds / 2, lift);
         const Rows all = rows(s, rim_to_rim(s, 24, kEnds / 2, 1, lift), {0.5, 4.8, 2.4, 0.25});
-        const Plan plan = boustrophedon(s, all, turning(1, 2.4));
+        const Plan plan = boustrophedon(s, all, turn_options(1, 2.4));
         ASSERT_EQ(plan.strokes.size(), 1u);
-        const Cover c = cover(s, plan, 1);
-        const double wasted = (c.bare() + c.overlap() - 4 * kCorner) / kEnds;
+        const Coverage c = cover(s, plan, 1);
+        const double wasted = (c.voids() + c.overlap() - 4 * kCorner) / kEnds;
         EXPECT_LT(wasted, 1.05 * best);
     }
 }

@@ -38,7 +38,7 @@ TEST(Transit, AWayAlongTheRimPastBothEndsOfARowDoesNotTakeTheRow) {
     Rows rows;
     rows.inset = round_rim();
     rows.rows = {across(1, 1.3), across(0.5, 3), across(1.8, 4)};
-    const auto way = Transits(rows).way(2, 4); // from 0.5 to 1.8, past 1 and 1.3
+    const auto way = Transits(rows).shortest(2, 4); // from 0.5 to 1.8, past 1 and 1.3
     ASSERT_TRUE(way.has_value());
     EXPECT_NEAR(way->length, 1.3 * kRadius, 0.01);
     double laid = 0;
@@ -50,7 +50,7 @@ TEST(Transit, ARowThatIsShorterThanTheRimIsTaken) {
     Rows rows;
     rows.inset = round_rim();
     rows.rows = {across(0.2, 3), across(0.1, 6), across(3.1, 4.5)};
-    const auto way = Transits(rows).way(2, 4); // from 0.1 to 3.1, half round
+    const auto way = Transits(rows).shortest(2, 4); // from 0.1 to 3.1, half round
     ASSERT_TRUE(way.has_value());
     EXPECT_NEAR(way->length, (2 + 0.2) * kRadius, 0.01);
     double laid = 0;

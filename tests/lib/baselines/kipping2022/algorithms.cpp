@@ -33,7 +33,7 @@ std::string refused(const surface::Sheet& sheet, const Options& o, Exit exit) {
 std::size_t crossings(const surfpath::plan::Plan& plan) {
     std::vector<std::pair<Vec2, Vec2>> all;
     for (const auto& stroke : plan.strokes)
-        for (const auto& piece : stroke.pieces)
+        for (const auto& piece : stroke.sections)
             for (std::size_t i = 1; i < piece.line.size(); ++i)
                 all.emplace_back(piece.line[i - 1].xy(), piece.line[i].xy());
     std::size_t out = 0;
@@ -52,7 +52,7 @@ TEST(Fina, RowsOfARectangleAreOnePathWithAGapOf2DAtTheSeed) {
     ASSERT_EQ(out.strokes.size(), 1U);
     EXPECT_EQ(fact(out, "pieces"), 20);
     EXPECT_NEAR(length(out), 20 * 10 + 2 * 9 * 1 + 2, 0.01);
-    for (const auto& p : out.strokes[0].pieces[0].line.places) {
+    for (const auto& p : out.strokes[0].sections[0].line.places) {
         const double away = std::abs(p.point.x - 10.5);
         if (p.point.y > 0.01 && p.point.y < 9.99) {
             EXPECT_NEAR(away, std::round(away), 1e-6);
@@ -155,7 +155,7 @@ TEST(GeoFiso, IsOnePathThatCrossesNowhere) {
 TEST(GeoFiso, LeavesTheVoidAtTheMaximumThatThePaperTellsOf) {
     const auto out = plan(measured(rectangle(30, 13.8), "boundary"), options(Algorithm::geo_fiso));
     double nearest = 1e9; // to the medial axis at y = 6.9, where the last ring is 0.9 away
-    for (const auto& p : out.strokes[0].pieces[0].line.places)
+    for (const auto& p : out.strokes[0].sections[0].line.places)
         if (p.point.x > 10 && p.point.x < 20) nearest = std::min(nearest, std::abs(p.point.y - 6.9));
     EXPECT_GT(nearest, 0.8);
 }
@@ -167,7 +167,7 @@ TEST(GeoContour, WindsIntoTheMaximum) {
     EXPECT_EQ(fact(out, "rerouting-contours"), 0);
     ASSERT_EQ(out.strokes.size(), 1U);
     EXPECT_EQ(crossings(out), 0U);
-    const auto& places = out.strokes[0].pieces[0].line.places;
+    const auto& places = out.strokes[0].sections[0].line.places;
     const Vec3 first = places.front().point;
     EXPECT_NEAR(std::min({first.x, 30 - first.x, first.y, 13.8 - first.y}), 1, 1e-6);
     EXPECT_NEAR(places.back().point.y, 6.9, 0.2); // vertices within 0.1 d of the greatest distance
@@ -216,7 +216,7 @@ TEST(Smoothing, TakesThePathOffCurvedSurfaces) {
     const auto farthest = [&](const Options& o) {
         double out = 0;
         for (const auto& stroke : plan(sheet, o).strokes)
-            for (const auto& p : stroke.pieces[0].line.places)
+            for (const auto& p : stroke.sections[0].line.places)
                 out = std::max(out, distance(p.point, surface::nearest_in(sheet.surface, p.triangle, p.point)));
         return out;
     };

@@ -59,7 +59,7 @@ TEST(Resampled, IsEvenAlongTheWay) {
 TEST(Seed, ChainsSegmentsAndTellsTheirPlane) {
     const Surface s = rectangle(20, 10);
     Notes notes;
-    auto sources = geodesic::choose(s, "plane:1,0.5,0,9", notes);
+    auto sources = geodesic::named_sources(s, "plane:1,0.5,0,9", notes);
     std::mt19937 random(1);
     for (std::size_t i = sources.segments.size(); i > 1; --i)
         std::swap(sources.segments[i - 1], sources.segments[random() % i]);
@@ -70,11 +70,11 @@ TEST(Seed, ChainsSegmentsAndTellsTheirPlane) {
     const auto plane = plane_of(s, sources);
     ASSERT_TRUE(plane);
     EXPECT_NEAR(std::abs(dot(plane->normal, Vec3{1, 0.5, 0})), std::hypot(1, 0.5), 1e-9);
-    const auto rims = seed_lines(geodesic::choose(holed(10, 4), "boundary", notes));
+    const auto rims = seed_lines(geodesic::named_sources(holed(10, 4), "boundary", notes));
     ASSERT_EQ(rims.size(), 2U);
     EXPECT_TRUE(rims[0].closed && rims[1].closed);
-    EXPECT_FALSE(plane_of(s, geodesic::choose(s, "vertex:0", notes)));
-    EXPECT_FALSE(plane_of(zone(10, 0.3, 1), geodesic::choose(zone(10, 0.3, 1), "boundary", notes)));
+    EXPECT_FALSE(plane_of(s, geodesic::named_sources(s, "vertex:0", notes)));
+    EXPECT_FALSE(plane_of(zone(10, 0.3, 1), geodesic::named_sources(zone(10, 0.3, 1), "boundary", notes)));
 }
 
 } // namespace

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "baselines/kipping2022/kipping2022.hpp"
-#include "geodesic/choose.hpp"
 #include "geodesic/measure.hpp"
+#include "geodesic/named_sources.hpp"
 
 #include <functional>
 #include <numbers>
@@ -63,14 +63,14 @@ inline Surface zone(double r, double from, double to) {
 inline surface::Sheet measured(Surface s, const char* source) {
     Notes notes;
     surface::Sheet sheet{std::move(s), {}, {}, {}};
-    const auto sources = geodesic::choose(sheet.surface, source, notes);
+    const auto sources = geodesic::named_sources(sheet.surface, source, notes);
     geodesic::measure(sheet, sources, {}, notes);
     return sheet;
 }
 
 inline double length(const surfpath::plan::Stroke& stroke) {
     double out = 0;
-    for (const auto& piece : stroke.pieces) out += surface::curve::length(piece.line);
+    for (const auto& piece : stroke.sections) out += surface::curve::length(piece.line);
     return out;
 }
 inline double length(const surfpath::plan::Plan& plan) {

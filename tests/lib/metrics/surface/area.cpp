@@ -179,14 +179,14 @@ TEST(Area, OnBumpsAgainstPlaces) {
 
 TEST(Finer, IsTheSameSurface) {
     const auto bumpy = surfaces::bumpy_sphere(2, 0.1, 3);
-    const filum::surface::Finer f = finer(bumpy, 0.07);
+    const filum::surface::FinerSurface f = finer(bumpy, 0.07);
     EXPECT_GT(f.surface.triangles.size(), 10 * bumpy.triangles.size());
     EXPECT_NEAR(filum::surface::area(f.surface), filum::surface::area(bumpy), 1e-12 * 1e4);
     EXPECT_TRUE(f.surface.rims.empty());
     for (std::uint32_t h = 0; h < f.surface.twin.size(); ++h)
         EXPECT_LE(distance(f.surface.vertices[f.surface.tail(h)], f.surface.vertices[f.surface.head(h)]), 0.07);
     const Surface open = plate(5, 5);
-    const filum::surface::Finer g = finer(open, 0.2);
+    const filum::surface::FinerSurface g = finer(open, 0.2);
     ASSERT_EQ(g.surface.rims.size(), 1);
     EXPECT_NEAR(filum::surface::rim_length(g.surface, g.surface.rims[0]), 20, 1e-9);
     EXPECT_EQ(g.surface.components, 1);

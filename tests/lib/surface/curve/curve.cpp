@@ -88,13 +88,13 @@ TEST(Lay, CastsTheShadowAskedFor) {
     const Chart map = chart(from, surface::normal(s, from.triangle), {1, 0, 0});
     std::vector<Vec2> circle;
     for (int i = 0; i <= 40; ++i) circle.push_back({2.4 - 2.4 * std::cos(pi * i / 20), 2.4 * std::sin(pi * i / 20)});
-    const Laid laid = lay(s, map, from, circle);
+    const ChartLine laid = from_chart(s, map, from, circle);
     ASSERT_TRUE(laid.whole);
     expect_on_surface(s, laid.line);
     EXPECT_LT(distance(laid.line.places.back().point, from.point), 1e-9);
     for (const Place& p : laid.line.places) EXPECT_NEAR(norm(map.to(p.point) - Vec2{2.4, 0}), 2.4, 0.01);
     const Vec2 away[] = {{0, 0}, {0, 50}};
-    EXPECT_FALSE(lay(s, map, from, away).whole);
+    EXPECT_FALSE(from_chart(s, map, from, away).whole);
 }
 
 TEST(Lines, PartsAndPlacesAlongThem) {
@@ -146,7 +146,7 @@ TEST(Ease, RoundsCornersToTheRadius) {
             points.push_back(bent ? rolled(p) : flat(p));
         }
         const Line line = polyline(s, points);
-        const Eased eased = ease(s, line, {.radius = 2.4, .corridor = 2, .step = 0.2});
+        const EaseResult eased = ease(s, line, {.radius = 2.4, .corridor = 2, .step = 0.2});
         expect_on_surface(s, eased.line);
         EXPECT_NEAR(eased.moved, 2.4 * (std::sqrt(2.0) - 1), 0.1);
         EXPECT_LT(eased.too_tight, 0.5);
@@ -161,12 +161,12 @@ TEST(Ease, LeavesWhatIsGentleAndStaysInItsCorridor) {
     for (int i = 0; i < 200; ++i)
         circle.push_back({15 + 3 * std::cos(pi * i / 100), 15 + 3 * std::sin(pi * i / 100), 0});
     const Line round = polyline(s, circle, true);
-    const Eased same = ease(s, round, {.radius = 2.4, .corridor = 1, .step = 0.2});
+    const EaseResult same = ease(s, round, {.radius = 2.4, .corridor = 1, .step = 0.2});
     EXPECT_EQ(same.line.size(), round.size());
     EXPECT_LT(same.moved, 1e-4);
     for (int i = 0; i <= 30; ++i) hairpin.push_back({5 + 0.5 * i, 10, 0});
     for (int i = 30; i >= 0; --i) hairpin.push_back({5 + 0.5 * i, 11, 0});
-    const Eased held = ease(s, polyline(s, hairpin), {.radius = 2.4, .corridor = 0.3, .step = 0.2});
+    const EaseResult held = ease(s, polyline(s, hairpin), {.radius = 2.4, .corridor = 0.3, .step = 0.2});
     EXPECT_LE(held.moved, 0.3 + 1e-9);
     EXPECT_GT(held.too_tight, 0);
 }

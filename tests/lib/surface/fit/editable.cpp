@@ -32,7 +32,7 @@ void expect_sound(const Editable& m) {
         ASSERT_EQ(m.tail(m.out[v]), v);
         std::size_t lines = 0;
         each_leaving(m, v, [&](std::uint32_t h) { lines += m.line[h] != 0 ? 1U : 0U; });
-        if (m.kind[v] == Kind::free) {
+        if (m.kind[v] == VertexKind::free) {
             ASSERT_EQ(lines, 0U);
         }
     }

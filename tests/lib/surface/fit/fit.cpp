@@ -158,7 +158,7 @@ std::size_t turned(const Surface& s, const Surface& of, double near) {
 
 TEST(Fit, TrianglesAreAlikeAndFaceAsTheSurfaceDoes) {
     for (const auto& [name, s] : surfaces()) {
-        const Fitted f = fitted(s, {1, 0.02});
+        const FittedSurface f = fitted(s, {1, 0.02});
         EXPECT_EQ(f.surface.components, s.components) << name;
         EXPECT_EQ(f.surface.rims.size(), s.rims.size()) << name;
         EXPECT_EQ(turned(f.surface, s, f.off + 1e-9), 0U) << name;
@@ -170,7 +170,7 @@ TEST(Fit, TrianglesAreAlikeAndFaceAsTheSurfaceDoes) {
 TEST(Fit, TellsHowFarItIsOff) {
     FILUM_NOT_SANITIZED();
     for (const auto& [name, s] : surfaces()) {
-        const Fitted f = fitted(s, {1, 0.02});
+        const FittedSurface f = fitted(s, {1, 0.02});
         const double off = std::max(farthest(f.surface, s), farthest(s, f.surface));
         EXPECT_LT(off, 1.15 * f.off + 1e-9) << name;
         EXPECT_LT(f.off, 1.05 * off + 1e-9) << name;
@@ -188,7 +188,7 @@ TEST(Fit, TellsHowFarItIsOff) {
 TEST(Fit, RimsAndSharpEdgesStay) {
     for (const auto& [name, s] : surfaces()) {
         if (name == "ring of few") continue; // edges of 30 degrees: some are lines, and not when they are cut
-        const Fitted f = fitted(s, {1, 0.02});
+        const FittedSurface f = fitted(s, {1, 0.02});
         EXPECT_LT(farthest(lines(s, 30), lines(f.surface, 25)), 0.02 + 1e-9) << name;
         EXPECT_LT(farthest(lines(f.surface, 30), lines(s, 30)), 0.02 + 1e-9) << name;
     }
@@ -210,7 +210,7 @@ TEST(Fit, AdaptsToBends) {
         }
         return sum / count;
     };
-    const Fitted fine = fitted(s, {2, 0.005}), coarse = fitted(s, {2, 0.05});
+    const FittedSurface fine = fitted(s, {2, 0.005}), coarse = fitted(s, {2, 0.05});
     EXPECT_GT(mean(fine.surface, true), 1.3);
     EXPECT_LT(mean(fine.surface, false), 0.5);
     EXPECT_GT(mean(coarse.surface, false), 2 * mean(fine.surface, false));
@@ -233,7 +233,7 @@ TEST(Fit, TheGivenTrianglesDecideLittle) {
 
 TEST(Fit, IsTheSameEveryTime) {
     const Surface s = connected(scan());
-    const Fitted a = fitted(s, {1, 0.02}), b = fitted(s, {1, 0.02});
+    const FittedSurface a = fitted(s, {1, 0.02}), b = fitted(s, {1, 0.02});
     EXPECT_EQ(a.surface.vertices, b.surface.vertices);
     EXPECT_EQ(a.surface.triangles, b.surface.triangles);
     EXPECT_EQ(a.off, b.off);

@@ -32,23 +32,23 @@ Surface rough(std::mt19937& random) {
     return surface::connect(mesh, notes);
 }
 
-struct Laid {
+struct TracedField {
     Surface surface;
     Stripes stripes;
     std::vector<Line> lines;
 };
 
-Laid laid(Surface s, const Sources& o, double spacing) {
+TracedField laid(Surface s, const DirectionMix& o, double spacing) {
     surface::Sheet sheet{std::move(s), {}, {}};
     const Cells cells = surface::directions::cells(sheet.surface);
-    const auto d = smooth(sheet.surface, cells, wanted(sheet, cells, o), 0.2 * spacing, 2.4);
-    Laid out{sheet.surface, stripes(sheet.surface, cells, d.along, {.spacing = spacing}), {}};
+    const auto d = smooth(sheet.surface, cells, prescribed(sheet, cells, o), 0.2 * spacing, 2.4);
+    TracedField out{sheet.surface, stripes(sheet.surface, cells, d.along, {.spacing = spacing}), {}};
     out.lines = lines(out.surface, out.stripes);
     return out;
 }
 
-Sources angle(double turn) {
-    Sources out;
+DirectionMix angle(double turn) {
+    DirectionMix out;
     out.angle = 1;
     out.turn = turn;
     return out;
@@ -67,7 +67,7 @@ bool on_rim(const Surface& s, const surface::curve::Place& p) {
 TEST(Lines, EndAtRimsAndAreASpacingApartInTheMean) {
     std::mt19937 random(3);
     for (int round = 0; round < 12; ++round) {
-        const Laid l = laid(rough(random), angle(round * 15 * geom::kDegree), 1);
+        const TracedField l = laid(rough(random), angle(round * 15 * geom::kDegree), 1);
         double length = 0;
         for (const Line& line : l.lines) {
             length += surface::curve::length(line);
@@ -89,7 +89,7 @@ TEST(Lines, EndAtRimsAndAreASpacingApartInTheMean) {
 // says.  So lines never cross, and none is lost.
 TEST(Lines, PartTheVerticesByTheSignOfTheirStripes) {
     std::mt19937 random(8);
-    const Laid l = laid(rough(random), angle(0.4), 1);
+    const TracedField l = laid(rough(random), angle(0.4), 1);
     std::vector<std::size_t> crossed(l.surface.twin.size(), 0);
     const auto edge = [&](const Vec3& p, std::uint32_t t) {
         std::uint32_t best = 3 * t;
@@ -122,7 +122,7 @@ TEST(Lines, AlongAStripAreAsManyAsFitBest) {
             return Vec3{p.x, p.y, 0};
         });
         Notes notes;
-        const Laid l = laid(surface::connect(mesh, notes), angle(0), 1);
+        const TracedField l = laid(surface::connect(mesh, notes), angle(0), 1);
         EXPECT_EQ(l.lines.size(), static_cast<std::size_t>(std::lround(width))) << width;
     }
 }
@@ -139,9 +139,9 @@ TEST(Lines, AreBornInTwosWhereDirectionsSpread) {
     for (const Vec3& p : sheet.surface.vertices) out.values.insert(out.values.end(), {p.x, p.y, 0});
     sheet.fields.push_back(out);
     const Cells cells = surface::directions::cells(sheet.surface);
-    Sources o;
+    DirectionMix o;
     o.given = 1;
-    const auto d = smooth(sheet.surface, cells, wanted(sheet, cells, o), 0.2, 2.4);
+    const auto d = smooth(sheet.surface, cells, prescribed(sheet, cells, o), 0.2, 2.4);
     EXPECT_LT(d.tightest, 0.01);
     const auto all = lines(sheet.surface, stripes(sheet.surface, cells, d.along, {}));
     std::size_t both = 0, outer = 0;
@@ -164,12 +164,12 @@ TEST(Directions, BendNoTighterThanAskedWhereTheyCan) {
         kink.values.insert(kink.values.end(), {p.x < 0 ? 1.0 : 0.5, p.x < 0 ? 0 : std::sqrt(0.75), 0});
     sheet.fields.push_back(kink);
     const Cells cells = surface::directions::cells(sheet.surface);
-    Sources o;
+    DirectionMix o;
     o.given = 1;
-    const auto rough = smooth(sheet.surface, cells, wanted(sheet, cells, o), 0.2, 0.01);
+    const auto rough = smooth(sheet.surface, cells, prescribed(sheet, cells, o), 0.2, 0.01);
     EXPECT_EQ(rough.given_up, 0);
     EXPECT_GT(rough.tightest, 1);
-    const auto gentle = smooth(sheet.surface, cells, wanted(sheet, cells, o), 0.2, 4);
+    const auto gentle = smooth(sheet.surface, cells, prescribed(sheet, cells, o), 0.2, 4);
     EXPECT_EQ(gentle.tight, 0);
     EXPECT_LE(gentle.tightest, 0.25);
     EXPECT_GT(gentle.given_up, 0);
@@ -189,15 +189,15 @@ TEST(Directions, SayWhatIsMissing) {
                                {},
                                {}};
     const Cells cells = surface::directions::cells(sheet.surface);
-    Sources o;
+    DirectionMix o;
     o.stress = 1;
-    EXPECT_THROW((void)wanted(sheet, cells, o), Error);
+    EXPECT_THROW((void)prescribed(sheet, cells, o), Error);
     o = {};
     o.given = 1;
-    EXPECT_THROW((void)wanted(sheet, cells, o), Error);
+    EXPECT_THROW((void)prescribed(sheet, cells, o), Error);
     o = angle(0);
     o.reference = {0, 0, 1}; // stands upright everywhere
-    EXPECT_THROW((void)wanted(sheet, cells, o), Error);
+    EXPECT_THROW((void)prescribed(sheet, cells, o), Error);
 }
 
 } // namespace

@@ -103,17 +103,17 @@ Found ply(const Revolved& shape, bool uneven) {
     surface::Sheet sheet{surface_of(shape, uneven), {}, {}};
     const Surface& s = sheet.surface;
     const Cells cells = surface::directions::cells(s);
-    Sources o;
+    DirectionMix o;
     o.angle = 1;
     o.turn = kTurn;
     o.reference = {0, 0, 1};
-    const auto d = smooth(s, cells, wanted(sheet, cells, o), 0.2, 2.4);
+    const auto d = smooth(s, cells, prescribed(sheet, cells, o), 0.2, 2.4);
     Found out;
     for (std::size_t v = 0; v < s.vertices.size(); ++v)
         out.directions =
             std::max(out.directions,
                      geom::degrees(std::acos(std::min(1.0, std::abs(dot(d.along[v], loxodrome(cells.normal[v])))))));
-    const auto found = stripes(s, cells, d.along, {.stiff = kTrue});
+    const auto found = stripes(s, cells, d.along, {.stiff = kKeepAngle});
     const auto all = lines(s, found);
     const auto born = where_born(s, found);
     out.births = born.size();
@@ -152,12 +152,12 @@ TEST_P(Plies, AreBornApart) {
     surface::Sheet sheet{surface_of(fan(), GetParam()), {}, {}};
     const Surface& s = sheet.surface;
     const Cells cells = surface::directions::cells(s);
-    Sources o;
+    DirectionMix o;
     o.angle = 1;
     o.reference = {0, 0, 1};
-    const auto d = smooth(s, cells, wanted(sheet, cells, o), 0.2, 2.4);
-    const auto born = births(s, stripes(s, cells, d.along, {.stiff = kTrue}));
-    const auto then = births(s, stripes(s, cells, d.along, {.stiff = kTrue, .apart = born}));
+    const auto d = smooth(s, cells, prescribed(sheet, cells, o), 0.2, 2.4);
+    const auto born = births(s, stripes(s, cells, d.along, {.stiff = kKeepAngle}));
+    const auto then = births(s, stripes(s, cells, d.along, {.stiff = kKeepAngle, .apart = born}));
     ASSERT_GE(born.size(), 3U);
     EXPECT_NEAR(static_cast<double>(then.size()), static_cast<double>(born.size()), 2);
     double sum = 0;

@@ -1,4 +1,4 @@
-#include "surfpath/plan/fine.hpp"
+#include "surfpath/plan/refined.hpp"
 
 #include "surface/curve/walk.hpp"
 #include "surface/finer.hpp"
@@ -14,9 +14,9 @@ namespace filum::surfpath::plan {
 namespace {
 
 constexpr std::size_t kMostFine = 500'000; // triangles
-constexpr double kCrumb = 1e-9;            // of a segment, or of a triangle's height: less of it is none
+constexpr double kCrumb = 1e-9;            // shares of a segment, or of a triangle's height, below this are rounding
 
-// The part of a segment that lies in a triangle of its plane: where along it that begins and ends.
+// The part of a segment that lies in a triangle of the same plane, from parameter `from` to `to`.
 struct Clip {
     double from = 0, to = 1;
     std::uint32_t triangle = 0;
@@ -24,7 +24,7 @@ struct Clip {
 
 Clip clip(const Surface& s, std::uint32_t triangle, const Vec3& a, const Vec3& b) {
     auto u = surface::curve::barycentric(s, {triangle, a}), v = surface::curve::barycentric(s, {triangle, b});
-    for (auto* w : {&u, &v}) // on a side counts as inside, whatever rounding says
+    for (auto* w : {&u, &v}) // a point on a side counts as inside
         for (double& x : *w) x = std::abs(x) < kCrumb ? 0 : x;
     Clip out{0, 1, triangle};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -36,7 +36,8 @@ Clip clip(const Surface& s, std::uint32_t triangle, const Vec3& a, const Vec3& b
     return out;
 }
 
-// The segment in pieces, each in one of the triangles: none twice, even where it runs between two of them.
+// Splits a segment at the triangles first to last - 1. Every part goes to one triangle, also where it runs along an
+// edge.
 void cut(const Surface& s, const surface::Segment& g, std::uint32_t first, std::uint32_t last, surface::Sources& out) {
     std::vector<Clip> clips;
     for (std::uint32_t t = first; t < last; ++t)
@@ -53,12 +54,13 @@ void cut(const Surface& s, const surface::Segment& g, std::uint32_t first, std::
         out.segments.push_back({clips[i].triangle, at, to});
         at = to;
     }
-    if (clips.empty()) out.segments.push_back({first, g.a, g.b}); // a point, or beside all by rounding
+    if (clips.empty()) out.segments.push_back({first, g.a, g.b}); // a point, or outside all triangles by rounding
 }
 
 auto xyz(const Vec3& p) { return std::tuple(p.x, p.y, p.z); }
 
-// The numbers of vertices by their places; of those in one place, by the places of the triangles about them.
+// New numbers of the vertices, sorted by position. Vertices at the same position are sorted by the triangles around
+// them.
 std::vector<std::uint32_t> by_place(const Surface& s) {
     std::vector<Vec3> about(s.vertices.size());
     for (std::uint32_t v = 0; v < about.size(); ++v)
@@ -76,18 +78,18 @@ std::vector<std::uint32_t> by_place(const Surface& s) {
     return out;
 }
 
-// The same sheet with vertices, triangles and sources in an order that only their places decide, so that equal surfaces
-// get equal paths, in whatever order a file has them.
-Fine ordered(const surface::Sheet& given) {
+// The same sheet with vertices, triangles and sources sorted by position, so that equal surfaces get equal paths for
+// any order in the file.
+RefinedSheet ordered(const surface::Sheet& given) {
     const Surface& s = given.surface;
     const auto number = by_place(s);
-    std::vector<std::array<std::uint32_t, 4>> named; // corners, the least first, and the half-edge that leaves that
+    std::vector<std::array<std::uint32_t, 4>> named; // corners, the smallest number first, and the half-edge from it
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
         const std::array<std::uint32_t, 4> t{number[s.tail(h)], number[s.head(h)], number[s.tail(surface::prev(h))], h};
         if (t[0] < t[1] && t[0] < t[2]) named.push_back(t);
     }
     std::sort(named.begin(), named.end());
-    Fine out;
+    RefinedSheet out;
     std::vector<std::uint32_t> now(s.twin.size()), twin(s.twin.size()), place(s.triangles.size());
     std::vector<Vec3> vertices(s.vertices.size());
     std::vector<mesh::Triangle> triangles;
@@ -116,10 +118,10 @@ Fine ordered(const surface::Sheet& given) {
 
 } // namespace
 
-Fine fine(const surface::Sheet& given, double edge) {
+RefinedSheet refined(const surface::Sheet& given, double edge) {
     const auto [sheet, parent] = ordered(given);
     auto finer = surface::finer(sheet.surface, edge, kMostFine);
-    Fine out{{std::move(finer.surface), {}, {}, {}, {}, {}, {}}, std::move(finer.parent)};
+    RefinedSheet out{{std::move(finer.surface), {}, {}, {}, {}, {}, {}}, std::move(finer.parent)};
     out.sheet.sources.vertices = sheet.sources.vertices;
     for (const surface::Segment& g : sheet.sources.segments) {
         const auto [first, last] = std::equal_range(out.parent.begin(), out.parent.end(), g.triangle);
@@ -130,10 +132,10 @@ Fine fine(const surface::Sheet& given, double edge) {
     return out;
 }
 
-void back(Plan& plan, const Fine& fine) {
+void to_parents(Plan& plan, const RefinedSheet& refined) {
     for (Stroke& stroke : plan.strokes)
-        for (Piece& piece : stroke.pieces)
-            for (Place& p : piece.line.places) p.triangle = fine.parent[p.triangle];
+        for (Section& piece : stroke.sections)
+            for (Place& p : piece.line.places) p.triangle = refined.parent[p.triangle];
 }
 
 } // namespace filum::surfpath::plan

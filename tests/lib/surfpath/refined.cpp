@@ -1,5 +1,5 @@
 // The sheet that lines are found on is the given one, in triangles of its own.
-#include "surfpath/plan/fine.hpp"
+#include "surfpath/plan/refined.hpp"
 
 #include "../surface/grid.hpp"
 
@@ -28,9 +28,9 @@ double length(const surface::Sources& sources) {
     return out;
 }
 
-TEST(Fine, HasShortSidesOnTheSameTriangles) {
+TEST(RefinedSheet, HasShortSidesOnTheSameTriangles) {
     const auto sheet = coarse();
-    const Fine f = fine(sheet, 2);
+    const RefinedSheet f = refined(sheet, 2);
     const Surface& s = f.sheet.surface;
     EXPECT_NEAR(surface::area(s), surface::area(sheet.surface), 1e-9);
     EXPECT_EQ(s.rims.size(), 1U);
@@ -43,7 +43,7 @@ TEST(Fine, HasShortSidesOnTheSameTriangles) {
 }
 
 // Sources run on over all the triangles that theirs fell into, each stretch once, even just between two of them.
-TEST(Fine, SourcesStayWholeAndSingle) {
+TEST(RefinedSheet, SourcesStayWholeAndSingle) {
     std::mt19937 random(4);
     const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
     auto sheet = coarse();
@@ -61,7 +61,7 @@ TEST(Fine, SourcesStayWholeAndSingle) {
             sheet.sources.segments = {{t, a, inside(1, 0)}};
         else
             sheet.sources.segments = {{t, inside(u, v), inside(x, y)}};
-        const Fine f = fine(sheet, 1.5);
+        const RefinedSheet f = refined(sheet, 1.5);
         const auto& now = f.sheet.sources;
         EXPECT_NEAR(length(now), length(sheet.sources), 1e-9) << round;
         const auto& whole = sheet.sources.segments[0];
@@ -79,10 +79,10 @@ TEST(Fine, SourcesStayWholeAndSingle) {
     }
     sheet.sources = {};
     sheet.sources.segments = {{2, s.vertices[s.triangles[2][0]], s.vertices[s.triangles[2][0]]}}; // a point stays one
-    EXPECT_EQ(fine(sheet, 1.5).sheet.sources.segments.size(), 1U);
+    EXPECT_EQ(refined(sheet, 1.5).sheet.sources.segments.size(), 1U);
 }
 
-TEST(Fine, OrderOfTheFileDoesNotShow) {
+TEST(RefinedSheet, OrderOfTheFileDoesNotShow) {
     auto mesh = surface::grid(30, 20, 6, 4, bent);
     Notes notes;
     surface::Sheet first, second;
@@ -93,7 +93,7 @@ TEST(Fine, OrderOfTheFileDoesNotShow) {
     for (auto& t : mesh.triangles) t = {n - 1 - t[1], n - 1 - t[2], n - 1 - t[0]};
     second.surface = surface::connect(mesh, notes);
     first.sources.vertices = {3}, second.sources.vertices = {n - 1 - 3};
-    const Fine f = fine(first, 2), g = fine(second, 2);
+    const RefinedSheet f = refined(first, 2), g = refined(second, 2);
     EXPECT_EQ(f.sheet.surface.vertices, g.sheet.surface.vertices);
     EXPECT_EQ(f.sheet.surface.triangles, g.sheet.surface.triangles);
     EXPECT_EQ(f.sheet.surface.twin, g.sheet.surface.twin);

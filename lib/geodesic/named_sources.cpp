@@ -1,4 +1,4 @@
-#include "geodesic/choose.hpp"
+#include "geodesic/named_sources.hpp"
 
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -18,11 +18,11 @@ std::vector<double> numbers(std::string_view word, std::string_view list, std::s
     while (true) {
         const std::size_t comma = std::min(list.find(','), list.size());
         out.push_back(parse_number(list.substr(0, comma), "--source"));
-        if (!std::isfinite(out.back())) bad(word, "a number is not finite");
+        if (!std::isfinite(out.back())) bad(word, "its numbers must be finite");
         if (comma == list.size()) break;
         list.remove_prefix(comma + 1);
     }
-    if (out.size() != count) bad(word, "it takes " + std::to_string(count) + " numbers");
+    if (out.size() != count) bad(word, "it needs " + std::to_string(count) + " numbers");
     return out;
 }
 
@@ -61,7 +61,7 @@ void add_point(Sources& out, const Surface& s, std::string_view word, std::strin
 void add_plane(Sources& out, const Surface& s, std::string_view word, std::string_view place) {
     const auto v = numbers(word, place, 4);
     const surface::Plane plane{{v[0], v[1], v[2]}, v[3]};
-    if (!(norm(plane.normal) > 0)) bad(word, "its normal has no length");
+    if (!(norm(plane.normal) > 0)) bad(word, "its normal is (0, 0, 0)");
     const auto cut = surface::section(s, plane);
     if (cut.empty()) bad(word, "the plane does not meet the surface");
     out.segments.insert(out.segments.end(), cut.begin(), cut.end());
@@ -94,7 +94,7 @@ void add_word(Sources& out, const Surface& s, std::string_view word, Notes& note
 
 } // namespace
 
-Sources choose(const Surface& s, std::string_view words, Notes& notes, std::span<const std::uint32_t> of_file) {
+Sources named_sources(const Surface& s, std::string_view words, Notes& notes, std::span<const std::uint32_t> of_file) {
     constexpr std::string_view kBetween = " ;\t\n";
     Sources out;
     for (std::size_t at = words.find_first_not_of(kBetween); at != std::string_view::npos;) {

@@ -1,4 +1,4 @@
-#include "surfpath/opened.hpp"
+#include "surfpath/slits.hpp"
 
 #include "geom/disjoint_sets.hpp"
 #include "surface/curve/line.hpp"
@@ -19,18 +19,18 @@ using surface::kNone;
 using surface::Surface;
 using surface::curve::Line;
 
-constexpr std::size_t kRoots = 8; // points that loops are looked for through, as far from each other as may be
-constexpr int kRounds = 2000;     // of straightening, at most
-constexpr double kAtRest = 1e-3;  // of a mean edge: a line that moves by less in a round is straight
+constexpr std::size_t kRoots = 8; // number of base points through which loops are searched, far from each other
+constexpr int kRounds = 2000;     // most rounds of straightening
+constexpr double kAtRest = 1e-3;  // mean edge lengths: a line is straight once no point moves farther in a round
 
-// The vertices of a component, and how many handles that has.
-struct Closed {
+// A component without boundary: its vertices and its genus.
+struct ClosedComponent {
     std::vector<std::uint32_t> vertices;
     std::size_t handles = 0;
 };
 
-// Those components that have neither a rim nor a source.
-std::vector<Closed> closed_components(const surface::Sheet& sheet) {
+// The components without rim and source.
+std::vector<ClosedComponent> closed_components(const surface::Sheet& sheet) {
     const Surface& s = sheet.surface;
     std::vector<char> open(s.components, 0);
     for (const auto& rim : s.rims) open[rim.component] = 1;
@@ -40,25 +40,26 @@ std::vector<Closed> closed_components(const surface::Sheet& sheet) {
     std::vector<std::size_t> triangles(s.components, 0);
     for (const std::uint32_t c : s.component) ++triangles[c];
     for (std::uint32_t v = 0; v < s.vertices.size(); ++v) vertices[s.component[s.outgoing[v] / 3]].push_back(v);
-    std::vector<Closed> out;
+    std::vector<ClosedComponent> out;
     for (std::uint32_t c = 0; c < s.components; ++c) {
         if (open[c] != 0) continue;
-        // Of a closed surface edges are three halves of the triangles; vertices - edges + triangles = 2 - 2 handles.
+        // A closed surface has 3/2 edges per triangle; by Euler, vertices - edges + triangles = 2 - 2 handles.
         const std::size_t handles = (2 + triangles[c] / 2 - vertices[c].size()) / 2;
         out.push_back({std::move(vertices[c]), handles});
     }
     return out;
 }
 
-// Shortest ways along edges from the nearest of some roots.
-struct Ways {
-    std::vector<double> length;        // per vertex, mm
-    std::vector<std::uint32_t> before; // per vertex: the half-edge that leads there; kNone at roots and beyond reach
+// Shortest paths along edges from the nearest of several roots (Dijkstra).
+struct ShortestPathTree {
+    std::vector<double> length; // per vertex, mm
+    // per vertex: the half-edge that leads to it; kNone at roots and where no path leads
+    std::vector<std::uint32_t> before;
 };
 
-Ways ways(const Surface& s, const std::vector<std::uint32_t>& roots) {
-    Ways out{std::vector<double>(s.vertices.size(), std::numeric_limits<double>::infinity()),
-             std::vector<std::uint32_t>(s.vertices.size(), kNone)};
+ShortestPathTree ways(const Surface& s, const std::vector<std::uint32_t>& roots) {
+    ShortestPathTree out{std::vector<double>(s.vertices.size(), std::numeric_limits<double>::infinity()),
+                         std::vector<std::uint32_t>(s.vertices.size(), kNone)};
     using Item = std::tuple<double, std::uint32_t>;
     std::priority_queue<Item, std::vector<Item>, std::greater<>> front;
     for (const std::uint32_t v : roots) {
@@ -81,13 +82,13 @@ Ways ways(const Surface& s, const std::vector<std::uint32_t>& roots) {
     return out;
 }
 
-std::uint32_t farthest(const Closed& c, const Ways& w) {
+std::uint32_t farthest(const ClosedComponent& c, const ShortestPathTree& w) {
     return *std::max_element(c.vertices.begin(), c.vertices.end(),
                              [&](std::uint32_t a, std::uint32_t b) { return w.length[a] < w.length[b]; });
 }
 
-// The vertices from the root to `v`.
-std::vector<std::uint32_t> way_to(const Surface& s, const Ways& w, std::uint32_t v) {
+// The vertices on the path from the root to `v`.
+std::vector<std::uint32_t> way_to(const Surface& s, const ShortestPathTree& w, std::uint32_t v) {
     std::vector<std::uint32_t> out{v};
     while (w.before[out.back()] != kNone) out.push_back(s.tail(w.before[out.back()]));
     std::reverse(out.begin(), out.end());
@@ -100,25 +101,25 @@ Line through(const Surface& s, const std::vector<std::uint32_t>& vertices, bool 
     return out;
 }
 
-struct Loop {
+struct VertexLoop {
     double length = std::numeric_limits<double>::infinity(); // mm, along edges
     std::vector<std::uint32_t> vertices;
 };
 
-// A loop through a vertex that does not divide the surface, of the shortest ones: a shortest way out, one edge, and a
-// shortest way back.  Of edges that no such way takes, as many as may be are crossed by a tree of all triangles, those
-// of long loops first; each of the others makes a loop that does not divide the surface, as triangles on both its
-// sides hang together across the tree (Erickson, Whittlesey 2005).
-Loop loop(const Surface& s, std::uint32_t root, std::uint32_t component) {
-    const Ways w = ways(s, {root});
-    std::vector<std::tuple<double, std::uint32_t>> edges; // by how long their loops are
+// A short loop through `root` that does not separate the surface: a shortest path, one edge, and a shortest path back.
+// A spanning tree of the triangles crosses as many as possible of the edges outside the shortest path tree, those of
+// the longest loops first. Every edge that remains closes a loop that does not separate the surface, because the
+// triangles on its two sides are connected through the tree; the last one is the shortest (Erickson, Whittlesey 2005).
+VertexLoop loop(const Surface& s, std::uint32_t root, std::uint32_t component) {
+    const ShortestPathTree w = ways(s, {root});
+    std::vector<std::tuple<double, std::uint32_t>> edges; // with the length of the loop that each closes
     for (std::uint32_t h = 0; h < s.twin.size(); ++h)
         if (s.component[h / 3] == component && h < s.twin[h] && w.before[s.head(h)] != h &&
             w.before[s.tail(h)] != s.twin[h])
             edges.emplace_back(w.length[s.tail(h)] + surface::side_length(s, h) + w.length[s.head(h)], h);
     std::sort(edges.begin(), edges.end(), std::greater<>());
     geom::DisjointSets triangles(s.triangles.size());
-    Loop out;
+    VertexLoop out;
     std::uint32_t last = kNone;
     for (const auto& [length, h] : edges)
         if (!triangles.unite(h / 3, s.twin[h] / 3)) {
@@ -128,7 +129,7 @@ Loop loop(const Surface& s, std::uint32_t root, std::uint32_t component) {
     if (last == kNone) return out;
     out.vertices = way_to(s, w, s.tail(last));
     auto back = way_to(s, w, s.head(last));
-    std::size_t common = 0; // both begin at the root
+    std::size_t common = 0; // both paths begin at the root
     while (common + 1 < std::min(back.size(), out.vertices.size()) && back[common + 1] == out.vertices[common + 1])
         ++common;
     out.vertices.erase(out.vertices.begin(), out.vertices.begin() + static_cast<std::ptrdiff_t>(common));
@@ -136,8 +137,8 @@ Loop loop(const Surface& s, std::uint32_t root, std::uint32_t component) {
     return out;
 }
 
-// Pulls the line straight on the surface, ends of an open one stay: every second point in turn goes to the middle of
-// its neighbours.
+// Pulls a line straight on the surface: points of even, then of odd index move to the middle of their neighbours. The
+// ends of an open line stay.
 Line straightened(const Surface& s, Line line) {
     const std::size_t n = line.size(), first = line.closed ? 0 : 1, last = line.closed ? n : n - 1;
     const double rest = kAtRest * surface::mean_edge(s);
@@ -169,20 +170,20 @@ void add(const Surface& s, const Line& straight, surface::Sources& to, Notes& no
 
 } // namespace
 
-surface::Sources seams(const surface::Sheet& sheet, Notes& notes) {
+surface::Sources slits(const surface::Sheet& sheet, Notes& notes) {
     const Surface& s = sheet.surface;
     surface::Sources out;
-    for (const Closed& c : closed_components(sheet)) {
+    for (const ClosedComponent& c : closed_components(sheet)) {
         const std::uint32_t one = farthest(c, ways(s, {c.vertices[0]}));
         if (c.handles == 0) {
-            const Ways w = ways(s, {one});
+            const ShortestPathTree w = ways(s, {one});
             add(s, straightened(s, through(s, way_to(s, w, farthest(c, w)), false)), out, notes);
             continue;
         }
         std::vector<std::uint32_t> roots{one};
-        Loop best;
+        VertexLoop best;
         for (std::size_t k = 0; k < kRoots; ++k) {
-            Loop found = loop(s, roots.back(), s.component[s.outgoing[one] / 3]);
+            VertexLoop found = loop(s, roots.back(), s.component[s.outgoing[one] / 3]);
             if (found.length < best.length) best = std::move(found);
             roots.push_back(farthest(c, ways(s, roots)));
         }

@@ -1,5 +1,5 @@
 // What a plan leaves without a bead, and what it lays twice, is told, with area and place.
-#include "surfpath/plan/bare.hpp"
+#include "surfpath/plan/voids.hpp"
 
 #include "surface/curve/locate.hpp"
 
@@ -34,7 +34,7 @@ const Note* note(const Plan& plan, const std::string& what) {
 
 // The facts "bare", "uncovered", "laid-twice", and that there are notes of just those beyond their share.
 std::array<double, 3> told(const Surface& s, Plan plan) {
-    tell_cover(s, plan, 1);
+    report_coverage(s, plan, 1);
     const std::array<const char*, 3> facts{"bare", "uncovered", "laid-twice"},
         notes{"no-line-near", "area-bare", "area-doubled"};
     const std::array<double, 3> shares{0.01, 0.04, 0.04};
@@ -66,7 +66,7 @@ TEST(Bare, WhatIsMissingIsToldWithItsPlace) {
     EXPECT_NEAR(bare, 20 * 7.5, 3);
     EXPECT_NEAR(uncovered, 20 * 8, 3);
     EXPECT_NEAR(twice, 0, 3);
-    tell_cover(s, plan, 1);
+    report_coverage(s, plan, 1);
     for (const char* what : {"no-line-near", "area-bare"}) {
         ASSERT_NE(note(plan, what), nullptr);
         EXPECT_GT(note(plan, what)->y, 13);
@@ -85,7 +85,7 @@ TEST(Bare, WhatIsLaidTwiceIsToldWithItsPlace) {
     EXPECT_EQ(bare, 0);
     EXPECT_EQ(uncovered, 0);
     EXPECT_NEAR(twice, 3 * 20, 1);
-    tell_cover(s, plan, 1);
+    report_coverage(s, plan, 1);
     ASSERT_NE(note(plan, "area-doubled"), nullptr);
     EXPECT_GT(note(plan, "area-doubled")->y, 14.9);
     EXPECT_LT(note(plan, "area-doubled")->y, 18.1);

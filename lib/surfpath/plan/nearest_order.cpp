@@ -1,12 +1,12 @@
-#include "surfpath/plan/in_turn.hpp"
+#include "surfpath/plan/nearest_order.hpp"
 
 #include "geom/nearest_points.hpp"
 
 namespace filum::surfpath::plan {
 
-std::vector<Visit> in_turn(std::span<const Ends> ends) {
+std::vector<Visit> nearest_order(std::span<const EndPoints> ends) {
     std::vector<Vec3> points;
-    for (const Ends& e : ends) points.insert(points.end(), {e.begin, e.end});
+    for (const EndPoints& e : ends) points.insert(points.end(), {e.begin, e.end});
     geom::NearestPoints left(points);
     for (std::uint32_t i = 0; i < points.size(); ++i) left.insert(i);
     std::vector<Visit> out;

@@ -1,5 +1,5 @@
 // Seams of surfaces without a rim, and the rings beside them.
-#include "surfpath/opened.hpp"
+#include "surfpath/slits.hpp"
 
 #include "surfpath/seed_side.hpp"
 #include "surfpath/strands/source_lines.hpp"
@@ -93,7 +93,7 @@ double opened(const Notes& notes) {
 
 TEST(Seams, OfABallLeadHalfRoundIt) {
     Notes notes;
-    const auto lines = source_lines(seams(closed_sheet(ball(10)), notes));
+    const auto lines = source_lines(slits(closed_sheet(ball(10)), notes));
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_FALSE(lines[0].closed);
     EXPECT_NEAR(surface::curve::length(lines[0]), 10 * pi, 1);
@@ -104,7 +104,7 @@ TEST(Seams, OfATorusGoRoundItTheShortWayAndDoNotDivideIt) {
     for (const auto& [large, small] : {std::pair{20.0, 5.0}, std::pair{12.0, 9.0}}) {
         Notes notes;
         const auto sheet = closed_sheet(torus(large, small));
-        const auto seam = seams(sheet, notes);
+        const auto seam = slits(sheet, notes);
         const auto lines = source_lines(seam);
         ASSERT_EQ(lines.size(), 1U);
         EXPECT_TRUE(lines[0].closed);
@@ -122,10 +122,10 @@ TEST(Seams, AreOnlyWhereNothingElseSaysWhereLinesBegin) {
     mesh.triangles.push_back({first, first + 1, first + 2});
     auto sheet = closed_sheet(std::move(mesh));
     Notes notes;
-    for (const auto& g : seams(sheet, notes).segments) EXPECT_EQ(sheet.surface.component[g.triangle], 0U);
+    for (const auto& g : slits(sheet, notes).segments) EXPECT_EQ(sheet.surface.component[g.triangle], 0U);
     EXPECT_EQ(notes.size(), 1U);
     sheet.sources.vertices = {0};
-    EXPECT_TRUE(seams(sheet, notes).empty());
+    EXPECT_TRUE(slits(sheet, notes).empty());
     EXPECT_EQ(notes.size(), 1U);
 }
 

@@ -1,4 +1,4 @@
-#include "surfpath/lanes/seam.hpp"
+#include "surfpath/lanes/spiral.hpp"
 
 #include "geom/disjoint_sets.hpp"
 
@@ -13,28 +13,29 @@ namespace filum::surfpath::lanes {
 namespace {
 
 // Lengths in spacings.
-constexpr double kFarthest = 2; // between neighbouring lanes of a seam: from there on another one fits between
-constexpr double kWanted = 2;   // of the least length of a seam: so it bends a quarter as much as it may
-constexpr int kPoints = 2;      // of a line, per rung
-constexpr double kMargin = 0.5; // of lane between windows: half a bead
-constexpr double kRidge = 3;    // between lanes that a line goes along the middle of: another lane fits from there on
-constexpr double kLeastRidge = 4. / 3; // likewise: what is left bare there is half of what the line lays twice
-constexpr double kRidgeDrift = 6;      // that it takes to go there: it bends by less than a sixth per spacing
-constexpr double kFarthestJoined = 4;  // between lanes that are joined, at most: a limit
+constexpr double kFarthest = 2; // largest distance of lanes in a ladder; one more lane fits into a larger one
+constexpr double kWanted = 2;   // wanted length of a ladder, in least lengths: links then bend a quarter as much
+constexpr int kPoints = 2;      // points per rung of a link
+constexpr double kMargin = 0.5; // least length of lane between openings: half a bead
+constexpr double kRidge =
+    3; // largest distance of lanes with a line in the middle; one more lane fits into a larger one
+constexpr double kLeastRidge = 4. / 3; // least such distance: the void avoided is then half the overlap that is added
+constexpr double kRidgeDrift = 6;     // length over which the line moves to the middle: 1/6 spacing per spacing at most
+constexpr double kFarthestJoined = 4; // largest distance of lanes that are joined
 
-// From 0 to 1 with the least curvature: two parabolas.
+// Smooth step from 0 to 1 with the least greatest curvature: two parabolas.
 double eased(double t) { return t < 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t); }
 
-LaneEnd first_rung(std::uint32_t window, double sense) { return {window, sense < 0}; }
-LaneEnd last_rung(std::uint32_t window, double sense) { return {window, sense > 0}; }
+LaneEnd first_rung(std::uint32_t opening, double sense) { return {opening, sense < 0}; }
+LaneEnd last_rung(std::uint32_t opening, double sense) { return {opening, sense > 0}; }
 
-std::uint32_t cut(Weave& weave, const Rungs& r, std::size_t k) {
-    const double a = r.ways.front()[k], b = r.ways.back()[k];
+std::uint32_t cut(Weave& weave, const Ladder& r, std::size_t k) {
+    const double a = r.arcs.front()[k], b = r.arcs.back()[k];
     return r.sense[k] > 0 ? weave.cut(r.lane[k], a, b) : weave.cut(r.lane[k], b, a);
 }
 
-// From lane u0 to lane u1 between the rungs v0 and v1.
-std::vector<Vec2> change(const Rungs& r, double u0, double u1, double v0, double v1) {
+// The link from lane u0 to lane u1, between rungs v0 and v1.
+std::vector<Vec2> change(const Ladder& r, double u0, double u1, double v0, double v1) {
     std::vector<Vec2> out;
     const int n = std::max(2, static_cast<int>(std::ceil(std::abs(v1 - v0) * kPoints)));
     for (int i = 0; i <= n; ++i) {
@@ -55,7 +56,7 @@ std::vector<Vec2> straight(double u, double v0, double v1) {
 
 namespace {
 
-// What follows rung `i` on its lanes, rung by rung, but for itself; at least rung `i`.
+// The longest run of consecutive rungs from rung `i` on the same lanes; it does not wrap around to `i`.
 std::vector<Rung> run_from(const Lanes& lanes, std::span<const Rung> rungs, std::size_t i, double step) {
     const std::size_t n = rungs.size();
     std::vector<Rung> out{rungs[i]};
@@ -64,19 +65,18 @@ std::vector<Rung> run_from(const Lanes& lanes, std::span<const Rung> rungs, std:
     return out;
 }
 
-// True if every lane keeps at least as much as it gives up.
-bool fits(const Lanes& lanes, const Rungs& r) {
+// Whether every lane keeps at least half of its length outside the ladder.
+bool fits(const Lanes& lanes, const Ladder& r) {
     for (std::size_t k = 0; k < r.lanes(); ++k)
-        if (2 * lanes.ahead(r.lane[k], r.ways.front()[k], r.ways.back()[k], r.sense[k]) > lanes.length(r.lane[k]))
+        if (2 * lanes.ahead(r.lane[k], r.arcs.front()[k], r.arcs.back()[k], r.sense[k]) > lanes.length(r.lane[k]))
             return false;
     return true;
 }
 
-// The first rungs of a run: as many as the shortest lane takes to be as long as wanted, if there are so many and every
-// lane has room for them; at least three.
-Rungs first_of(const Lanes& lanes, std::span<const Rung> run, double wanted, double step) {
+// The first rungs of a run: as many as make the shortest lane between them `wanted` mm long, or all; at least three.
+Ladder first_of(const Lanes& lanes, std::span<const Rung> run, double wanted, double step) {
     for (std::size_t count = 3;;) {
-        Rungs out = ladder({run.begin(), run.begin() + static_cast<std::ptrdiff_t>(count)}, step);
+        Ladder out = ladder({run.begin(), run.begin() + static_cast<std::ptrdiff_t>(count)}, step);
         const double l = shortest(lanes, out);
         if (l >= wanted || count == run.size()) return out;
         const double more = l > 0 ? wanted / l * static_cast<double>(count) : 0;
@@ -84,9 +84,9 @@ Rungs first_of(const Lanes& lanes, std::span<const Rung> run, double wanted, dou
     }
 }
 
-// The longest of the ladders over just so many lanes, up to what is wanted; none if all are shorter than they must be.
-Rungs best_ladder(const Lanes& lanes, std::span<const Rung> rungs, double least, double step) {
-    Rungs best;
+// The longest ladder over the lanes of these rungs, but not longer than wanted; empty if all are shorter than `least`.
+Ladder best_ladder(const Lanes& lanes, std::span<const Rung> rungs, double least, double step) {
+    Ladder best;
     double longest = 0;
     for (std::size_t i = 0; i < rungs.size();) {
         if (rungs[i].places.empty()) {
@@ -96,7 +96,7 @@ Rungs best_ladder(const Lanes& lanes, std::span<const Rung> rungs, double least,
         const auto run = run_from(lanes, rungs, i, step);
         i += run.size();
         if (run.size() < 3) continue;
-        Rungs r = first_of(lanes, run, kWanted * least, step);
+        Ladder r = first_of(lanes, run, kWanted * least, step);
         const double l = std::min(shortest(lanes, r), kWanted * least);
         if (l < least || l <= longest || !fits(lanes, r)) continue;
         longest = l;
@@ -107,7 +107,7 @@ Rungs best_ladder(const Lanes& lanes, std::span<const Rung> rungs, double least,
 
 } // namespace
 
-Rungs seam_place(const Lanes& lanes, std::uint32_t start, double least) {
+Ladder spiral_ladder(const Lanes& lanes, std::uint32_t start, double least) {
     const double step = lanes.spacing();
     const auto n = static_cast<std::size_t>(lanes.length(start) / step);
     std::vector<Rung> rungs;
@@ -123,179 +123,179 @@ Rungs seam_place(const Lanes& lanes, std::uint32_t start, double least) {
             r.places.resize(kept);
             r.sense.resize(kept);
         }
-        if (Rungs best = best_ladder(lanes, cropped, least, step); best.lanes() > 0) return best;
+        if (Ladder best = best_ladder(lanes, cropped, least, step); best.lanes() > 0) return best;
     }
     return {};
 }
 
-// From a place on the innermost lane over to the middle between it and itself, and on there as far as there is room for
-// a line; empty if there is none.
-static Line along_ridge(const Lanes& lanes, std::uint32_t lane, double way, double sense) {
+// The inner end of a spiral on a ridge: moves from the innermost lane to the middle between this lane and itself, and
+// follows the ridge as long as a line fits. Empty if none does.
+static Line along_ridge(const Lanes& lanes, std::uint32_t lane, double arc, double sense) {
     Line out;
     const double d = lanes.spacing(), step = 0.3 * d;
-    const Vec3 begin = lanes.tangent(lane, way);
+    const Vec3 begin = lanes.tangent(lane, arc);
     for (double on = 0; on < lanes.length(lane) / 2; on += step) {
-        const double here = way + sense * on;
+        const double here = arc + sense * on;
         const auto over = lanes.across(lane, here, 1, kRidge);
         if (!over || over->lane != lane || over->distance < kLeastRidge * d) break;
-        if (dot(lanes.tangent(lane, here), begin) < 0) break; // the lane turns round the ridge's end
-        const Line line = surface::curve::join(lanes.surface(), lanes.at(lane, here), lanes.at(lane, over->way));
-        const auto ways = surface::curve::arc_lengths(line);
+        if (dot(lanes.tangent(lane, here), begin) < 0) break; // the lane turns around the end of the ridge
+        const Line line = surface::curve::join(lanes.surface(), lanes.at(lane, here), lanes.at(lane, over->arc));
+        const auto arcs = surface::curve::arc_lengths(line);
         out.places.push_back(
-            surface::curve::at(line, ways, 0.5 * eased(std::min(1.0, on / (kRidgeDrift * d))) * ways.back()));
+            surface::curve::at(line, arcs, 0.5 * eased(std::min(1.0, on / (kRidgeDrift * d))) * arcs.back()));
     }
     return surface::curve::threaded(lanes.surface(), out);
 }
 
-void shift(Weave& weave, const Lanes& lanes, const Rungs& r, int by) {
+void shift(Weave& weave, const Lanes& lanes, const Ladder& r, int by) {
     const std::size_t n = r.lanes(), s = static_cast<std::size_t>(by);
-    std::vector<std::uint32_t> window;
-    for (std::size_t k = 0; k < n; ++k) window.push_back(cut(weave, r, k));
+    std::vector<std::uint32_t> opening;
+    for (std::size_t k = 0; k < n; ++k) opening.push_back(cut(weave, r, k));
     for (std::size_t k = 0; k + s < n; ++k)
-        weave.link(first_rung(window[k], r.sense[k]), last_rung(window[k + s], r.sense[k + s]),
+        weave.link(first_rung(opening[k], r.sense[k]), last_rung(opening[k + s], r.sense[k + s]),
                    drawn(lanes, r, change(r, static_cast<double>(k), static_cast<double>(k + s), 0, r.last())));
     const double half = r.last() / 2, end = r.last();
-    weave.tail(last_rung(window[0], r.sense[0]), drawn(lanes, r, straight(0, end, by == 1 ? half : 0.4 * end)));
+    weave.tail(last_rung(opening[0], r.sense[0]), drawn(lanes, r, straight(0, end, by == 1 ? half : 0.4 * end)));
     const auto inner = static_cast<double>(n - 1);
     if (by == 1) {
-        Line end_line = along_ridge(lanes, r.lane[n - 1], r.ways[0][n - 1], r.sense[n - 1]);
+        Line end_line = along_ridge(lanes, r.lane[n - 1], r.arcs[0][n - 1], r.sense[n - 1]);
         if (end_line.size() < 2) end_line = drawn(lanes, r, straight(inner, 0, half));
-        weave.tail(first_rung(window[n - 1], r.sense[n - 1]), std::move(end_line));
+        weave.tail(first_rung(opening[n - 1], r.sense[n - 1]), std::move(end_line));
         return;
     }
-    weave.tail(last_rung(window[1], r.sense[1]), drawn(lanes, r, straight(1, end, 0.8 * end)));
+    weave.tail(last_rung(opening[1], r.sense[1]), drawn(lanes, r, straight(1, end, 0.8 * end)));
     std::vector<Vec2> turn;
     const double deep = 0.5 * lanes.spacing() / r.step;
     for (int i = 0; i <= 24; ++i) {
         const double a = std::numbers::pi * i / 24;
         turn.push_back({inner - 0.5 - 0.5 * std::cos(a), deep * std::sin(a)});
     }
-    weave.link(first_rung(window[n - 2], r.sense[n - 2]), first_rung(window[n - 1], r.sense[n - 1]),
+    weave.link(first_rung(opening[n - 2], r.sense[n - 2]), first_rung(opening[n - 1], r.sense[n - 1]),
                drawn(lanes, r, turn));
 }
 
 namespace {
 
-// A place where two lanes may change over into each other.
-struct Changeover {
+// A place where two lanes can be joined.
+struct ExchangeSite {
     double cost;
     std::uint32_t a, b;
-    double way, side, gap;
-    double over = -1; // way on the other, if it is known
+    double arc, side, gap;
+    double over = -1; // arc length on lane b; negative: not yet known
 };
 
-class Crossover {
+class LaneExchanger {
   public:
-    Crossover(Weave& weave, const Lanes& lanes, const std::vector<std::uint32_t>& merged, double radius)
+    LaneExchanger(Weave& weave, const Lanes& lanes, const std::vector<std::uint32_t>& merged, double radius)
         : weave_(weave), lanes_(lanes), radius_(radius), sets_(lanes.size()), apart_(lanes.size()) {
         for (const auto l : merged) unite(l, merged[0]);
     }
 
     void run() {
-        find_spots();
+        find_sites();
         const auto all = [&](const auto& join) {
-            for (const Changeover& s : spots_)
+            for (const ExchangeSite& s : sites_)
                 if (apart_ > 1 && find(s.a) != find(s.b) && join(s)) unite(s.a, s.b);
         };
-        for (const double share : {1.0, 0.5, 0.2}) all([&](const Changeover& s) { return join(s, share * radius_); });
-        for (const double part : {0.15, 0.05}) all([&](const Changeover& s) { return turn_back(s, part); });
+        for (const double share : {1.0, 0.5, 0.2}) all([&](const ExchangeSite& s) { return join(s, share * radius_); });
+        for (const double part : {0.15, 0.05}) all([&](const ExchangeSite& s) { return turn_back(s, part); });
         if (apart_ == 1) return;
-        near_spots();
-        for (const double part : {0.15, 0.05}) all([&](const Changeover& s) { return turn_back(s, part); });
+        nearby_sites();
+        for (const double part : {0.15, 0.05}) all([&](const ExchangeSite& s) { return turn_back(s, part); });
     }
 
   private:
     std::uint32_t find(std::uint32_t l) { return sets_.root(l); }
     void unite(std::uint32_t a, std::uint32_t b) { apart_ -= sets_.unite(a, b) ? 1 : 0; }
 
-    void find_spots() {
-        spots_across(
-            [&](std::uint32_t l, double way, double side) { return lanes_.across(l, way, side, kFarthestJoined); });
-        sort_spots();
+    void find_sites() {
+        sites_across(
+            [&](std::uint32_t l, double arc, double side) { return lanes_.across(l, arc, side, kFarthestJoined); });
+        sort_sites();
     }
-    // Adds what `across` finds on either side of each lane, unless both are joined.
+    // Adds what across(lane, arc, side) finds on both sides of each lane, unless the two lanes are joined already.
     template <class Across>
-    void spots_across(const Across& across) {
+    void sites_across(const Across& across) {
         const double d = lanes_.spacing();
         for (std::uint32_t l = 0; l < lanes_.size(); ++l) {
             const auto n = static_cast<std::size_t>(std::ceil(lanes_.length(l) / (0.5 * d)));
             for (std::size_t i = 0; i < n; ++i) {
-                const double way = lanes_.length(l) * static_cast<double>(i) / static_cast<double>(n);
+                const double arc = lanes_.length(l) * static_cast<double>(i) / static_cast<double>(n);
                 for (const double side : {1.0, -1.0})
-                    if (const auto next = across(l, way, side); next && find(next->lane) != find(l))
-                        add(l, way, side, *next);
+                    if (const auto next = across(l, arc, side); next && find(next->lane) != find(l))
+                        add(l, arc, side, *next);
             }
         }
     }
-    // Whatever lies near what it is not joined to, in whichever direction.
-    void near_spots() {
+    // Finds sites from every lane to the nearest lane that it is not joined to, in any direction.
+    void nearby_sites() {
         const double d = lanes_.spacing();
-        spots_.clear();
+        sites_.clear();
         for (std::uint32_t l = 0; l < lanes_.size(); ++l) {
             const auto n = static_cast<std::size_t>(std::ceil(lanes_.length(l) / (0.2 * d)));
             for (std::size_t i = 0; i < n; ++i) {
-                const double way = lanes_.length(l) * static_cast<double>(i) / static_cast<double>(n);
+                const double arc = lanes_.length(l) * static_cast<double>(i) / static_cast<double>(n);
                 const auto other = [&](std::uint32_t o, double) { return find(o) != find(l); };
                 for (const double reach : {1.0, 2.0, kFarthestJoined})
-                    if (const auto near = lanes_.nearest(lanes_.at(l, way), reach * d, other)) {
-                        spots_.push_back({near->distance, l, near->lane, way, 0, near->distance, near->way});
+                    if (const auto near = lanes_.nearest(lanes_.at(l, arc), reach * d, other)) {
+                        sites_.push_back({near->distance, l, near->lane, arc, 0, near->distance, near->arc});
                         break;
                     }
             }
         }
-        sort_spots();
+        sort_sites();
     }
-    void sort_spots() {
-        std::sort(spots_.begin(), spots_.end(), [](const Changeover& a, const Changeover& b) {
-            return std::tie(a.cost, a.a, a.way, a.side) < std::tie(b.cost, b.a, b.way, b.side);
+    void sort_sites() {
+        std::sort(sites_.begin(), sites_.end(), [](const ExchangeSite& a, const ExchangeSite& b) {
+            return std::tie(a.cost, a.a, a.arc, a.side) < std::tie(b.cost, b.a, b.arc, b.side);
         });
     }
-    void add(std::uint32_t l, double way, double side, const LanePlace& next) {
+    void add(std::uint32_t l, double arc, double side, const LanePlace& next) {
         const double gap = next.distance / lanes_.spacing();
-        const double bend = std::max(lanes_.curvature(l, way), lanes_.curvature(next.lane, next.way));
-        spots_.push_back({std::abs(gap - 1) + 4 * bend * lanes_.spacing(), l, next.lane, way, side, next.distance, -1});
+        const double bend = std::max(lanes_.curvature(l, arc), lanes_.curvature(next.lane, next.arc));
+        sites_.push_back({std::abs(gap - 1) + 4 * bend * lanes_.spacing(), l, next.lane, arc, side, next.distance, -1});
     }
 
-    // Where there is no room for that: each turns back into the other, twice.
-    bool turn_back(const Changeover& s, double part) {
+    // Without room for an exchange of lanes side by side: each lane turns back into the other at two places.
+    bool turn_back(const ExchangeSite& s, double part) {
         const double d = lanes_.spacing(), half = part * d;
         double there = s.over;
         if (there < 0) {
-            const auto over = lanes_.across(s.a, s.way, s.side, std::max(1.7, s.gap / d + 0.7));
+            const auto over = lanes_.across(s.a, s.arc, s.side, std::max(1.7, s.gap / d + 0.7));
             if (!over || over->lane != s.b) return false;
-            there = over->way;
+            there = over->arc;
         }
-        const double sense = dot(lanes_.tangent(s.a, s.way), lanes_.tangent(s.b, there)) > 0 ? 1 : -1;
-        for (const auto& [lane, way] : {std::pair{s.a, s.way}, std::pair{s.b, there}})
-            if (!weave_.free(lane, way - half, way + half, half)) return false;
+        const double sense = dot(lanes_.tangent(s.a, s.arc), lanes_.tangent(s.b, there)) > 0 ? 1 : -1;
+        for (const auto& [lane, arc] : {std::pair{s.a, s.arc}, std::pair{s.b, there}})
+            if (!weave_.free(lane, arc - half, arc + half, half)) return false;
         Line links[2];
         for (const int k : {0, 1}) {
             const double end = k == 0 ? -half : half;
-            links[k] = surface::curve::join(lanes_.surface(), lanes_.at(s.a, s.way + end),
+            links[k] = surface::curve::join(lanes_.surface(), lanes_.at(s.a, s.arc + end),
                                             lanes_.at(s.b, there + end * sense));
             if (!surface::curve::leads(lanes_.surface(), links[k])) return false;
         }
-        const std::uint32_t a = weave_.cut(s.a, s.way - half, s.way + half);
+        const std::uint32_t a = weave_.cut(s.a, s.arc - half, s.arc + half);
         const std::uint32_t b = weave_.cut(s.b, there - half, there + half);
         for (const int k : {0, 1}) weave_.link({a, k == 1}, {b, (k == 1) == (sense > 0)}, std::move(links[k]));
         return true;
     }
 
-    bool join(const Changeover& s, double radius) {
+    bool join(const ExchangeSite& s, double radius) {
         const double long_ = 2.1 * std::sqrt(radius * s.gap), d = lanes_.spacing();
         const auto n = static_cast<std::size_t>(std::max(4.0, std::ceil(long_ / (0.25 * d))));
         const double step = long_ / static_cast<double>(n);
         if (long_ > 0.7 * std::min(lanes_.length(s.a), lanes_.length(s.b))) return false;
         std::vector<Rung> rungs;
         for (std::size_t i = 0; i <= n; ++i) {
-            const double way = s.way + step * (static_cast<double>(i) - static_cast<double>(n) / 2);
-            rungs.push_back(rung(lanes_, s.a, way, s.side, std::max(1.7, s.gap / d + 0.7), 2));
+            const double arc = s.arc + step * (static_cast<double>(i) - static_cast<double>(n) / 2);
+            rungs.push_back(rung(lanes_, s.a, arc, s.side, std::max(1.7, s.gap / d + 0.7), 2));
             if (rungs[i].places.size() < 2 || rungs[i].places[1].lane != s.b) return false;
             if (i > 0 && !follows(lanes_, rungs[i - 1], rungs[i], step)) return false;
         }
-        const Rungs r = ladder(rungs, step);
+        const Ladder r = ladder(rungs, step);
         for (std::size_t k = 0; k < 2; ++k) {
-            const double a = r.ways.front()[k], b = r.ways.back()[k];
+            const double a = r.arcs.front()[k], b = r.arcs.back()[k];
             if (!(r.sense[k] > 0 ? weave_.free(r.lane[k], a, b, kMargin * d)
                                  : weave_.free(r.lane[k], b, a, kMargin * d)))
                 return false;
@@ -313,13 +313,13 @@ class Crossover {
     double radius_;
     geom::DisjointSets sets_;
     std::size_t apart_;
-    std::vector<Changeover> spots_;
+    std::vector<ExchangeSite> sites_;
 };
 
 } // namespace
 
-void cross_over(Weave& weave, const Lanes& lanes, const std::vector<std::uint32_t>& merged, double radius) {
-    Crossover(weave, lanes, merged, radius).run();
+void exchange_lanes(Weave& weave, const Lanes& lanes, const std::vector<std::uint32_t>& merged, double radius) {
+    LaneExchanger(weave, lanes, merged, radius).run();
 }
 
 } // namespace filum::surfpath::lanes
