@@ -79,8 +79,8 @@ void Rows::below(const Vec3& a, const Vec3& b, std::vector<Part>& out) const {
     Vec2 from[3], way[3];
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t h = 3 * triangle_ + k, v = surface_.tail(h);
-        from[k] = geodesic::flatten(surface_, field_.ground->frame[h], h, a);
-        way[k] = geodesic::flatten(surface_, field_.ground->frame[h], h, b) - from[k];
+        from[k] = geodesic::flatten(surface_, field_.unfolding->frame[h], h, a);
+        way[k] = geodesic::flatten(surface_, field_.unfolding->frame[h], h, b) - from[k];
         Part p{0, 1};
         keep_disc(p, a, b - a, surface_.vertices[v], level_ - field_.distance[v]);
         add(p);
