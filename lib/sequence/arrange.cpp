@@ -8,9 +8,9 @@ namespace filum::sequence {
 
 namespace {
 
-// Strokes as pieces of an order: stroke s is order[first[s] .. first[s + 1]).
+// The strokes of an order: stroke s consists of order[first[s]] to order[first[s + 1] - 1].
 struct Strokes {
-    std::vector<Index> first, of; // of: the stroke of each node
+    std::vector<Index> first, of; // the stroke of each node
 };
 
 Strokes strokes_of(const Graph& g, std::span<const Index> order) {
@@ -24,18 +24,18 @@ Strokes strokes_of(const Graph& g, std::span<const Index> order) {
     return out;
 }
 
-// What must follow a stroke, and how many it follows.
-struct Precedence {
+// The strokes that must follow each stroke, and the number of strokes that each follows.
+struct StrokePrecedence {
     Arcs after;
     std::vector<Index> waiting;
 };
 
-Precedence precedence(const Graph& g, const Strokes& s) {
+StrokePrecedence precedence(const Graph& g, const Strokes& s) {
     std::vector<Pair> pairs;
     for (Index u = 0; u < g.size(); ++u)
         for (const Index v : g.after[u])
             if (s.of[u] != s.of[v]) pairs.emplace_back(s.of[u], s.of[v]);
-    Precedence out{arcs(s.first.size() - 1, std::move(pairs)), {}};
+    StrokePrecedence out{arcs(s.first.size() - 1, std::move(pairs)), {}};
     out.waiting.assign(s.first.size() - 1, 0);
     for (const Index v : out.after.to) ++out.waiting[v];
     return out;
@@ -46,7 +46,7 @@ Precedence precedence(const Graph& g, const Strokes& s) {
 Order arranged(const Graph& g, Order order) {
     if (order.empty()) return order;
     const Strokes s = strokes_of(g, order);
-    Precedence p = precedence(g, s);
+    StrokePrecedence p = precedence(g, s);
     const auto n = static_cast<Index>(p.waiting.size());
     std::vector<Index> by_id(n), number(n); // so that ties go to the lower id of the first region
     for (Index i = 0; i < n; ++i) by_id[i] = i;

@@ -1,13 +1,13 @@
-// The strokes of an order one after the other with less travel.
+// Arranges the strokes of an order with less travel.
 #pragma once
 
 #include "sequence/order.hpp"
 
 namespace filum::sequence {
 
-// The strokes of `order`, each as it is, the nearest next of those that need not wait; or `order` itself if that
-// travels less.  From the first stroke that waits for none; distances are between centres of area, ties to the lower
-// id.
+// The strokes of `order` unchanged, always followed by the nearest one whose precedences are printed; or `order`
+// itself if that travels less. Starts with the first stroke without precedences. Distances are between centres of
+// area; ties: the lower id.
 Order arranged(const Graph& g, Order order);
 
 } // namespace filum::sequence

@@ -12,8 +12,8 @@ std::vector<Pair> brims(std::span<const polygon::Region> regions) {
         if (r.brim < 0) continue;
         const auto brim = static_cast<std::size_t>(r.brim);
         if (brim >= regions.size() || brim == r.id || regions[brim].layer != r.layer || !regions[brim].below.empty())
-            throw Error(Exit::bad_input,
-                        "cannot sequence region '" + std::to_string(r.id) + "': its brim is no brim of its layer");
+            throw Error(Exit::bad_input, "cannot sequence region '" + std::to_string(r.id) +
+                                             "': its brim is not a region of the same layer");
         const bool taken = std::any_of(out.begin(), out.end(), [&](const Pair& p) { return p.first == r.brim; });
         if (!taken && r.below.empty()) out.emplace_back(static_cast<Index>(brim), r.id);
     }

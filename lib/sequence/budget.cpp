@@ -10,7 +10,7 @@ std::uint64_t budget(const std::string& text) {
     const double number = parse_number(seconds ? text.substr(0, text.size() - 1) : text, "--budget");
     const double steps = number * (seconds ? static_cast<double>(kStepsPerSecond) : 1e6);
     if (!(steps >= 0 && steps <= 1e12))
-        throw Error(Exit::usage, "cannot use '" + text + "' as --budget: it is not within 0 .. 1000000 (millions of " +
+        throw Error(Exit::usage, "cannot use '" + text + "' as --budget: it must be from 0 to 1000000 (millions of " +
                                      "steps) or 0s .. 3333s");
     return static_cast<std::uint64_t>(steps);
 }

@@ -11,11 +11,11 @@ namespace filum::sequence {
 
 namespace {
 
-constexpr int kSweeps = 8;    // up and down, at most, until no more nodes are told apart
-constexpr int kSetApart = 16; // nodes of each part that are set apart
+constexpr int kSweeps = 8;    // most sweeps up and down, if they still separate nodes
+constexpr int kSetApart = 16; // nodes per part that are individualised
 constexpr std::uint64_t kLink = 0x9e3779b97f4a7c15U, kPrecedence = 0xc2b2ae3d27d4eb4fU, kChosen = 0x165667b19e3779f9U;
 
-// Colours that tell nodes apart by their neighbours' colours, and by which of them are in the same column.
+// Colours that distinguish nodes by the colours of their neighbours, and by the neighbour in the same column.
 struct Colours {
     const Graph& g;
     std::span<const Index> column;
@@ -32,7 +32,7 @@ struct Colours {
     void tell(Index v, const Arcs& links, const Arcs& precedence) {
         of[v] = mixed(of[v] * 5 + sum(v, links[v], kLink) + 3 * sum(v, precedence[v], kPrecedence));
     }
-    // Arcs lead to higher layers, and nodes are numbered by layer, so one sweep carries a colour all the way.
+    // Arcs lead to higher layers, and nodes are numbered by layer, so a sweep carries a colour through all layers.
     void sweep() {
         for (Index v = 0; v < g.size(); ++v) tell(v, g.down, g.before);
         for (Index v = g.size(); v-- > 0;) tell(v, g.up, g.after);
@@ -67,7 +67,7 @@ std::vector<std::vector<Index>> connected_parts(const Graph& g) {
     return out;
 }
 
-// Sets one of the lowest nodes that are alike apart in each part; false if there are none.
+// Individualises one of the lowest nodes with equal colours in each part; false if there are none.
 bool set_apart(const std::vector<std::vector<Index>>& parts, Colours& c) {
     auto& colour = c.of;
     bool any = false;

@@ -1,4 +1,4 @@
-// An order of the regions that their relations give them, not their numbers or places.
+// A canonical order of the regions that depends on their relations only.
 #pragma once
 
 #include "sequence/graph.hpp"
@@ -7,20 +7,20 @@
 
 namespace filum::sequence {
 
-// All nodes, by layer, so that graphs that are alike (isomorphic) come out alike, whichever way their nodes are
-// numbered: what is decided by the lower number is then decided by the job itself, and the same part mirrored or cut
-// into other triangles is printed in the same strokes.
-// Every node is told by what is above and below it, by sweeps up and down the layers until no more nodes are told apart
-// (colour refinement, Weisfeiler and Leman 1968).  Where alike ones remain, one of them is set apart and the sweeps are
-// repeated, a few times; what is alike after that goes by column, then by number.
+// All nodes by layer, such that isomorphic graphs give the same order however their nodes are numbered. Ties broken by
+// the lower number then depend on the job only, and the same part mirrored or with other triangles is printed in the
+// same strokes.
+// Nodes are distinguished by what is above and below them, in sweeps up and down the layers until nothing changes
+// (colour refinement, Weisfeiler and Leman 1968). If equal nodes remain, one of them is individualised and the sweeps
+// are repeated, a few times; nodes that are still equal are ordered by column, then by number.
 std::vector<Index> canonical_order(const Graph& g, std::span<const Index> column);
 
-// The colours of the nodes by those sweeps alone: nodes that are not alike differ, whichever way they are numbered.
+// The colours of the nodes by those sweeps alone: nodes of different colours are not equivalent.
 std::vector<std::uint64_t> colours(const Graph& g);
 
-// A connected part of a graph, by links and precedence: nothing outside it matters to its order.
+// A connected part of a graph, by links and precedence; its order does not depend on the rest.
 struct Part {
-    std::vector<Index> node; // of the whole, in canonical order; they are numbered anew from 0
+    std::vector<Index> node; // of the whole, in canonical order; numbered anew from 0
     Graph g;
     Columns columns;
 };

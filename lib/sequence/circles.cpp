@@ -7,40 +7,40 @@ namespace filum::sequence {
 
 namespace {
 
-constexpr std::uint64_t kMostWork = 4'000'000; // of one call; the next goes on where it stopped
+constexpr std::uint64_t kMostWork = 4'000'000; // per call; the next one continues where it stopped
 
 } // namespace
 
-// Shortest ways over the runs of regions without a break between them.  From the lowest region of a run a way leads to
-// what must follow it in each other column, free of charge; and from a run to the next lower one of its column, at the
-// price of the break between.  A way back to its start for less than 1 is a violated circle.
-struct Cuts::Walk {
+// Searches shortest paths over the runs of regions without a break. From the lowest region of a run a path leads for
+// free to what must follow it in each other column, and from a run to the next lower one of its column for the price
+// of the break in between. A path back to its start for less than 1 is a violated circle.
+struct Cuts::CircleSearch {
     struct Run {
-        Index column, bottom; // place of its lowest region
-        double below = 0;     // the break between it and the next lower run; infinite for the lowest
+        Index column, bottom; // column; place of its lowest region
+        double below = 0;     // price of the break below it; infinite for the lowest
     };
-    struct Reached {
+    struct PathLabel {
         double cost;
-        Index from = kNone; // run
-        Index head = 0;     // place where its column was entered
+        Index from = kNone; // previous run
+        Index head = 0;     // place where the path entered its column
         bool entered = false;
         bool done = false;
-        Index trip = kNone; // the start for which all this holds
+        Index trip = kNone; // the start for which the labels hold
     };
-    struct Open {
+    struct QueueEntry {
         double cost;
         Index run;
-        friend bool operator<(const Open& a, const Open& b) {
+        friend bool operator<(const QueueEntry& a, const QueueEntry& b) {
             return a.cost > b.cost || (a.cost == b.cost && a.run > b.run);
         }
     };
     Cuts& cuts;
     std::vector<Run> run;
     std::vector<Index> of; // the run of each region
-    std::vector<Reached> reached;
-    std::priority_queue<Open> open;
+    std::vector<PathLabel> reached;
+    std::priority_queue<QueueEntry> open;
 
-    explicit Walk(Cuts& c) : cuts(c), of(c.g_.size()) {
+    explicit CircleSearch(Cuts& c) : cuts(c), of(c.g_.size()) {
         for (Index k = 0; k < cuts.columns_.member.size(); ++k)
             for (Index p = 0; p < cuts.columns_.member[k].size(); ++p) {
                 const Index v = cuts.columns_.member[k][p];
@@ -51,20 +51,20 @@ struct Cuts::Walk {
     }
 
     void reach(Index trip, Index to, double cost, Index from, Index head, bool entered) {
-        Reached& r = reached[to];
+        PathLabel& r = reached[to];
         if (cost > 1 - kLeastViolation || (r.trip == trip && r.cost <= cost)) return;
         r = {cost, from, head, entered, false, trip};
         open.push({cost, to});
     }
 
-    // From `start` to all that is reached for less than 1; true once it leads back.
+    // Labels everything reached from `start` for less than 1; true once a path returns to it.
     bool around(Index start) {
         open = {};
         leave(start, start, 0);
         while (!open.empty()) {
             const auto [cost, i] = open.top();
             open.pop();
-            Reached& r = reached[i];
+            PathLabel& r = reached[i];
             if (r.done || r.cost != cost) continue;
             if (i == start) return true;
             r.done = true;
@@ -75,7 +75,7 @@ struct Cuts::Walk {
     }
 
     void descend(Index trip, Index i) {
-        const Reached& r = reached[i];
+        const PathLabel& r = reached[i];
         if (run[i].bottom > 0) reach(trip, i - 1, r.cost + run[i].below, i, r.head, false);
     }
 
@@ -88,12 +88,12 @@ struct Cuts::Walk {
         }
     }
 
-    // The stretches of the way back to `start`, in the order in which they precede each other.
+    // The stretches of the path back to `start`, in the order of their precedence.
     [[nodiscard]] Stretches stretches(Index start) const {
         Stretches out;
         Index foot = start;
         for (Index i = start;;) {
-            const Reached& r = reached[i];
+            const PathLabel& r = reached[i];
             if (!r.entered) {
                 i = r.from;
                 continue;
@@ -107,16 +107,16 @@ struct Cuts::Walk {
     }
 };
 
-std::vector<Cuts::Found> Cuts::circles() {
-    Walk w(*this);
-    std::vector<Found> out;
+std::vector<Cuts::Violation> Cuts::circles() {
+    CircleSearch w(*this);
+    std::vector<Violation> out;
     const auto n = static_cast<Index>(w.run.size());
     const std::uint64_t limit = work_ + kMostWork;
     for (Index tried = 0; tried < n && work_ < limit; ++tried) {
         const Index start = turn_++ % n;
         if (!w.around(start)) continue;
         Stretches s = w.stretches(start);
-        for (std::size_t k = 0; k < s.size(); ++k) { // raise the feet as far as the heads that follow them allow
+        for (std::size_t k = 0; k < s.size(); ++k) { // raise the feet as far as the following heads allow
             const Stretch& next = s[(k + 1) % s.size()];
             while (s[k].foot < s[k].head &&
                    following_.first(columns_.member[s[k].column][s[k].foot + 1], next.column) <= next.head)

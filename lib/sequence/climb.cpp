@@ -8,21 +8,21 @@ namespace filum::sequence {
 
 namespace {
 
-// Where a stroke may start, the best first: whether something lies ahead where it would end, what the choice says, and
-// the region.
+// Rank of a region as the start of a stroke, the best first: whether a region is ahead where the stroke would end, the
+// value for the choice, and the number.
 using Start = std::tuple<bool, std::int64_t, Index>;
 
-// What is printed so far and what may follow.
+// The state of printing: what is printed and what may follow.
 struct Progress {
     const Graph& g;
     Choice choice;
-    std::vector<Index> waiting; // how many of its predecessors a region still waits for
+    std::vector<Index> waiting; // per region: number of unprinted predecessors
     std::vector<char> printed;
-    std::vector<Index> height;                // regions on the longest way up by links
-    std::vector<Index> since;                 // strokes printed when a region became ready
+    std::vector<Index> height;                // number of regions on the longest path up by links
+    std::vector<Index> since;                 // number of strokes printed when a region became ready
     std::set<Start> starts;                   // of the regions that are ready
-    std::vector<Start> start;                 // likewise, by region
-    std::vector<std::vector<Index>> blocking; // starts whose stroke ends where it waits for this region
+    std::vector<Start> start;                 // by region
+    std::vector<std::vector<Index>> blocking; // starts whose stroke ends waiting for this region
     Index strokes = 0;
     Order order;
 
@@ -45,7 +45,8 @@ Progress::Progress(const Graph& graph, Choice c)
         if (waiting[v] == 0) look(v);
 }
 
-// Where the stroke goes from u: the ready region with the longest way ahead, ties to the lower number; kNone if none.
+// The region to which the stroke continues from u: the ready one with the longest path ahead; ties: the lower number;
+// kNone if none.
 Index Progress::next(Index u) const {
     Index best = kNone;
     for (const Index v : g.up[u])
@@ -59,7 +60,7 @@ void Progress::print(Index v) {
     for (const Index w : g.after[v]) --waiting[w];
 }
 
-// Prints ahead from a ready region, notes how far that comes and what it waits for there, and takes it back.
+// Prints ahead from a ready region, records how far that leads and for what it waits there, and undoes it.
 void Progress::look(Index s) {
     const std::size_t mark = order.size();
     for (Index v = s; v != kNone; v = next(v)) print(v);
@@ -86,7 +87,7 @@ void Progress::look(Index s) {
     if (blocker != kNone) blocking[blocker].push_back(s);
 }
 
-// Prints the stroke from s, and looks again from where that changes something.
+// Prints the stroke from s and updates the starts that this affects.
 void Progress::go(Index s) {
     const std::size_t mark = order.size();
     for (Index v = s; v != kNone; v = next(v)) print(v);

@@ -13,7 +13,7 @@ namespace {
 
 using geom::Box2;
 
-constexpr std::size_t kBlock = 8; // regions of a column that share a box
+constexpr std::size_t kBlock = 8; // regions of a column per box
 
 void add(Box2& to, const Box2& b) {
     to.add(b.lo);
@@ -31,12 +31,12 @@ struct PairSearch {
     const Columns& columns;
     const std::vector<Outline>& outlines;
     const machine::Head& head;
-    std::vector<std::vector<Box2>> block; // per column, of every kBlock regions
+    std::vector<std::vector<Box2>> block; // per column, one per kBlock regions
     std::vector<Box2> box;                // per column
     std::vector<Drift> drifts;            // per column
-    std::optional<geom::Bvh> tree;        // over those
-    double top = 0;                       // mm, of all
-    std::vector<std::size_t> limit;       // per column: places from there on wait for the column at hand
+    std::optional<geom::Bvh> tree;        // over the columns' boxes
+    double top = 0;                       // mm, of all regions
+    std::vector<std::size_t> limit;       // per column: places from there on wait for the current column
     std::vector<Pair> found;
 
     [[nodiscard]] const Box2& box_of(Index v) const { return outlines[v].box[0]; }
@@ -57,19 +57,20 @@ struct PairSearch {
         tree.emplace(std::move(flat));
     }
 
-    // How much two regions can be nearer than as measured: place i of column a, place k of column c.
-    [[nodiscard]] double slack(Index a, Index c, const Measured& m, std::size_t i, std::size_t k) const {
+    // How much nearer two regions may be than the measured distance: place i of column a, place k of column c.
+    [[nodiscard]] double slack(Index a, Index c, const RegionDistance& m, std::size_t i, std::size_t k) const {
         return drifts[a].between(m.i, i) + drifts[c].between(m.k, k);
     }
 
-    // Whether the box as measured is the one of `r`, and tells of regions that are `most` nearer or farther.
-    [[nodiscard]] static bool knows_box(const Measured& m, const Reach& r, double most) {
+    // Whether the measured box is that of `r`, and valid for regions displaced by `most`.
+    [[nodiscard]] static bool knows_box(const RegionDistance& m, const Reach& r, double most) {
         return r.half_x == m.half_x && r.half_y == m.half_y && (most == 0 || (m.sure && most < kBoxMargin));
     }
 
-    // Whether what was measured proves that the head over v, place i of column a, touches nothing of the places
-    // first .. last of column c.
-    [[nodiscard]] bool clear(Index v, Index a, Index c, const Measured& m, std::size_t first, std::size_t last) const {
+    // Whether the measured distance proves that the head over v, place i of column a, touches none of the places first
+    // to last of column c.
+    [[nodiscard]] bool clear(Index v, Index a, Index c, const RegionDistance& m, std::size_t first,
+                             std::size_t last) const {
         const std::size_t i = place(v, a);
         const double most = std::max(slack(a, c, m, i, first), slack(a, c, m, i, last));
         if (!(most < m.distance)) return false;
@@ -79,12 +80,11 @@ struct PairSearch {
         return !m.in_box && knows_box(m, r, most);
     }
 
-    // The first place in [first, limit) where the distance measured so far does not prove that the head over v is
-    // clear.
-    [[nodiscard]] std::size_t skip(Index v, Index a, Index c, const Measured& m, std::size_t first,
+    // The first place in [first, limit) for which the measured distance does not prove that the head over v is clear.
+    [[nodiscard]] std::size_t skip(Index v, Index a, Index c, const RegionDistance& m, std::size_t first,
                                    std::size_t limit) const {
         if (!m.known || !clear(v, a, c, m, first, first)) return first;
-        std::size_t proven = first, open = limit; // clear up to and with `proven`; from `open` on not known to be
+        std::size_t proven = first, open = limit; // clear up to and including `proven`; from `open` on unknown
         while (open - proven > 1) {
             const std::size_t middle = proven + (open - proven) / 2;
             (clear(v, a, c, m, first, middle) ? proven : open) = middle;
@@ -93,7 +93,7 @@ struct PairSearch {
     }
 
     // Whether the head over v touches place k of column c.
-    bool touches(Index v, Index a, Index c, std::size_t k, Measured& m) {
+    bool touches(Index v, Index a, Index c, std::size_t k, RegionDistance& m) {
         const Index u = columns.member[c][k];
         const Reach r = reach_of(v, u);
         if (r.everywhere) return true;
@@ -117,13 +117,14 @@ struct PairSearch {
         return g.node[v].layer - g.node[columns.member[a][0]].layer;
     }
 
-    // The first place of column c, below `limit`, whose region stands in the way of v, of column a; `limit` if none.
-    [[nodiscard]] std::size_t first(Index v, Index a, Index c, std::size_t limit, Measured& m) {
+    // The first place of column c below `limit` whose region is in the way of v, of column a; `limit` if there is
+    // none.
+    [[nodiscard]] std::size_t first(Index v, Index a, Index c, std::size_t limit, RegionDistance& m) {
         const auto& member = columns.member[c];
         const Index layer = g.node[v].layer, lowest = g.node[member[0]].layer;
         std::size_t i = layer + 1 > lowest ? layer + 1 - lowest : 0;
         if (i >= limit) return limit;
-        // below the height at which the head reaches from column to column there is nothing to look at
+        // Below the height at which the head reaches from column to column there are no collisions.
         const auto out_of_reach = [&](Index u) { return !may_collide(box[a], box[c], reach_of(v, u)); };
         i = static_cast<std::size_t>(std::partition_point(member.begin() + static_cast<long>(i),
                                                           member.begin() + static_cast<long>(limit), out_of_reach) -
@@ -143,7 +144,7 @@ struct PairSearch {
         return std::min(i, limit);
     }
 
-    // A column whose lowest region rests on one that must wait for v waits as a whole.
+    // Whether the whole column waits for v because its lowest region rests on one that must wait.
     [[nodiscard]] bool implied(Index c) const {
         for (const Index p : g.before[columns.member[c][0]]) {
             const Index d = columns.of[p];
@@ -175,10 +176,10 @@ struct PairSearch {
     void column(Index a) {
         const auto& own = columns.member[a];
         const auto near = others(a);
-        std::vector<Measured> measured_of(near.size());
+        std::vector<RegionDistance> measured_of(near.size());
         for (std::size_t i = own.size(); i-- > 0;) {
             const Index v = own[i];
-            limit[a] = i; // what rests on v or higher waits for it by support
+            limit[a] = i; // regions that rest on v, and higher ones, wait for it by support
             for (std::size_t k = 0; k < near.size(); ++k) {
                 const Index c = near[k];
                 if (limit[c] == 0) continue;

@@ -1,4 +1,4 @@
-// Which regions must be printed before which because the head would touch what stands there already.
+// Precedence from collisions: regions that must be printed before others because the head would touch these.
 #pragma once
 
 #include "machine/head.hpp"
@@ -7,9 +7,9 @@
 
 namespace filum::sequence {
 
-// Pairs (v, u), v below u: with u printed, the head at v would touch it, so v comes first.  That is so where
-// within(u, v, reach(head, z of u - z of v)).  Left out are pairs that others and support (along columns and at the
-// foot of a column) imply: per region and other column at most the lowest such u.
+// Pairs (v, u) with v below u: if u is printed, the head over v touches it, so v must come first. That is the case if
+// within(u, v, reach(head, z of u - z of v)). Pairs implied by others and by support (along columns and at the foot of
+// a column) are left out: per region and other column only the lowest such u is given.
 std::vector<Pair> collisions(const Graph& g, const Columns& columns, const std::vector<Outline>& outlines,
                              const machine::Head& head);
 

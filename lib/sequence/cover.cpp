@@ -11,12 +11,12 @@ namespace {
 constexpr std::uint64_t kPivot = 8; // steps of a pivot per row and column
 } // namespace
 
-Index proven_unused(std::size_t links, const std::vector<Cut>& cuts, std::span<const double> prices) {
+Index proven_unused(std::size_t links, const std::vector<Inequality>& cuts, std::span<const double> prices) {
     constexpr std::int64_t kOne = std::int64_t{1} << 24; // the unit of prices
     std::int64_t sum = 0;
     std::vector<std::int64_t> over(links, -kOne);
     for (std::size_t i = 0; i < cuts.size(); ++i) {
-        const double price = std::clamp(prices[i], 0.0, 1e3); // rubbish would be no worse than any other price
+        const double price = std::clamp(prices[i], 0.0, 1e3); // other values would be as valid as any price
         const auto whole = static_cast<std::int64_t>(std::nearbyint(price * static_cast<double>(kOne)));
         sum += whole * cuts[i].least;
         for (const Index a : cuts[i].link) over[a] += whole;
@@ -27,7 +27,7 @@ Index proven_unused(std::size_t links, const std::vector<Cut>& cuts, std::span<c
 
 struct Cover::Program {
     glp_prob* lp;
-    std::vector<Cut> cuts; // row i + 1 each
+    std::vector<Inequality> cuts; // row i + 1 each
     std::vector<double> unused;
     std::uint64_t work = 0;
 
@@ -51,12 +51,12 @@ Cover::~Cover() = default;
 const std::vector<double>& Cover::unused() const { return p_->unused; }
 std::uint64_t Cover::work() const { return p_->work; }
 
-void Cover::add(std::vector<Cut> cuts) {
+void Cover::add(std::vector<Inequality> cuts) {
     if (cuts.empty()) return;
     int row = glp_add_rows(p_->lp, static_cast<int>(cuts.size()));
     std::vector<int> column;
     std::vector<double> value;
-    for (Cut& c : cuts) {
+    for (Inequality& c : cuts) {
         column.assign(1, 0); // GLPK counts from 1
         for (const Index a : c.link) column.push_back(static_cast<int>(a) + 1);
         value.assign(column.size(), 1);
@@ -94,7 +94,7 @@ std::vector<double> Cover::density() const {
     std::vector<double> out(p_->unused.size(), 0);
     const auto prices = p_->prices();
     for (std::size_t i = 0; i < p_->cuts.size(); ++i) {
-        const Cut& c = p_->cuts[i];
+        const Inequality& c = p_->cuts[i];
         for (const Index a : c.link) out[a] += std::max(0.0, prices[i]) * c.least / static_cast<double>(c.link.size());
     }
     return out;
@@ -103,7 +103,7 @@ std::vector<double> Cover::density() const {
 void Cover::forget_slack() {
     constexpr double kSpare = 0.3;
     std::vector<int> rows{0};
-    std::vector<Cut> kept;
+    std::vector<Inequality> kept;
     for (std::size_t i = 0; i < p_->cuts.size(); ++i) {
         const int row = static_cast<int>(i) + 1;
         if (glp_get_row_stat(p_->lp, row) == GLP_BS && glp_get_row_prim(p_->lp, row) > p_->cuts[i].least + kSpare)

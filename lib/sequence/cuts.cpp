@@ -7,7 +7,7 @@ namespace filum::sequence {
 
 namespace {
 
-constexpr Index kShared = 2; // cuts of a round that a link may be in before further ones are left for later
+constexpr Index kShared = 2; // cuts per round in which a link may be before further ones are postponed
 
 } // namespace
 
@@ -23,11 +23,11 @@ Cuts::Cuts(const Graph& g, const Columns& columns, std::uint64_t most_work)
         }
 }
 
-std::vector<Cut> Cuts::degrees() const {
-    std::vector<Cut> out;
+std::vector<Inequality> Cuts::degrees() const {
+    std::vector<Inequality> out;
     std::vector<std::vector<Index>> entering(g_.size());
     for (Index u = 0; u < g_.size(); ++u) {
-        Cut leaving;
+        Inequality leaving;
         for (Index a = g_.up.start[u]; a < g_.up.start[u + 1]; ++a) {
             leaving.link.push_back(a);
             entering[g_.up.to[a]].push_back(a);
@@ -40,13 +40,13 @@ std::vector<Cut> Cuts::degrees() const {
     return out;
 }
 
-std::vector<Cut> Cuts::apart() const {
-    std::vector<Cut> out;
+std::vector<Inequality> Cuts::apart() const {
+    std::vector<Inequality> out;
     for (Index c = 0; c < columns_.member.size(); ++c)
         for (Index p = 0; p < columns_.member[c].size();) {
             const Index head = following_.again(columns_.member[c][p]);
-            if (head == kNone) break; // nor of any higher region
-            Cut next = cut({{c, p, head}}, 1);
+            if (head == kNone) break; // no higher region has one either
+            Inequality next = cut({{c, p, head}}, 1);
             if (next.least > 0) out.push_back(std::move(next));
             p = head;
         }
@@ -66,8 +66,8 @@ void Cuts::sum_up(std::span<const double> unused) {
     }
 }
 
-std::vector<Cuts::Found> Cuts::again() const {
-    std::vector<Found> out;
+std::vector<Cuts::Violation> Cuts::again() const {
+    std::vector<Violation> out;
     for (Index c = 0; c < columns_.member.size(); ++c)
         for (Index p = 0; p < columns_.member[c].size(); ++p) {
             const Index head = following_.again(columns_.member[c][p]);
@@ -78,7 +78,7 @@ std::vector<Cuts::Found> Cuts::again() const {
     return out;
 }
 
-// Adds the stretch of one more column that raises the breaks least; `sum` is that of all.  False if none fits.
+// Adds the stretch of another column that increases the breaks least; `sum` is the total. False if none fits.
 bool Cuts::add_rival(Stretches& s, double& sum) {
     Stretches best;
     double least = 0;
@@ -90,7 +90,7 @@ bool Cuts::add_rival(Stretches& s, double& sum) {
             if (head == kNone) break;
         }
         if (head == kNone) continue;
-        // of places with equally many breaks below them the lowest has the lowest heads; the foot is raised later
+        // Of places with equally many breaks below them the lowest has the lowest heads; the foot is raised later.
         for (Index foot = level_[columns_.member[c][head]];; foot = level_[columns_.member[c][foot - 1]]) {
             double all = broken(c, foot, head);
             if (all >= 1) break;
@@ -119,7 +119,7 @@ bool Cuts::add_rival(Stretches& s, double& sum) {
     return true;
 }
 
-// Shortens the stretches from below as far as their heads stay where they are.
+// Shortens the stretches from below as far as their heads stay the same.
 void Cuts::raise_feet(Stretches& s) const {
     for (Stretch& x : s) {
         const auto may_rise = [&] {
@@ -132,15 +132,15 @@ void Cuts::raise_feet(Stretches& s) const {
     }
 }
 
-// From each place above a break a stretch is joined by one rival after the other while there is hope.
-std::vector<Cuts::Found> Cuts::rivals() {
+// Starting with a stretch from each place above a break, adds rivals one by one as long as a violation is likely.
+std::vector<Cuts::Violation> Cuts::rivals() {
     constexpr double kHope = 0.7;
-    std::vector<Found> out;
+    std::vector<Violation> out;
     for (Index c = 0; c < columns_.member.size(); ++c)
         for (Index p = 0; p < columns_.member[c].size(); ++p) {
             if (level_[columns_.member[c][p]] != p) continue;
             Stretches s{{c, p, p}};
-            Found best{kLeastViolation, {}, 0};
+            Violation best{kLeastViolation, {}, 0};
             double sum = 0;
             while (add_rival(s, sum)) {
                 const double by = static_cast<double>(s.size() - 1) - sum;
@@ -155,35 +155,35 @@ std::vector<Cuts::Found> Cuts::rivals() {
     return out;
 }
 
-Cut Cuts::cut(const Stretches& s, Index least) const {
-    Cut out{{}, least};
+Inequality Cuts::cut(const Stretches& s, Index least) const {
+    Inequality out{{}, least};
     for (const Stretch& x : s)
         for (Index p = x.foot; p < x.head; ++p) {
             if (const Index a = link_[columns_.member[x.column][p]]; a != kNone)
                 out.link.push_back(a);
             else if (out.least > 0)
-                --out.least; // a step that is no link is a break in any case
+                --out.least; // a step that is not a link is a break in any case
         }
     std::sort(out.link.begin(), out.link.end());
-    out.link.erase(std::unique(out.link.begin(), out.link.end()), out.link.end()); // a circle may come by twice
+    out.link.erase(std::unique(out.link.begin(), out.link.end()), out.link.end()); // a circle may pass a link twice
     return out;
 }
 
-std::vector<Cut> Cuts::violated(std::span<const double> unused) {
+std::vector<Inequality> Cuts::violated(std::span<const double> unused) {
     sum_up(unused);
     work_ += g_.size();
     auto found = again();
     if (found.empty()) found = rivals();
     if (found.empty()) found = circles();
-    std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+    std::sort(found.begin(), found.end(), [](const Violation& a, const Violation& b) {
         return a.by > b.by || (a.by == b.by && a.stretches < b.stretches);
     });
-    const auto same = [](const Found& a, const Found& b) { return a.stretches == b.stretches; };
+    const auto same = [](const Violation& a, const Violation& b) { return a.stretches == b.stretches; };
     found.erase(std::unique(found.begin(), found.end(), same), found.end());
     std::vector<Index> shared(g_.up.size(), 0);
-    std::vector<Cut> out;
-    for (const Found& f : found) {
-        Cut c = cut(f.stretches, f.least);
+    std::vector<Inequality> out;
+    for (const Violation& f : found) {
+        Inequality c = cut(f.stretches, f.least);
         const auto often = std::count_if(c.link.begin(), c.link.end(), [&](Index a) { return shared[a] >= kShared; });
         if (2 * static_cast<std::size_t>(often) > c.link.size()) continue;
         for (const Index a : c.link) ++shared[a];

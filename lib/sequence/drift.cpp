@@ -11,16 +11,16 @@ namespace filum::sequence {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
-constexpr double kStraight = 2e-4; // mm; vertices are rounded to 1e-4 mm, so one on an edge may lie so far beside it
+constexpr double kStraight = 2e-4; // mm; vertices are rounded to 1e-4 mm, so one on an edge may be this far off it
 
-// Loops without the vertices that lie on the straight line between their neighbours, and how far that moved them.
-struct Straight {
+// Loops without vertices on the straight line between their neighbours, and how far removing these moved them.
+struct SimplifiedLoops {
     polygon::Loops loops;
     double moved = 0; // mm, at most
 };
 
-Straight straight(const polygon::Loops& of) {
-    Straight out;
+SimplifiedLoops straight(const polygon::Loops& of) {
+    SimplifiedLoops out;
     std::vector<geom::Vec2> kept;
     for (std::size_t l = 0; l < of.size(); ++l) {
         const auto loop = of[l];
@@ -33,7 +33,7 @@ Straight straight(const polygon::Loops& of) {
             if (off > kStraight)
                 kept.push_back(loop[k]);
             else
-                moved += off; // one vertex after the other
+                moved += off; // errors of consecutive vertices add up
         }
         out.loops.add(kept);
         out.moved = std::max(out.moved, moved);
@@ -43,7 +43,7 @@ Straight straight(const polygon::Loops& of) {
 
 bool same_loops(const polygon::Loops& a, const polygon::Loops& b) { return a.start == b.start && a.points == b.points; }
 
-// By how much loops must move, vertex by vertex; each turned so that its first vertex comes to the nearest one.
+// Displacement between the loops, vertex by vertex; each is rotated so that its first vertex matches the nearest one.
 double vertex_displacement(const polygon::Loops& a, const polygon::Loops& b) {
     if (a.start != b.start) return kUnknown;
     double most = 0;
@@ -59,7 +59,7 @@ double vertex_displacement(const polygon::Loops& a, const polygon::Loops& b) {
     return most;
 }
 
-double displacement(const Straight& a, const Straight& b) {
+double displacement(const SimplifiedLoops& a, const SimplifiedLoops& b) {
     return vertex_displacement(a.loops, b.loops) + a.moved + b.moved;
 }
 
@@ -81,9 +81,9 @@ bool Drift::alone(std::size_t i) const {
 Drift drift(std::span<const Index> column, const std::vector<Outline>& outlines) {
     Drift out{{0}, {0}};
     if (column.empty()) return out;
-    Straight last = straight(outlines[column[0]].loops);
+    SimplifiedLoops last = straight(outlines[column[0]].loops);
     for (std::size_t i = 1; i < column.size(); ++i) {
-        Straight next = straight(outlines[column[i]].loops);
+        SimplifiedLoops next = straight(outlines[column[i]].loops);
         const bool same = same_loops(outlines[column[i - 1]].loops, outlines[column[i]].loops);
         const double by = same ? 0 : displacement(last, next);
         last = std::move(next);

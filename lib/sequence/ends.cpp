@@ -17,7 +17,7 @@ struct EndCauses {
     const machine::Head& head;
     std::vector<Index> place; // of each region in the order
 
-    // What of the head, over `lower`, would touch `upper`.
+    // Which part of the head over `lower` would touch `upper`.
     [[nodiscard]] Cause part(Index lower, Index upper, double apart) const {
         const Reach r = reach(head, g.node[upper].z - g.node[lower].z);
         if (apart < head.flat_radius) return Cause::tip;

@@ -5,7 +5,7 @@
 namespace filum::sequence {
 
 namespace {
-constexpr std::size_t kAtOnce = 16; // places that are compared in the time of one step
+constexpr std::size_t kAtOnce = 16; // places compared in the time of one step
 } // namespace
 
 Following::Following(const Graph& g, const Columns& columns, std::uint64_t most)

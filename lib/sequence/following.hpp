@@ -5,16 +5,16 @@
 
 namespace filum::sequence {
 
-// Precedence is transitive and a column is printed from below, so what must follow a region is one place per column and
-// all above it.
+// Precedence is transitive and columns are printed upwards, so what must follow a region is, per column, one place and
+// everything above it.
 class Following {
   public:
-    // Looks at precedences times columns; nothing is known of the regions below those where `most` is used up.
+    // Takes precedences times columns steps; for regions below those at which `most` is used up nothing is known.
     Following(const Graph& g, const Columns& columns, std::uint64_t most);
 
     // The lowest place in column c whose region must follow v, other than v; kNone if none.
     [[nodiscard]] Index first(Index v, Index c) const { return first_[std::size_t{v} * columns_ + c]; }
-    // The lowest place in v's own column whose region must follow one of another column that must follow v.
+    // The lowest place in v's own column whose region must follow a region of another column that must follow v.
     [[nodiscard]] Index again(Index v) const { return again_[v]; }
     [[nodiscard]] std::uint64_t work() const { return work_; }
 

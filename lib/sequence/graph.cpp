@@ -48,7 +48,7 @@ Graph support_graph(std::span<const polygon::Region> regions) {
     std::vector<Pair> links, support;
     for (std::size_t i = 0; i < regions.size(); ++i) {
         const auto& r = regions[i];
-        if (r.id != i) bad(r, "its id is not " + std::to_string(i) + "; regions must come straight from 'regions'");
+        if (r.id != i) bad(r, "its id should be " + std::to_string(i) + "; regions must come straight from 'regions'");
         Index layer = 0;
         if (i > 0) {
             const auto& p = regions[i - 1];
@@ -58,9 +58,10 @@ Graph support_graph(std::span<const polygon::Region> regions) {
         }
         g.node.push_back({layer, r.z, polygon::centroid(r.loops)});
         for (const auto& o : r.below) {
-            if (o.below >= i || regions[o.below].layer >= r.layer) bad(r, "it lies on no region of a layer below");
+            if (o.below >= i || regions[o.below].layer >= r.layer)
+                bad(r, "it rests on a region that is not on a layer below");
             if (o.link && regions[o.below].layer + 1 != r.layer)
-                bad(r, "its link leads to no region of the layer below");
+                bad(r, "its link does not lead to a region of the layer below");
             if (o.link) links.emplace_back(o.below, r.id);
             if (regions[o.below].layer + 1 == r.layer) support.emplace_back(o.below, r.id);
         }
@@ -82,7 +83,7 @@ std::vector<Pair> carried_from_afar(std::span<const polygon::Region> regions) {
 
 namespace {
 
-// Regions on the longest way from each region along the arcs, in the given order of regions.
+// The number of regions on the longest path from each region along the arcs; `order` must be topological.
 template <class Range>
 std::vector<Index> longest(const Arcs& arcs, const Range& order) {
     std::vector<Index> out(arcs.start.size() - 1, 1);
@@ -91,7 +92,7 @@ std::vector<Index> longest(const Arcs& arcs, const Range& order) {
     return out;
 }
 
-// The one of least key; kNone if there are two.
+// The one with the least key; kNone if it is not unique.
 template <class Key>
 Index only_least(std::span<const Index> among, Key&& key) {
     if (among.empty()) return kNone;

@@ -1,4 +1,4 @@
-// The graph of a job: which region must be printed before which, and where a stroke can climb.
+// The graph of a job: which regions must be printed before which, and where a stroke can climb.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -14,7 +14,7 @@ namespace filum::sequence {
 using Index = std::uint32_t;
 inline constexpr Index kNone = ~Index{0};
 
-// Arcs of a directed graph: to[start[i] .. start[i + 1]) are the heads of node i's arcs, ascending.
+// Arcs of a directed graph: to[start[i]] to to[start[i + 1] - 1] are the heads of node i's arcs, ascending.
 struct Arcs {
     std::vector<Index> start{0}, to;
     [[nodiscard]] std::span<const Index> operator[](Index i) const {
@@ -25,46 +25,47 @@ struct Arcs {
 
 using Pair = std::pair<Index, Index>;
 
-// The arcs of `n` nodes in order, each once.
+// The arcs of `n` nodes, sorted, without duplicates.
 Arcs arcs(std::size_t n, std::vector<Pair> pairs);
 Arcs reversed(const Arcs& a);
 
 struct Node {
-    Index layer = 0;   // counts the layers that hold regions, from 0
+    Index layer = 0;   // number of the layer among those with regions, from 0
     double z = 0;      // mm, top of the region
     geom::Vec2 centre; // of its area
 };
 
-// Every arc leads to a higher layer, so layer order is always feasible.
+// Every arc leads to a higher layer, so printing layer by layer is always possible.
 struct Graph {
     std::vector<Node> node;
-    Arcs up, down;      // links: a stroke may go from a region straight to one above it; and reversed
-    Arcs after, before; // precedence: support and head; and reversed
+    Arcs up, down;      // links: a stroke may go directly from a region to one above it; and reversed
+    Arcs after, before; // precedence by support and head; and reversed
     [[nodiscard]] Index size() const { return static_cast<Index>(node.size()); }
 };
 
-// A column: regions of consecutive layers, each supported by the one before.  Columns partition the regions.
+// Columns: regions of consecutive layers, each supported by the one before. They partition the regions.
 struct Columns {
     std::vector<std::vector<Index>> member; // lowest first; columns by (lowest layer, first member)
     std::vector<Index> of;                  // the column of each region
 };
 
-// What support alone says about `regions`, which come layer by layer, ids without gaps: links where the regions say so,
-// support where they lie on a region of the layer next below.
-// Throws Error(bad_input) if ids or layers do not ascend, an overlap names no region of a layer below, or a link one of
-// another than the next below.
+// The graph of `regions` by support alone; they must come layer by layer with consecutive ids. Links as given by the
+// regions, precedence where they rest on a region of the layer below.
+// Throws Error(bad_input) if ids or layers do not ascend, if an overlap names a region that is not on a layer below,
+// or if a link leads to another layer than the next lower one.
 Graph support_graph(std::span<const polygon::Region> regions);
 
-// Of those that a gap parts, as of a part from what carries it: below, above.  They have no say in columns.
+// Pairs (below, above) of regions with a gap in between, as between a part and its support. They do not affect
+// columns.
 std::vector<Pair> carried_from_afar(std::span<const polygon::Region> regions);
 
-// Each region continues the column of one that carries it: one that a link leads from, if there is any, then one with
-// the longest way down, then that of the least `colour` (by region); if that one, likewise, is continued by it.  Of
-// regions of the same colour none is chosen: there is nothing to choose them by but their number.  Nor have areas a
-// say, so that rounding has none.  For a graph with no other precedence than support.
+// Each region continues the column of a region that carries it: of those that link to it if there are any, then of
+// those with the longest path down, the one of the least `colour` (per region), if it is that one's choice by the same
+// rule. Regions of equal colours are not chosen, as only their numbers differ. Areas do not count, so rounding has no
+// effect. For a graph whose only precedence is support.
 Columns columns(const Graph& g, std::span<const std::uint64_t> colour);
 
-// `g` with more precedence.
+// Adds precedences to `g`.
 void add_precedence(Graph& g, std::vector<Pair> more);
 
 } // namespace filum::sequence

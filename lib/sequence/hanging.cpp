@@ -10,19 +10,20 @@ namespace filum::sequence {
 
 namespace {
 
-constexpr double kAlike = 0.001; // mm; distances that differ by less are equal: rounding must not choose a region
+// mm; smaller differences of distances count as none, so that rounding does not choose a region
+constexpr double kAlike = 0.001;
 
 using Distances = std::vector<std::pair<double, Index>>;
 
-// The regions as they are connected by support.
-struct Parts {
+// The regions with their connection by support.
+struct SupportedParts {
     const Graph& g;
     const std::vector<Outline>& outlines;
     std::vector<Index> first;   // region of each layer, and one past the end
-    std::vector<Index> covered; // by region: the layer of the lowest one that follows it; kNone if none does
+    std::vector<Index> covered; // per region: the layer of the lowest one that follows it; kNone if none does
     geom::DisjointSets set;
 
-    Parts(const Graph& graph, const std::vector<Outline>& o)
+    SupportedParts(const Graph& graph, const std::vector<Outline>& o)
         : g(graph), outlines(o), covered(graph.size(), kNone), set(graph.size()) {
         for (Index v = 0; v < g.size(); ++v) {
             while (first.size() <= g.node[v].layer) first.push_back(v);
@@ -40,12 +41,12 @@ struct Parts {
         return layer > 0 && std::none_of(g.before[v].begin(), g.before[v].end(), carries);
     }
 
-    // Between the boxes of two regions: at most the distance of their outlines.
+    // Distance between the boxes of two regions, a lower bound for that of their outlines.
     [[nodiscard]] double box_distance(Index v, Index u) const {
         return geom::distance(outlines[v].box[0], outlines[u].box[0]);
     }
 
-    // The region of the next lower layer that is nearest to v, and those that are equally near.
+    // The region of the next lower layer nearest to v, and those equally near.
     [[nodiscard]] std::vector<Index> nearest_below(Index v) const {
         const Index layer = g.node[v].layer;
         Distances boxes, exact;
@@ -72,7 +73,7 @@ struct Parts {
                 for (const Index u : nearest_below(v)) set.unite(u, v);
     }
 
-    // The regions of `open` that v follows: all, or the nearest.
+    // The regions of `open` that v follows: all, or the nearest ones.
     [[nodiscard]] std::vector<Index> followed(Index v, const std::vector<Index>& open) const {
         if (open.size() <= kMostBelow) return open;
         Distances far;
@@ -83,8 +84,8 @@ struct Parts {
         return out;
     }
 
-    // Adds the pairs of one part.  Those regions below a hanging one are left out that another lower region follows,
-    // and those below the last layer with a hanging region: that region follows them.
+    // Adds the pairs of one part. Regions below a hanging one are left out if another lower region follows them, or if
+    // they are below the last layer with a hanging region, which follows them.
     void add_pairs(const std::vector<Index>& member, std::vector<Pair>& out) const {
         std::size_t begin = 0; // of the members that the next hanging region may have to follow
         for (std::size_t i = 0, j = 0; i < member.size(); i = j) {
@@ -107,7 +108,7 @@ struct Parts {
 std::vector<Pair> below_hanging(const Graph& g, const std::vector<Outline>& outlines) {
     std::vector<Pair> out;
     if (g.size() == 0) return out;
-    Parts parts(g, outlines);
+    SupportedParts parts(g, outlines);
     parts.join_floating();
     std::vector<Index> number;
     std::vector<std::vector<Index>> member(parts.set.number(number));

@@ -10,9 +10,10 @@ namespace {
 struct HopcroftKarp {
     const Arcs& links;
     std::vector<Index> next, previous; // the matching, from both sides
-    std::vector<Index> level, at;      // per left node: its distance from the free ones, its next arc to try
+    std::vector<Index> level, at;      // per left node: its distance from the free ones, the next arc to try
 
-    // Distances of the left nodes from the free ones along alternating paths; true if a free right node was met.
+    // Computes the distances of the left nodes from the free ones along alternating paths; true if a free right node
+    // is reached.
     bool rank() {
         std::vector<Index> queue;
         std::fill(level.begin(), level.end(), kNone);
@@ -22,7 +23,7 @@ struct HopcroftKarp {
                 queue.push_back(u);
             }
         bool found = false;
-        Index last = kNone; // the level at which the shortest ones end
+        Index last = kNone; // the level of the shortest augmenting paths
         for (std::size_t i = 0; i < queue.size() && (!found || level[queue[i]] == last); ++i)
             for (const Index v : links[queue[i]]) {
                 const Index w = previous[v];
@@ -43,7 +44,7 @@ struct HopcroftKarp {
         while (!path.empty()) {
             const Index u = path.back();
             if (at[u] == links.start[u + 1]) {
-                level[u] = kNone; // a dead end for this phase
+                level[u] = kNone; // a dead end in this phase
                 path.pop_back();
                 continue;
             }

@@ -7,19 +7,20 @@ namespace filum::sequence {
 
 namespace {
 
-constexpr Index kMostMoved = 4000; // regions that a change may move: it takes as many steps
+constexpr Index kMostMoved = 4000; // regions that a change may move, which takes as many steps
 
-struct Mender {
+struct StrokeJoiner {
     const Graph& g;
     Order& order;
     std::vector<Index> place;
     std::mt19937_64 random{1};
     std::uint64_t work = 0;
-    // of a change: how much of the first stroke, from its start, comes before a region; regions in three parts
+    // Data of a change: how much of the first stroke, from its start, comes before a region; and regions in three
+    // parts.
     std::vector<Index> held;
     Order before, behind, fresh;
 
-    Mender(const Graph& graph, Order& o) : g(graph), order(o), place(graph.size()), held(graph.size(), 0) {
+    StrokeJoiner(const Graph& graph, Order& o) : g(graph), order(o), place(graph.size()), held(graph.size(), 0) {
         for (Index i = 0; i < order.size(); ++i) place[order[i]] = i;
     }
 
@@ -27,7 +28,7 @@ struct Mender {
         return i > 0 && i < order.size() && continues(g, order[i - 1], order[i]);
     }
 
-    // The most of the first stroke, lo .. at, that a region between the strokes or `v` waits for, directly or not.
+    // How much of the first stroke, lo to at, a region between the strokes or `v` waits for, directly or not.
     [[nodiscard]] Index holds(Index v, Index lo, Index at, bool direct) {
         Index most = 0;
         for (const Index p : g.before[v]) {
@@ -41,19 +42,19 @@ struct Mender {
         return most;
     }
 
-    // Tries to print v right after u; the strokes that this saves.
+    // Tries to print v directly after u; returns the number of strokes saved.
     Index join(Index u, Index v) {
         const Index at = place[u], to = place[v];
         if (to - at > kMostMoved) return 0;
         Index lo = at;
         while (linked(lo) && at - lo < kMostMoved) --lo;
         for (Index i = at + 1; i < to; ++i) held[order[i]] = holds(order[i], lo, at, true);
-        const Index cut = holds(v, lo, at, false); // this much of the first stroke cannot come along
+        const Index cut = holds(v, lo, at, false); // this much of the first stroke must stay
         if (cut > at - lo) return 0;
         before.clear();
         behind.clear();
         for (Index i = at + 1; i < to; ++i) (held[order[i]] > cut ? behind : before).push_back(order[i]);
-        Index end = to + 1; // of what comes along of the second stroke
+        Index end = to + 1; // end of the part of the second stroke that is moved
         const auto waits = [&](Index w) {
             return std::any_of(g.before[w].begin(), g.before[w].end(),
                                [&](Index p) { return place[p] > at && place[p] < to && held[p] > cut; });
@@ -62,7 +63,8 @@ struct Mender {
         return change(lo + cut, at, to, end);
     }
 
-    // Orders from .. end anew: what goes before, the first stroke's from .. at, the second's to .. end, the rest.
+    // Reorders from .. end: regions that come before, the first stroke's part from .. at, the second's part to .. end,
+    // the rest.
     Index change(Index from, Index at, Index to, Index end) {
         fresh.assign(before.begin(), before.end());
         fresh.insert(fresh.end(), order.begin() + from, order.begin() + at + 1);
@@ -82,7 +84,7 @@ struct Mender {
         return static_cast<Index>(gain);
     }
 
-    // A link that is not used, of a region that starts a stroke or, every other time, ends one.
+    // An unused link of a random region that starts a stroke or, every other time, ends one.
     [[nodiscard]] Pair draw() {
         const auto v = static_cast<Index>(random() % g.size());
         const bool start = random() % 2 == 0;
@@ -96,7 +98,7 @@ struct Mender {
 } // namespace
 
 void mend(const Graph& g, Order& order, Index target, std::uint64_t budget, std::uint64_t& steps) {
-    Mender m(g, order);
+    StrokeJoiner m(g, order);
     Index strokes = cost(g, order).strokes;
     while (strokes > target && m.work < budget) {
         m.work += 10; // of drawing

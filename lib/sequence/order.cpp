@@ -24,10 +24,10 @@ Cost cost(const Graph& g, std::span<const Index> order) {
 
 void check(const Graph& g, std::span<const Index> order) {
     const auto fail = [](const std::string& why) { throw Error(Exit::failure, "internal error: the order " + why); };
-    if (order.size() != g.size()) fail("does not hold every region");
+    if (order.size() != g.size()) fail("does not contain every region");
     std::vector<Index> place(g.size(), kNone);
     for (std::size_t i = 0; i < order.size(); ++i) {
-        if (order[i] >= g.size() || place[order[i]] != kNone) fail("holds a region twice");
+        if (order[i] >= g.size() || place[order[i]] != kNone) fail("contains a region twice");
         place[order[i]] = static_cast<Index>(i);
     }
     for (Index u = 0; u < g.size(); ++u)
@@ -39,19 +39,20 @@ void check(const Graph& g, std::span<const Index> order) {
 
 namespace {
 
-struct Ends {
+struct LayerEnds {
     Index first = kNone, last = kNone;
 };
 
-// A state of the dynamic program over layers: the links made so far when a region is the last (or first) of its layer.
+// A state of the dynamic program over layers: the greatest number of links if a region is the first, or the last, of
+// its layer.
 struct LayerState {
     Index links = 0;
     Index from =
         kNone; // of a first: the last region of the layer below that it continues; of a last: its layer's first
 };
 
-// The first and the last region of every layer, so that as many as possible link.
-std::vector<Ends> layer_ends(const Graph& g, const std::vector<std::vector<Index>>& layers) {
+// The first and the last region of every layer such that as many as possible are linked.
+std::vector<LayerEnds> layer_ends(const Graph& g, const std::vector<std::vector<Index>>& layers) {
     std::vector<LayerState> first(g.size()), last(g.size());
     Index best = kNone; // the best last region of the layer below
     for (const auto& layer : layers) {
@@ -60,7 +61,8 @@ std::vector<Ends> layer_ends(const Graph& g, const std::vector<std::vector<Index
             for (const Index u : g.down[v])
                 if (last[u].links + 1 > first[v].links) first[v] = {last[u].links + 1, u};
         }
-        Index one = kNone, two = kNone; // the two best firsts: a last region must differ from the first, unless alone
+        // the two best firsts, as a last region must differ from the first unless it is alone
+        Index one = kNone, two = kNone;
         for (const Index v : layer) {
             if (one == kNone || first[v].links > first[one].links) {
                 two = one;
@@ -75,7 +77,7 @@ std::vector<Ends> layer_ends(const Graph& g, const std::vector<std::vector<Index
             if (best == kNone || last[v].links > last[best].links) best = v;
         }
     }
-    std::vector<Ends> out(layers.size());
+    std::vector<LayerEnds> out(layers.size());
     for (std::size_t i = layers.size(); i-- > 0;) {
         out[i] = {last[best].from, best};
         best = first[out[i].first].from;
@@ -83,8 +85,8 @@ std::vector<Ends> layer_ends(const Graph& g, const std::vector<std::vector<Index
     return out;
 }
 
-// Appends the regions of a layer: the first, then the nearest next, the last one last.
-void append_nearest(const Graph& g, const std::vector<Index>& layer, const Ends& ends, Order& out) {
+// Appends the regions of a layer: the first, then always the nearest, the last one at the end.
+void append_nearest(const Graph& g, const std::vector<Index>& layer, const LayerEnds& ends, Order& out) {
     std::vector<geom::Vec2> centre;
     centre.reserve(layer.size());
     for (const Index v : layer) centre.push_back(g.node[v].centre);

@@ -1,4 +1,4 @@
-// An order of all regions, what it costs, and whether it can be printed.
+// Orders of all regions: their cost, their validity, and the order by layers.
 #pragma once
 
 #include "sequence/graph.hpp"
@@ -7,22 +7,22 @@ namespace filum::sequence {
 
 using Order = std::vector<Index>;
 
-// True if a stroke can go on from u to v, printed next.
+// Whether a stroke can continue from u to v, printed next.
 bool continues(const Graph& g, Index u, Index v);
 
 struct Cost {
     Index strokes = 0;
-    double travel = 0; // mm between centres of area, summed over the starts of strokes but the first
+    double travel = 0; // mm between centres of area, summed over the starts of strokes except the first
     friend bool operator==(const Cost&, const Cost&) = default;
     friend auto operator<=>(const Cost&, const Cost&) = default;
 };
 Cost cost(const Graph& g, std::span<const Index> order);
 
-// Throws Error(failure, "internal error: ...") unless `order` holds every region once and keeps every precedence.
+// Throws Error(failure, "internal error: ...") unless `order` contains every region once and keeps every precedence.
 void check(const Graph& g, std::span<const Index> order);
 
 // Layer by layer: as many strokes as possible climb from the last region of a layer to the first of the next (dynamic
-// program over the layers); the regions between are taken nearest first.  Ties to the lower id.
+// program over the layers); the regions in between follow by nearest neighbour. Ties: the lower id.
 Order layer_order(const Graph& g);
 
 } // namespace filum::sequence

@@ -14,8 +14,8 @@ using geom::Box2;
 using geom::Vec2;
 
 constexpr std::size_t kRun = 2;  // edges per leaf
-constexpr double kNeedle = 1e-3; // mm; without a head, what lies so near is touched: it lies above or below
-constexpr double kLevel = 1e-6;  // mm; heights so near are the same: sums of layers are not exact
+constexpr double kNeedle = 1e-3; // mm: without a head, regions this near are touched, as they are above or below
+constexpr double kLevel = 1e-6;  // mm: heights this near are equal, since sums of layers are not exact
 
 double gap_x(const Box2& a, const Box2& b) { return std::max({0.0, a.lo.x - b.hi.x, b.lo.x - a.hi.x}); }
 double gap_y(const Box2& a, const Box2& b) { return std::max({0.0, a.lo.y - b.hi.y, b.lo.y - a.hi.y}); }
@@ -25,8 +25,8 @@ bool may_reach(const Box2& a, const Box2& b, const Reach& r) {
     return x * x + y * y < r.radius * r.radius || (x < r.half_x && y < r.half_y);
 }
 
-// True if two points of the segments differ by less than half_x in x and half_y in y: the parallelogram of differences
-// meets the open box, by the separating axes of both.
+// Whether two points of the segments differ by less than half_x in x and half_y in y, that is, whether the
+// parallelogram of differences meets the open box; by the separating axes of both.
 bool box_reaches(Vec2 a, Vec2 b, Vec2 c, Vec2 d, double half_x, double half_y) {
     const Vec2 u = b - a, v = d - c, m = 0.5 * (c + d) - 0.5 * (a + b);
     const auto apart = [&](Vec2 n) {
@@ -38,11 +38,11 @@ bool box_reaches(Vec2 a, Vec2 b, Vec2 c, Vec2 d, double half_x, double half_y) {
            (v == Vec2{} || !apart(geom::left_of(v)));
 }
 
-// The k-th edge of the loops, counting through all of them: from point k to the next of its loop.
-struct Edges {
+// Edge k of the loops, counted through all of them: from point k to the next of its loop.
+struct EdgeCursor {
     const polygon::Loops& loops;
     std::size_t loop = 0;
-    explicit Edges(const polygon::Loops& l, std::size_t k) : loops(l) {
+    explicit EdgeCursor(const polygon::Loops& l, std::size_t k) : loops(l) {
         loop = static_cast<std::size_t>(std::upper_bound(l.start.begin(), l.start.end(), k) - l.start.begin()) - 1;
     }
     std::pair<Vec2, Vec2> at(std::size_t k) {
@@ -60,7 +60,7 @@ Box2 span(Vec2 p, Vec2 q) {
     return {{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}};
 }
 
-// Calls near(a, b, c, d) for edge pairs whose boxes `open` lets through; stops once it returns true.
+// Calls near(a, b, c, d) for pairs of edges whose boxes pass `open`; stops when it returns true.
 template <class Open, class Near>
 bool any_pair(const Outline& a, const Outline& b, Open&& open, Near&& near) {
     std::vector<std::pair<std::size_t, std::size_t>> pending{{0, 0}};
@@ -72,10 +72,10 @@ bool any_pair(const Outline& a, const Outline& b, Open&& open, Near&& near) {
         if (leaf_a && leaf_b) {
             const auto [a0, a1] = run(a, i);
             const auto [b0, b1] = run(b, j);
-            Edges ea(a.loops, a0);
+            EdgeCursor ea(a.loops, a0);
             for (std::size_t k = a0; k < a1; ++k) {
                 const auto [p, q] = ea.at(k);
-                Edges eb(b.loops, b0);
+                EdgeCursor eb(b.loops, b0);
                 for (std::size_t l = b0; l < b1; ++l) {
                     const auto [s, t] = eb.at(l);
                     if (open(span(p, q), span(s, t)) && near(p, q, s, t)) return true;
@@ -123,7 +123,7 @@ Outline outline(polygon::Loops loops) {
     const std::size_t n = o.loops.points.size();
     o.leaves = std::bit_ceil(std::max<std::size_t>(1, (n + kRun - 1) / kRun));
     o.box.resize(2 * o.leaves - 1);
-    Edges edges(o.loops, 0);
+    EdgeCursor edges(o.loops, 0);
     for (std::size_t k = 0; k < n; ++k) {
         const auto [p, q] = edges.at(k);
         Box2& b = o.box[o.leaves - 1 + k / kRun];

@@ -1,4 +1,4 @@
-// Region outlines as trees of boxes, and whether the head over one of them touches the other.
+// Outlines of regions in trees of boxes, and whether the head over one region touches another.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -9,15 +9,15 @@
 
 namespace filum::sequence {
 
-// How far the head reaches around the nozzle at some height above its tip: a disc, and a box centred on the nozzle.
+// The extent of the head around the nozzle up to some height above its tip: a disc, and a box centred on the nozzle.
 struct Reach {
     double radius = 0;             // mm
-    double half_x = 0, half_y = 0; // mm, 0 if there is no box
+    double half_x = 0, half_y = 0; // mm; 0 without a box
     bool everywhere = false;
-    [[nodiscard]] double farthest() const; // no point of the head is farther away in x or y
+    [[nodiscard]] double farthest() const; // upper bound in x and y
 };
 
-// The widest part of `head` from its tip up to `dz` mm above it; without a head, a needle.
+// The extent of `head` from its tip up to `dz` mm above it; without a head, a needle.
 Reach reach(const machine::Head& head, double dz);
 
 // The edges of a region's loops in a tree of boxes.
@@ -28,11 +28,11 @@ struct Outline {
 };
 Outline outline(polygon::Loops loops);
 
-// True if a point of region a and one of region b are nearer than `r` reaches: the head over one touches the other.
-// Exact but for the rounding of doubles: interiors count, so a region inside the other's outline is at distance 0.
+// Whether a point of region a and a point of region b are within `r`, so that the head over one touches the other.
+// Exact up to rounding; interiors count, so a region inside the other's outline has distance 0.
 bool within(const Outline& a, const Outline& b, const Reach& r);
 
-// The least distance between two points of the regions; 0 if they share one.
+// The least distance between points of the regions; 0 if they share a point.
 double distance(const Outline& a, const Outline& b);
 
 } // namespace filum::sequence

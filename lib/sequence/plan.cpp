@@ -14,9 +14,9 @@ namespace filum::sequence {
 
 namespace {
 
-constexpr double kBaseWeight = 0.02;            // a printed region counts this much even where nothing is near
-constexpr double kNearShare = 0.1;              // of those weights, where the bound has priced the regions
-constexpr std::uint64_t kMostKept = 16'000'000; // regions in all kept strokes of a search: bounds its memory
+constexpr double kBaseWeight = 0.02; // weight of a printed region without any neighbours
+constexpr double kNearShare = 0.1;   // share of the weights by neighbours if the bound has priced the regions
+constexpr std::uint64_t kMostKept = 16'000'000; // regions in all stored strokes of a search, which bounds its memory
 
 struct Planner {
     const Graph& g;
@@ -33,14 +33,16 @@ struct Planner {
     void prove(Index strokes) { best.bound = std::max(best.bound, strokes); }
     [[nodiscard]] bool proven() const { return best.cost.strokes == best.bound; }
 
-    // Searches of growing width, by each of the weights, until one proves its order best or the budget is used up.
+    // Searches of increasing width with each of the weights, until one proves its order optimal or the budget is used
+    // up.
     void widen(const std::vector<std::vector<double>>& weights, std::uint64_t budget) {
         std::uint64_t left = budget;
-        if (columns.member.size() * std::uint64_t{best.bound} > budget) return; // one state per stroke takes as much
+        if (columns.member.size() * std::uint64_t{best.bound} > budget)
+            return; // a single state per stroke takes as much
         for (std::size_t width = 1; width * g.size() <= kMostKept || width == 1;) {
             std::uint64_t most = 1;
             for (const auto& weight : weights) {
-                Found f = search(g, columns, weight, width, left);
+                SearchResult f = search(g, columns, weight, width, left);
                 best.steps += f.work;
                 if (f.order.empty()) return;
                 offer(f.order);
@@ -61,7 +63,7 @@ struct Planner {
         }
     }
 
-    // Offers a mended order; the steps taken.
+    // Improves the order and keeps it if it is better; returns the steps taken.
     std::uint64_t mend(Order order, std::uint64_t budget) {
         std::uint64_t steps = 0;
         sequence::mend(g, order, best.bound, budget, steps);

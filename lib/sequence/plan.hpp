@@ -1,4 +1,4 @@
-// The best order that a budget finds, and the best bound.
+// The best order and the best bound within a budget.
 #pragma once
 
 #include "sequence/order.hpp"
@@ -8,18 +8,18 @@ namespace filum::sequence {
 struct Plan {
     Order order;
     Cost cost;
-    Index path_cover = 0, relaxation = 0; // strokes that each proves, 0 where there was no need to ask
+    Index path_cover = 0, relaxation = 0; // lower bounds on strokes by each method, 0 if it was not needed
     Index bound = 0;                      // no order has fewer strokes
-    bool complete = false;                // a search left nothing out
+    bool complete = false;                // a search was exhaustive
     std::uint64_t steps = 0;              // taken of the budget
 };
 
-// Part by connected part: layer order, the greedy ones, then in turns searches and bounds until they meet or the part's
-// share of `budget` steps is taken (by regions; what a part leaves goes to the larger ones).  The strokes depend on the
-// graph alone, not on how its nodes are numbered or where they lie; their order is by arranged().
+// For each connected part: layer order, greedy orders, then alternately searches and bounds until they meet or the
+// part's share of `budget` steps is used (by number of regions; what a part leaves goes to larger ones). The number of
+// strokes depends on the graph only, not on numbers or positions of nodes; their order is by arranged().
 Plan plan(const Graph& g, const Columns& columns, std::uint64_t budget);
 
-// Layer order and what bounds it without a head.
+// Layer order, with the bound that holds without a head.
 Plan layer_plan(const Graph& g);
 
 } // namespace filum::sequence

@@ -10,7 +10,7 @@ namespace filum::sequence {
 
 namespace {
 
-// Columns along the links that are used most: each region goes on to one other, and one other goes on to it.
+// Columns along the links that are used most; each region has one successor and one predecessor at most.
 Columns along_links(const Graph& g, std::span<const double> unused) {
     std::vector<Index> by_use(g.up.size()), from(g.up.size());
     std::iota(by_use.begin(), by_use.end(), 0U);
@@ -35,15 +35,15 @@ Columns along_links(const Graph& g, std::span<const double> unused) {
 
 } // namespace
 
-// The program of one slab.
+// The linear program of one slab.
 struct Relaxation::Program {
     const Graph& g;
     Columns columns;
     std::optional<Cuts> cuts; // of `columns`
     Cover cover;
-    Index unused = 0;         // links, proven
+    Index unused = 0;         // number of links proven unused
     bool done = false;        // no cut is left
-    std::uint64_t before = 0; // work of cuts of earlier columns
+    std::uint64_t before = 0; // work for cuts of earlier columns
 
     Program(const Slab& s, std::uint64_t budget) : g(s.g), columns(s.columns), cover(s.g.up.size()) {
         cuts.emplace(g, columns, budget);
@@ -54,7 +54,7 @@ struct Relaxation::Program {
     }
     [[nodiscard]] std::uint64_t work() const { return before + cuts->work() + cover.work(); }
 
-    // Adds violated cuts; where there are none, those of columns as the solution climbs them.
+    // Adds violated cuts; if there are none, those of columns along the current solution.
     void cut(std::uint64_t budget) {
         auto more = cuts->violated(cover.unused());
         if (more.empty()) {
@@ -90,7 +90,7 @@ void Relaxation::enter(std::size_t slab, std::uint64_t budget) {
     work_ += program_->work();
 }
 
-// Half of what a link is priced to either end, in place of what earlier prices said.
+// Distributes half of each link's price to either end, replacing earlier prices.
 void Relaxation::price(std::size_t slab) {
     const Graph& g = slabs_[slab].g;
     const auto of_link = program_->cover.density();
@@ -108,7 +108,7 @@ Index Relaxation::bound() const {
     return least > links_ ? least - links_ : 0;
 }
 
-// How many links slab i has to leave unused for `target` strokes.
+// The number of links that slab i must leave unused for `target` strokes.
 Index Relaxation::wanted(Index target, std::size_t i) const {
     const std::int64_t others =
         std::int64_t{regions_} - links_ + std::accumulate(unused_.begin(), unused_.end(), std::int64_t{0}) - unused_[i];

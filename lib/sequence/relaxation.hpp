@@ -1,4 +1,4 @@
-// A lower bound for strokes from cuts that are priced against each other.
+// A lower bound on strokes by a cutting plane method.
 #pragma once
 
 #include "sequence/slabs.hpp"
@@ -7,21 +7,22 @@
 
 namespace filum::sequence {
 
-// Strokes are the regions less the links used.  Cuts say what no order can use of some links; the best way to add them
-// up is a linear program, to which violated cuts are added until there are none (a cutting plane method).  A large
-// graph is cut into slabs: an order of all regions uses no more of the links in a slab than an order of the slab alone
-// can, so what they leave unused adds up.
+// The number of strokes is that of regions minus that of links used. Cuts bound the use of some links; their best
+// combination is a linear program, to which violated cuts are added until there are none. A large graph is divided
+// into slabs: an order of all regions uses no more links of a slab than an order of the slab alone, so the numbers of
+// unused links add up.
 class Relaxation {
   public:
-    // `most_in_table` bounds regions times columns of a slab, and with it the memory.
+    // `most_in_table` limits regions times columns of a slab, and so the memory.
     Relaxation(const Graph& g, const Columns& columns, std::size_t most_in_table = 8'000'000);
     ~Relaxation();
     Relaxation(const Relaxation&) = delete;
     Relaxation& operator=(const Relaxation&) = delete;
 
-    // Goes on until `target` strokes are proven, `budget` more is used or no cut is left; the best bound so far.
+    // Continues until `target` strokes are proven, `budget` more is used, or no cut is left. Returns the best bound so
+    // far.
     Index tighten(Index target, std::uint64_t budget);
-    // How much of the bound is owed to the links of each region, half to either end.
+    // The contribution of each region's links to the bound, half to either end.
     [[nodiscard]] const std::vector<double>& density() const { return density_; }
     [[nodiscard]] std::uint64_t work() const { return work_; }
 
@@ -34,7 +35,7 @@ class Relaxation {
 
     Index regions_ = 0, links_ = 0;
     std::vector<Slab> slabs_;
-    std::vector<Index> unused_; // links of each slab, proven
+    std::vector<Index> unused_; // proven unused links of each slab
     std::vector<double> density_;
     std::unique_ptr<Program> program_; // of slab entered_
     std::size_t entered_ = 0;

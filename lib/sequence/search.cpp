@@ -9,8 +9,8 @@ namespace filum::sequence {
 
 namespace {
 
-// A stroke that was kept, and the one before it.
-struct Step {
+// A stored stroke and its predecessor.
+struct StoredStroke {
     Index parent = kNone;
     Index first = 0, count = 0; // its regions in BeamSearch::printed
 };
@@ -23,7 +23,7 @@ struct BeamState {
 
 struct Candidate {
     BeamState state;
-    Index parent = 0;           // which state of the level
+    Index parent = 0;           // index of the state in the level
     Index first = 0, count = 0; // its regions in BeamSearch::tried
 };
 
@@ -36,7 +36,7 @@ struct BeamSearch {
     std::vector<Index> place; // of each region in its column
     std::uint64_t work = 0;
 
-    std::vector<Step> steps;
+    std::vector<StoredStroke> steps;
     std::vector<Index> printed;
     std::vector<BeamState> level;
     std::vector<Index> heights; // of the level's states, k each
@@ -45,7 +45,7 @@ struct BeamSearch {
 
     std::vector<Index> now; // heights while a stroke is tried
     std::vector<Index> path;
-    bool reached_top = false; // a candidate of this state ends at a top: it alone counts
+    bool reached_top = false; // a candidate of this state ends at a top, and is the only one that counts
 
     BeamSearch(const Graph& graph, const Columns& c, std::span<const double> w, std::uint64_t bits)
         : g(graph), columns(c), weight(w), k(c.member.size()), hashed(bits), place(graph.size()) {
@@ -64,7 +64,7 @@ struct BeamSearch {
         return true;
     }
 
-    // Every stroke that begins with `path` and ends where nothing more is ready.
+    // Adds every stroke that begins with `path` and ends where nothing more is ready.
     void extend(const BeamState& from, Index parent) {
         const Index u = path.back();
         bool ended = true;
@@ -98,7 +98,7 @@ struct BeamSearch {
     void expand(Index s) {
         reached_top = false;
         const auto own = heights.begin() + static_cast<long>(s * k);
-        now.assign(own, own + static_cast<long>(k)); // and again behind every stroke tried
+        now.assign(own, own + static_cast<long>(k)); // restored after every stroke that is tried
         for (Index c = 0; c < k && !reached_top; ++c) {
             if (now[c] == columns.member[c].size()) continue;
             const Index v = columns.member[c][now[c]];
@@ -119,13 +119,13 @@ struct BeamSearch {
         return false;
     }
 
-    // The next level from the candidates; true if none had to be dropped for want of width.
+    // Selects the next level from the candidates; true if none had to be dropped.
     bool select(std::size_t width) {
         std::stable_sort(candidates.begin(), candidates.end(),
                          [](const Candidate& a, const Candidate& b) { return a.state.score > b.state.score; });
         std::vector<BeamState> next;
         std::vector<Index> kept;
-        std::unordered_multimap<std::uint64_t, Index> seen; // hashes, to where the state is in `next`, or kNone
+        std::unordered_multimap<std::uint64_t, Index> seen; // hash to the index of the state in `next`, or kNone
         bool all = true;
         for (const Candidate& c : candidates) {
             now.assign(heights.begin() + static_cast<long>(c.parent * k),
@@ -170,9 +170,9 @@ struct BeamSearch {
 
 } // namespace
 
-Found search(const Graph& g, const Columns& columns, std::span<const double> weight, std::size_t width,
-             std::uint64_t budget, std::uint64_t hashed) {
-    Found out;
+SearchResult search(const Graph& g, const Columns& columns, std::span<const double> weight, std::size_t width,
+                    std::uint64_t budget, std::uint64_t hashed) {
+    SearchResult out;
     if (g.size() == 0) return {{}, true, 0};
     BeamSearch s(g, columns, weight, hashed);
     bool all = true;
@@ -183,7 +183,7 @@ Found search(const Graph& g, const Columns& columns, std::span<const double> wei
             s.expand(i);
             if (s.work > budget) return {{}, false, s.work};
         }
-        if (s.candidates.empty()) break; // nothing is left to print, in every state
+        if (s.candidates.empty()) break; // everything is printed in every state
         all = s.select(width) && all;
     }
     return {s.order(s.level.front().step), all, s.work};

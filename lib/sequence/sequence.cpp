@@ -11,7 +11,7 @@ namespace filum::sequence {
 
 namespace {
 
-void add_strokes(Result& to, const Order& order, std::span<const polygon::Region> regions) {
+void add_strokes(SequenceResult& to, const Order& order, std::span<const polygon::Region> regions) {
     std::uint32_t stroke = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
         const bool on = i > 0 && continues(to.graph, order[i - 1], order[i]);
@@ -22,7 +22,7 @@ void add_strokes(Result& to, const Order& order, std::span<const polygon::Region
     }
 }
 
-Facts facts(const Result& r, const Plan& p, const Columns& c, std::size_t collisions, std::size_t brims) {
+Facts facts(const SequenceResult& r, const Plan& p, const Columns& c, std::size_t collisions, std::size_t brims) {
     Facts out;
     const auto add = [&](const std::string& name, double value, const char* unit) {
         out.push_back({"", name, value, unit});
@@ -52,8 +52,8 @@ std::string bound_by(const Plan& p) {
 
 } // namespace
 
-Result sequence(std::vector<polygon::Region> regions, const Options& options) {
-    Result out;
+SequenceResult sequence(std::vector<polygon::Region> regions, const Options& options) {
+    SequenceResult out;
     out.graph = support_graph(regions);
     Graph& g = out.graph;
     if (g.size() == 0) return out;
@@ -63,7 +63,7 @@ Result sequence(std::vector<polygon::Region> regions, const Options& options) {
     const std::vector<Pair> rims = brims(regions);
     std::vector<Outline> outlines;
     std::vector<Pair> hits;
-    if (!options.by_layers) { // layer order keeps the following precedences by itself
+    if (!options.by_layers) { // layer order keeps the following precedences anyway
         for (auto& r : regions) outlines.push_back(outline(std::move(r.loops)));
         add_precedence(g, below_hanging(g, outlines));
         hits = collisions(g, c, outlines, options.head);

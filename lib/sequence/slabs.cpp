@@ -6,7 +6,7 @@ namespace filum::sequence {
 
 namespace {
 
-// The arcs within first .. last - 1, numbered from `first`.
+// The arcs within first to last - 1, numbered from `first`.
 Arcs part(const Arcs& a, Index first, Index last) {
     Arcs out;
     for (Index v = first; v < last; ++v) {
@@ -46,9 +46,10 @@ std::vector<Slab> slabs(const Graph& g, const Columns& columns, std::size_t most
         while (layer.size() <= g.node[v].layer) layer.push_back(v);
     layer.push_back(g.size());
     std::vector<Slab> out;
-    std::vector<std::size_t> seen(columns.member.size(), 0); // by the slab of this number, from 1
+    // number of the slab, from 1, that last contained the column
+    std::vector<std::size_t> seen(columns.member.size(), 0);
     for (std::size_t bottom = 0; bottom + 1 < layer.size();) {
-        std::size_t many = 0, top = bottom; // columns of the layers bottom .. top - 1
+        std::size_t many = 0, top = bottom; // columns of the layers bottom to top - 1
         for (; top + 1 < layer.size(); ++top) {
             std::size_t more = many;
             for (Index v = layer[top]; v < layer[top + 1]; ++v)

@@ -6,7 +6,7 @@ namespace filum::sequence {
 
 namespace {
 
-// The regions from `first` to `last`, numbered from 0, on layers from 0, resting on nothing that is not among them.
+// The regions from `first` to `last`, numbered from 0, on layers from 0, without relations to others.
 std::vector<polygon::Region> slab(const std::vector<polygon::Region>& all, std::size_t first, std::size_t last) {
     std::vector<polygon::Region> out(all.begin() + static_cast<std::ptrdiff_t>(first),
                                      all.begin() + static_cast<std::ptrdiff_t>(last));
@@ -28,7 +28,7 @@ double value(const Facts& facts, const std::string& name) {
     return at == facts.end() ? 0 : at->value;
 }
 
-// Sums; but what is a share or an answer of its own.
+// Sums facts, except shares and facts about a single result.
 void add_facts(const Facts& of, Facts& to) {
     for (const Fact& f : of) {
         const auto at = std::find_if(to.begin(), to.end(), [&](const Fact& t) { return t.name == f.name; });
@@ -43,16 +43,16 @@ void add_facts(const Facts& of, Facts& to) {
 
 } // namespace
 
-Result sequence_apart(const std::vector<polygon::Region>& regions, const Options& options,
-                      const machine::Pauses& pauses) {
+SequenceResult sequence_apart(const std::vector<polygon::Region>& regions, const Options& options,
+                              const machine::Pauses& pauses) {
     const auto before = [&](std::size_t i) { return pauses.before(regions[i].layer, regions[i].z, regions[i].height); };
-    Result out;
+    SequenceResult out;
     std::uint32_t strokes = 0;
     for (std::size_t first = 0, last = 0; first < regions.size(); first = last) {
         while (last < regions.size() && before(last) == before(first)) ++last;
         Options own = options;
         own.budget = options.budget * (last - first) / regions.size();
-        const Result part = sequence(slab(regions, first, last), own);
+        const SequenceResult part = sequence(slab(regions, first, last), own);
         for (std::size_t i = 0; i < part.order.size(); ++i) {
             out.order.push_back(part.order[i] + static_cast<Index>(first));
             out.stroke.push_back(part.stroke[i] + strokes);
@@ -62,7 +62,7 @@ Result sequence_apart(const std::vector<polygon::Region>& regions, const Options
         add_facts(part.facts, out.facts);
         out.bound_by = out.bound_by.empty() || out.bound_by == part.bound_by ? part.bound_by : "several";
     }
-    // a bound that only some slabs asked for is none of the whole
+    // A bound that was computed for some slabs only is not a bound of the whole.
     std::erase_if(out.facts, [](const Fact& f) { return f.name == "relaxation-bound"; });
     for (Fact& f : out.facts)
         if (f.name == "gap")

@@ -1,4 +1,4 @@
-// An order with places where everything below must be there before anything above begins.
+// Orders jobs with pauses, at which everything below must be printed.
 #pragma once
 
 #include "machine/pauses.hpp"
@@ -6,10 +6,10 @@
 
 namespace filum::sequence {
 
-// As sequence(), of what lies between two pauses each by itself, one slab after the other; without ends and graph. Each
-// slab gets its share of the budget by its regions.  Counts and bounds are the sums: no order that waits there has
-// fewer strokes.  Slabs without regions are none.
-Result sequence_apart(const std::vector<polygon::Region>& regions, const Options& options,
-                      const machine::Pauses& pauses);
+// Applies sequence() to the layers between two pauses, one slab after the other; without ends and graph. Each slab
+// gets a share of the budget by its regions. Counts and bounds are sums: no order with these pauses has fewer strokes.
+// Empty slabs are skipped.
+SequenceResult sequence_apart(const std::vector<polygon::Region>& regions, const Options& options,
+                              const machine::Pauses& pauses);
 
 } // namespace filum::sequence

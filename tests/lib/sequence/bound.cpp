@@ -35,7 +35,7 @@ TEST(Cuts, HoldForEveryOrder) {
         const Towers t = random_towers(random, {any(random, 3, 8), 20, 8});
         const Graph& g = t.g;
         Cuts source(g, t.columns, kAmple);
-        std::vector<Cut> all = source.degrees();
+        std::vector<Inequality> all = source.degrees();
         Cover cover(g.up.size());
         cover.add(all);
         for (int round = 0; round < 20; ++round) {
@@ -48,7 +48,7 @@ TEST(Cuts, HoldForEveryOrder) {
             cover.add(more);
         }
         cuts += all.size();
-        for (const Cut& x : all) rivals += x.least > 1 ? 1 : 0;
+        for (const Inequality& x : all) rivals += x.least > 1 ? 1 : 0;
         for (int i = 0; i < 30; ++i) {
             const Order order = random_order(random, g);
             check(g, order);
@@ -58,7 +58,7 @@ TEST(Cuts, HoldForEveryOrder) {
                 const auto at = std::lower_bound(up.begin(), up.end(), order[k]);
                 if (at != up.end() && *at == order[k]) used[g.up.start[order[k - 1]] + (at - up.begin())] = 1;
             }
-            for (const Cut& x : all) {
+            for (const Inequality& x : all) {
                 const auto left = std::count_if(x.link.begin(), x.link.end(), [&](Index a) { return used[a] == 0; });
                 EXPECT_GE(left, x.least);
                 tight += left == x.least ? 1 : 0;
@@ -85,7 +85,7 @@ TEST(Bounds, AreNoMoreThanEnumerationFinds) {
         const Index in_slabs = Relaxation(t.g, t.columns, 12).tighten(kNone, kAmple);
         EXPECT_LE(in_slabs, least) << trial;
         slabs_above_cover += in_slabs > path_cover(t.g) ? 1 : 0;
-        const Found f = search(t.g, t.columns, w, 5000, kAmple);
+        const SearchResult f = search(t.g, t.columns, w, 5000, kAmple);
         EXPECT_TRUE(f.optimal);
         check(t.g, f.order);
         EXPECT_EQ(cost(t.g, f.order).strokes, least) << trial;
@@ -129,15 +129,15 @@ TEST(Cover, AnyPricesProveABound) {
     Random random(8);
     for (int trial = 0; trial < 200; ++trial) {
         const Index links = 2 + random() % 9;
-        std::vector<Cut> cuts(1 + random() % 6);
-        for (Cut& c : cuts) {
+        std::vector<Inequality> cuts(1 + random() % 6);
+        for (Inequality& c : cuts) {
             for (Index a = 0; a < links; ++a)
                 if (random() % 2 == 0) c.link.push_back(a);
             c.least = c.link.empty() ? 0 : static_cast<Index>(random() % c.link.size());
         }
         Index fewest = kNone; // by enumeration
         for (std::uint32_t set = 0; set < 1U << links; ++set)
-            if (std::all_of(cuts.begin(), cuts.end(), [&](const Cut& c) {
+            if (std::all_of(cuts.begin(), cuts.end(), [&](const Inequality& c) {
                     return std::count_if(c.link.begin(), c.link.end(), [&](Index a) { return set >> a & 1; }) >=
                            c.least;
                 }))

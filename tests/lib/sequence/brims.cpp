@@ -36,7 +36,7 @@ TEST(Brims, CostNoStroke) {
         o.budget = 1'000'000;
         o.head.none = true;
         const auto all = with_brims(world);
-        const Result plain = sequence(world, o), r = sequence(all, o);
+        const SequenceResult plain = sequence(world, o), r = sequence(all, o);
         EXPECT_EQ(fact(r, "planned-strokes"), fact(plain, "planned-strokes"));
         EXPECT_EQ(fact(r, "lower-bound"), fact(plain, "lower-bound"));
         EXPECT_EQ(fact(r, "layer-floor"), fact(plain, "layer-floor"));
@@ -61,7 +61,7 @@ TEST(Brims, TheHeadHasRoomOverThem) {
         const auto all = with_brims(random_world(random, 12, 4, 30));
         Options o;
         o.budget = 1'000'000;
-        const Result r = sequence(all, o);
+        const SequenceResult r = sequence(all, o);
         std::vector<std::size_t> place(all.size());
         for (std::size_t i = 0; i < r.order.size(); ++i) place[r.order[i]] = i;
         for (const auto& low : all)

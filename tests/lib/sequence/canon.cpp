@@ -123,7 +123,7 @@ TEST(Sequence, PlacesDoNotDecide) {
                                  r.loops.points.begin() + static_cast<long>(r.loops.start[l + 1]));
                 r.box = polygon::bounds(r.loops);
             }
-            const Result out = sequence(now, options);
+            const SequenceResult out = sequence(now, options);
             return out.stroke.back();
         };
         using geom::Vec2;

@@ -7,7 +7,7 @@
 namespace filum::sequence {
 namespace {
 
-Index ended(const Result& r, Cause c) { return tally(r.ends)[static_cast<std::size_t>(c)]; }
+Index ended(const SequenceResult& r, Cause c) { return tally(r.ends)[static_cast<std::size_t>(c)]; }
 
 std::vector<polygon::Region> towers_apart(double gap) {
     std::vector<Outlined> two;
@@ -22,7 +22,7 @@ TEST(Ends, NameThePartOfTheHead) {
     const auto causes = [](double gap, machine::Head head) {
         Options o;
         o.head = head;
-        const Result r = sequence(towers_apart(gap), o);
+        const SequenceResult r = sequence(towers_apart(gap), o);
         EXPECT_EQ(r.ends.size(), r.stroke.back() + 1);
         EXPECT_EQ(ended(r, Cause::top), 2);
         for (const End& e : r.ends) EXPECT_NEAR(e.distance, e.cause == Cause::top ? 0 : gap, 1e-9);
@@ -41,13 +41,14 @@ TEST(Ends, NameThePartOfTheHead) {
 
 TEST(Ends, OfStrokesThatMeetOrRestOnTwo) {
     // two legs under a bar: one leg's stroke goes on into it
-    const Result arch = sequence(world({{0, box(0, 0, 1, 1)}, {0, box(9, 0, 1, 1)}, {1, box(0, 0, 10, 1)}}), {});
+    const SequenceResult arch =
+        sequence(world({{0, box(0, 0, 1, 1)}, {0, box(9, 0, 1, 1)}, {1, box(0, 0, 10, 1)}}), {});
     EXPECT_EQ(ended(arch, Cause::top), 1);
     EXPECT_EQ(ended(arch, Cause::taken), 1);
     // layer by layer no stroke waits for anything
     Options layers;
     layers.by_layers = true;
-    const Result l = sequence(towers_apart(10), layers);
+    const SequenceResult l = sequence(towers_apart(10), layers);
     EXPECT_EQ(ended(l, Cause::top), 2);
     EXPECT_EQ(ended(l, Cause::open), 99);
     // b's stroke could go on to c, which also rests on d, and d on a by no link: d starts anew and c after it
@@ -57,7 +58,7 @@ TEST(Ends, OfStrokesThatMeetOrRestOnTwo) {
     none.head.none = true;
     EXPECT_EQ(ended(sequence(rest, none), Cause::taken), 1);
     rest[2].below[1].link = false; // the second leg must be waited for, and leads nowhere
-    const Result r = sequence(rest, none);
+    const SequenceResult r = sequence(rest, none);
     EXPECT_EQ(ended(r, Cause::top), 2);
     // by hand: the first leg, the second, the bar; the first could go on but for the second
     const Graph g = support_graph(rest);
@@ -79,7 +80,7 @@ TEST(Ends, AreBindingInRandomWorlds) {
         Options o;
         o.head.cone_angle = 2;
         o.budget = 1'000'000;
-        const Result r = sequence(regions, o);
+        const SequenceResult r = sequence(regions, o);
         std::vector<Index> place(regions.size());
         for (Index i = 0; i < r.order.size(); ++i) place[r.order[i]] = i;
         Index sum = 0;
@@ -101,7 +102,7 @@ TEST(Ends, AreBindingInRandomWorlds) {
 }
 
 TEST(Ends, AsATable) {
-    const Result r = sequence(towers_apart(10), {});
+    const SequenceResult r = sequence(towers_apart(10), {});
     const std::string text = table(r.graph, r.ends);
     EXPECT_EQ(text.substr(0, text.find('\n')),
               "stroke\tregion\tlayer\tz_mm\tx_mm\ty_mm\tcause\tahead\tawaited\trise_mm\tdistance_mm");

@@ -98,7 +98,7 @@ TEST(Search, FindsTheKnownOptimaOfEqualTowers) {
                         {4, 4, 1, 13}}) {
         const Towers t = towers(r.k, r.layers, r.c);
         const auto w = weights(t.g, t.columns, 0.02);
-        const Found f = search(t.g, t.columns, w, 1000, kAmple);
+        const SearchResult f = search(t.g, t.columns, w, 1000, kAmple);
         EXPECT_TRUE(f.optimal);
         check(t.g, f.order);
         EXPECT_EQ(cost(t.g, f.order).strokes, r.optimum) << r.k << "x" << r.layers << " c " << r.c;
@@ -139,7 +139,7 @@ TEST(Search, AgreesWithEnumerationOnRandomWorlds) {
         const Index least = fewest_strokes(g);
         const auto w = weights(g, c, 0.02);
 
-        const Found wide = search(g, c, w, 5000, kAmple);
+        const SearchResult wide = search(g, c, w, 5000, kAmple);
         ASSERT_TRUE(wide.optimal);
         check(g, wide.order);
         EXPECT_EQ(cost(g, wide.order).strokes, least) << trial;
@@ -148,11 +148,11 @@ TEST(Search, AgreesWithEnumerationOnRandomWorlds) {
         above_cover += least > path_cover(g) ? 1 : 0;
         relaxed_best += relaxed(g, c) == least ? 1 : 0;
 
-        const Found alike = search(g, c, w, 5000, kAmple, 0); // every state has the same hash
+        const SearchResult alike = search(g, c, w, 5000, kAmple, 0); // every state has the same hash
         EXPECT_TRUE(alike.optimal);
         EXPECT_EQ(alike.order, wide.order) << trial;
 
-        const Found narrow = search(g, c, w, 1, kAmple);
+        const SearchResult narrow = search(g, c, w, 1, kAmple);
         check(g, narrow.order);
         EXPECT_GE(cost(g, narrow.order).strokes, least);
         search_best += cost(g, narrow.order).strokes == least ? 1 : 0;
@@ -229,7 +229,7 @@ TEST(Sequence, IsFeasibleAndNeverWorseThanByLayers) {
         const auto regions = random_world(random, 20, 6, uniform(random, 5, 60));
         Options o;
         o.budget = 1'000'000;
-        const Result r = sequence(regions, o);
+        const SequenceResult r = sequence(regions, o);
         ASSERT_EQ(r.order.size(), regions.size());
         std::vector<Index> place(regions.size(), kNone);
         for (Index i = 0; i < r.order.size(); ++i) place[r.order[i]] = i;
@@ -256,7 +256,7 @@ TEST(Sequence, IsFeasibleAndNeverWorseThanByLayers) {
         EXPECT_GE(fact(r, "lower-bound"), fact(r, "path-cover"));
         Options layers = o;
         layers.by_layers = true;
-        const Result l = sequence(regions, layers);
+        const SequenceResult l = sequence(regions, layers);
         EXPECT_LE(strokes, fact(l, "planned-strokes"));
         EXPECT_GE(fact(l, "planned-strokes"), fact(l, "layer-floor"));
         for (std::size_t i = 1; i < l.order.size(); ++i)
@@ -283,7 +283,7 @@ TEST(LayerOrder, UsesAsManyLinksAsAnyLayerOrder) {
 TEST(Sequence, OneColumnIsOneStroke) {
     std::vector<Outlined> tower;
     for (std::uint32_t l = 0; l < 300; ++l) tower.push_back({l, box(0, 0, 5, 5)});
-    const Result r = sequence(world(tower), {});
+    const SequenceResult r = sequence(world(tower), {});
     EXPECT_EQ(fact(r, "planned-strokes"), 1);
     EXPECT_EQ(fact(r, "lower-bound"), 1);
 }
@@ -312,7 +312,7 @@ TEST(Sequence, MeetsItsBoundWithoutAHead) {
         const auto regions = random_world(random, 30, 6, uniform(random, 2, 20));
         Options o;
         o.head.none = true;
-        const Result r = sequence(regions, o);
+        const SequenceResult r = sequence(regions, o);
         EXPECT_EQ(fact(r, "planned-strokes"), fact(r, "lower-bound")) << trial;
         above_cover += fact(r, "planned-strokes") > fact(r, "path-cover") ? 1 : 0;
     }

@@ -15,7 +15,7 @@ TEST(SlabsApart, AllBelowAPauseComesFirst) {
         Options options;
         options.budget = 1'000'000;
         const auto pauses = machine::parse_pauses(seed % 2 == 0 ? "4,1.6mm" : "7");
-        const Result r = sequence_apart(regions, options, pauses);
+        const SequenceResult r = sequence_apart(regions, options, pauses);
         ASSERT_EQ(r.order.size(), regions.size());
         std::vector<char> seen(regions.size(), 0);
         std::size_t passed = 0;

@@ -24,7 +24,7 @@ inline Index any(Random& random, Index least, Index most) {
     return least + static_cast<Index>(random() % (most - least + 1));
 }
 
-inline double fact(const Result& r, const std::string& name) {
+inline double fact(const SequenceResult& r, const std::string& name) {
     for (const auto& f : r.facts)
         if (f.name == name) return f.value;
     return -1;
