@@ -32,9 +32,9 @@ struct Travel {
 // three ways:
 // - straight, at the lift;
 // - over: where that is blocked, corners are added above the place that rises most, at the least free rise plus the
-// lift (at least 0.2 mm), until all is free; then unnecessary corners are removed;
+//   lift (at least 0.2 mm), until all is free; then unnecessary corners are removed;
 // - around: searched at four heights from the lift to that of the way over, if that exceeds the straight way by 5 mm
-// and a quarter.
+//   and a quarter.
 // `before`: beads born earlier are obstacles. If no way is free, the way over as far as it was found; from an end
 // without room it first leads along the axis. Deterministic; a way over has at most 64 corners; see around.hpp for the
 // other.

@@ -17,7 +17,7 @@ struct SearchResult {
 // - a region that is ready where a stroke ends can only begin a later stroke, so continuing costs nothing;
 // - removing a closed set from an order shortens its strokes from below and breaks none;
 // - a stroke that reaches a region without a link upwards may be chosen at once, alone: it removes a stroke from any
-// order.
+//   order.
 // After every stroke the `width` states with the most printed `weight` survive; ties: the first found. Ends without an
 // order when `budget` is used up. Equal states are found by `hashed` bits of a hash and then compared; fewer bits cost
 // time and change nothing.

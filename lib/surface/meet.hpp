@@ -16,10 +16,10 @@ struct Intersection {
 
 // The lines common to the surface and the mesh, which may be open, self-intersecting or inconsistently oriented:
 // - where triangles cross, their common segment; where they are coplanar, the edges of either inside the other
-// (vertices nearer to a plane than 1e-9 of the surface's box are on it);
+//   (vertices nearer to a plane than 1e-9 of the surface's box are on it);
 // - rims of the surface that run along the mesh, as where two surfaces share a border but have different triangles:
-// nearer to the mesh than `near` mm for more than a mean edge, without a bend of 30 degrees. Crossings within 2 `near`
-// of these are left out.
+//   nearer to the mesh than `near` mm for more than a mean edge, without a bend of 30 degrees. Crossings within 2
+//   `near` of these are left out.
 // `near` 0: a twentieth of the mean edge of the surface or of the mesh, whichever is longer.
 Intersection meet(const Surface& s, const mesh::Mesh& other, double near = 0);
 

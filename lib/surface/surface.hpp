@@ -71,7 +71,7 @@ void each_outgoing(const Surface& s, std::uint32_t vertex, const Visit& visit) {
 // - removes repeated triangles, and triangles without area (the neighbour on the longest side gets the third corner);
 // - reverses triangles that face against their neighbours;
 // - where more than two triangles meet at an edge, keeps the two joined that continue each other best and cuts the
-// others off;
+//   others off;
 // - separates fans that touch in one point, and cuts one-sided surfaces open.
 // `faces` is set to the CAD face of each triangle, from mesh.faces; `of_file` to mesh.of_file for the surface's
 // vertices.

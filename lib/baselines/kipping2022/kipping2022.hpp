@@ -4,17 +4,16 @@
 // seed curve on both sides, rows are joined wherever their ends are, rings leave voids at maxima of the distance, and
 // smoothing leaves the surface.
 //
-// Where the text leaves room, these readings are used:
-//  - phi is the sheet's field "distance", linear in triangles; the authors' own is that of `geodesic --method heat
-//    --paper`.  Levels are i d, i = 1, 2, ...; gamma itself is not laid.
-//  - "the path is resampled to obtain an even point distribution and smoothed by a Savitzky-Golay filter": every stroke
-//    by itself (the part between travels), all coordinates, the ends by the polynomials of the first and last window,
-//    as scipy's default does.  r_resample, window and degree are not given: options.
-//    By default d / 4, 5 and 2: of windows 5 to 11 and degrees 2 and 3 the choice for which the curvatures of samples
-//    like the authors' are nearest to those of their Table 1.
-//  - "offsetting the respective boundary point by the travel height along the normal": surfpath::plan::spans does that.
-//  - what is dropped or not reached is noted with its length or area.
-// Further readings are in rows.hpp, ortheo.hpp, rings.hpp and spiral.hpp.
+// Where the text is not explicit, it is read as follows:
+// - phi is the sheet's field "distance", linear in triangles; the authors' own is that of `geodesic --method heat
+//   --paper`. Levels are i d, i = 1, 2, ...; gamma itself is not a line of the path.
+// - "the path is resampled to obtain an even point distribution and smoothed by a Savitzky-Golay filter": every stroke
+//   separately, all coordinates, the ends by the polynomials of the first and last window, which is scipy's default.
+//   r_resample, window and degree are not given and are options. Their defaults are d / 4, 5 and 2: of windows 5 to 11
+//   and degrees 2 and 3 the choice for which the curvatures of samples like the authors' are nearest to their Table 1.
+// - "offsetting the respective boundary point by the travel height along the normal": done by surfpath::plan::spans.
+// - For omitted lines and unreached places a note gives the length or area.
+// rows.hpp, ortheo.hpp, rings.hpp and spiral.hpp list further readings.
 #pragma once
 
 #include "baselines/kipping2022/options.hpp"

@@ -1,15 +1,15 @@
 // Rows beside a plane: FInA and FExA (section 3.1).
 //
-// Readings taken:
-//  - "the mesh is split into two halves by the plane P": phi gets the sign of the side, so that the halves' isocontours
-//    are those at i d and at -i d.
-//  - order of traversal: rows run along the plane's cut through the surface, from the side where they begin on the
-//    first row of a half, and are reversed every level.  Pieces of a level follow each other along that direction; a
-//    closed one begins nearest to where the path is.
-//  - "travel motions between the corresponding segments" of a level; from level to level the path goes on in a straight
-//    line, however far.
-//  - "upon computing and connecting both sides": the first half from its farthest row to the seed curve, then the other
-//    half outwards.
+// The text is read as follows:
+// - "the mesh is split into two halves by the plane P": phi gets the sign of the side, so that the isocontours of the
+//   halves are those at i d and at -i d.
+// - Order of traversal: rows follow the section of the surface with the plane, from the side where they begin on the
+//   first row of a half, and alternate in direction from level to level. Pieces of a level follow each other along that
+//   direction; a closed one begins nearest to the current position.
+// - "travel motions between the corresponding segments" of a level; from level to level the path continues on a
+//   straight line of any length.
+// - "upon computing and connecting both sides": the first half from its farthest row to the seed curve, then the other
+//   half outwards.
 #pragma once
 
 #include "baselines/kipping2022/options.hpp"
