@@ -14,8 +14,8 @@ namespace filum::app::metrics {
 
 namespace {
 
-using filum::metrics::surface::Asked;
 using filum::metrics::surface::Bed;
+using filum::metrics::surface::RequestedDirection;
 
 const double* fact(const Facts& facts, const std::string& name) {
     const auto it = std::find_if(facts.begin(), facts.end(),
@@ -29,8 +29,8 @@ const surface::Field* field(const surface::Sheet& sheet, const std::string& name
     return nullptr;
 }
 
-// What ply k is to follow.
-Asked asked(const surface::Sheet& sheet, const Facts& facts, std::size_t k) {
+// The direction that ply k should follow.
+RequestedDirection requested_direction(const surface::Sheet& sheet, const Facts& facts, std::size_t k) {
     const double* angle = fact(facts, "ply." + std::to_string(k + 1) + ".asked");
     const double *x = fact(facts, "reference-x"), *y = fact(facts, "reference-y"), *z = fact(facts, "reference-z");
     if (angle != nullptr && x != nullptr && y != nullptr && z != nullptr)
@@ -79,7 +79,7 @@ filum::metrics::figures::Figures mapped(const Options& options, const cli::Io& i
     const surface::Sheet sheet = finer(given, width);
     auto beds = filum::metrics::surface::beds(sheet.surface, fibres, io.threads);
     for (std::size_t k = 0; k < beds.size(); ++k) {
-        beds[k].asked = asked(sheet, path.facts, k);
+        beds[k].asked = requested_direction(sheet, path.facts, k);
         if (const auto* edge = field(sheet, "ply-" + std::to_string(k + 1) + ".edge", 1)) beds[k].edge = edge->values;
     }
     const auto map = filum::metrics::surface::map(sheet.surface, fibres, beds, io.threads);

@@ -20,7 +20,7 @@ constexpr double kSameWidth = 1.02;
 constexpr std::size_t kMostClasses = 64;
 constexpr double kFirstRow = 1.0 / 8, kLastRow = 1.0 / 128; // of the widest bead
 
-// Per segment its class, of ascending width.
+// The class of each segment; classes by ascending width.
 std::vector<std::uint32_t> classify(const std::vector<double>& width) {
     std::vector<double> sorted = width;
     std::sort(sorted.begin(), sorted.end());
@@ -36,7 +36,7 @@ std::vector<std::uint32_t> classify(const std::vector<double>& width) {
     return out;
 }
 
-// Sums over one piece of work.
+// Sums of one task.
 struct Sweep {
     double covered = 0, strip = 0, strip_covered = 0;
     double void_radius = 0;
@@ -86,7 +86,7 @@ class Sweeper {
         }
         return least <= strip_ + longest;
     }
-    // The middle of every part that is not covered.
+    // Clearance at the middle of every uncovered part of a row.
     void find_void(std::uint32_t t, const Vec3& a, const Vec3& b, Sweep& out) const {
         double from = 0;
         for (std::size_t i = 0; i <= parts_.size(); ++i) {
@@ -108,7 +108,7 @@ class Sweeper {
     const PathField& field_;
     const geodesic::ExactField* rims_;
     double strip_, row_;
-    std::vector<Part> parts_, strip_parts_;
+    std::vector<Interval> parts_, strip_parts_;
 };
 
 std::optional<geodesic::ExactField> rim_field(const Surface& s, double strip) {

@@ -11,10 +11,10 @@ namespace filum::metrics::surface {
 
 namespace {
 
-constexpr double kSampled = 0.5; // of the least width, between samples: no vertex lies in a bead without one near
-constexpr double kFarthest = 20; // widths: what is farther from a vertex says nothing of how high the ply lies there
+constexpr double kSampled = 0.5; // of the least width: distance of samples, so that one is near every vertex in a bead
+constexpr double kFarthest = 20; // widths: samples farther from a vertex do not determine the level there
 
-// How far the nearest sample is off the base at each of its vertices, mm; the median where none is near.
+// The distance of the nearest sample from the base at each vertex of the base, mm; the median if none is near.
 std::vector<double> levels(const Surface& base, const std::vector<Sample>& own, int threads) {
     std::vector<Weighted> off;
     std::vector<geom::Box3> boxes;
@@ -55,7 +55,7 @@ std::vector<Bed> beds(const Surface& base, const Fibres& fibres, int threads) {
         if (!s.beside) layers[s.layer].push_back(s);
     std::vector<Bed> out;
     for (const auto& [layer, own] : layers) {
-        double faces = 0; // mm of the ply that face as the base does, less those that face the other way
+        double faces = 0; // mm of the ply that face as the base does, minus those that face the other way
         for (const Sample& s : own) faces += (dot(s.axis, s.normal) < 0 ? -1 : 1) * s.length;
         const Surface side = faces < 0 ? filum::surface::curve::turned_over(base) : base;
         out.push_back({layer, filum::surface::curve::raised(side, levels(base, own, threads)).surface});

@@ -8,19 +8,19 @@ namespace filum::metrics::surface {
 
 namespace {
 
-constexpr double kTurn = std::numbers::pi / 2; // rad: what counts as a turn,
-constexpr double kStepsEachWay = 8;            // steps each way: if it is made within this
+constexpr double kTurn = std::numbers::pi / 2; // rad: the least angle of a turn,
+constexpr double kStepsEachWay = 8;            // steps before and after: within which the angle is reached
 constexpr double kApart = 1e-3;                // steps
 constexpr double kPlaces = 4;                  // per step
 
-// rad, to the left seen against the normal.
+// rad, positive to the left, seen against the normal.
 double turning(const Vec3& before, const Vec3& after, const Vec3& n) {
     const Vec3 a = before - dot(before, n) * n, b = after - dot(after, n) * n;
     return std::atan2(dot(cross(a, b), n), dot(a, b));
 }
 
-// The chain's points but for those nearer than `least` mm along it to one before, or to its end: the way between points
-// that are all but one leads anywhere.
+// The chain's points except those within `least` mm along it of an earlier one, or of its end, because the direction
+// between almost coincident points is arbitrary.
 std::vector<std::size_t> apart(const Chain& c, double least) {
     std::vector<std::size_t> out{0};
     for (std::size_t i = 1; i + 1 < c.points.size(); ++i)
@@ -29,7 +29,7 @@ std::vector<std::size_t> apart(const Chain& c, double least) {
     return out;
 }
 
-// The sum of turning up to places of the chain: linear between knots.
+// The integral of turning along the chain: linear between knots.
 class Sums {
   public:
     Sums(const Chain& c, std::span<const Vec3> normals, double step) {
@@ -47,7 +47,7 @@ class Sums {
         first_ = outer(c.along[kept[1]]);
         last_ = c.length() - outer(c.length() - c.along[kept[kept.size() - 2]]);
     }
-    // Before and behind these there are outer halves of short stretches, which tell nothing: no point turns there.
+    // Outside of these there are only outer halves of short segments, where no point turns.
     [[nodiscard]] double first() const { return first_; }
     [[nodiscard]] double last() const { return last_; }
     [[nodiscard]] double at(double s) const {
@@ -68,7 +68,7 @@ class Sums {
     double first_ = 0, last_ = 0;
 };
 
-// By how much the normal nods forward from one to the other, per mm of the way.
+// The rotation of the normal about the axis across the path, rad per mm of path.
 double nod(const Vec3& n0, const Vec3& n1, const Vec3& tangent, double way) {
     const Vec3 change = n1 - n0;
     const double chord = norm(change);
@@ -87,7 +87,7 @@ double paper_angle(const Fibres& fibres, double step) {
     if (all.empty()) return 0;
     const std::size_t n = (all.size() + 99) / 100;
     std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n - 1), all.end(), std::greater<>());
-    std::sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n)); // one order of summing
+    std::sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n)); // fixes the order of summation
     double sum = 0;
     for (std::size_t i = 0; i < n; ++i) sum += all[i];
     return sum / static_cast<double>(n);
@@ -111,7 +111,7 @@ Bends bends(const Chain& c, std::span<const Vec3> normals, double step) {
         point_at(c, s, stretch);
         const double centre = std::max(first + step, std::min(s, last - step));
         const double lo = centre - step, hi = std::min(last, centre + step);
-        const double way = std::max(hi - lo, step); // a chain shorter than a step counts as straight beyond
+        const double way = std::max(hi - lo, step); // beyond a chain shorter than a step, the curvature is taken as 0
         const Vec3 here = c.points[stretch + 1] - c.points[stretch];
         const double left = (sums.at(hi) - sums.at(lo)) / way;
         const double down = nod(normal_at(lo, behind), normal_at(hi, ahead), 1 / norm(here) * here, way);

@@ -9,11 +9,11 @@ namespace filum::metrics::surface {
 
 namespace {
 
-constexpr int kHalvings = 6;      // of a stretch whose ends no straight line on the surface joins
+constexpr int kHalvings = 6;      // of a segment whose ends no straight line on the surface connects
 constexpr double kPoint = 1e-9;   // mm: shorter segments are points
-constexpr double kOnRim = 1e-6;   // weight of a corner: what counts as on the side across
-constexpr double kBeside = 0.05;  // of the bead: farther beside a rim is not on the surface
-constexpr double kInside = -1e-9; // weight of a corner: what counts as in the triangle
+constexpr double kOnRim = 1e-6;   // weight of a corner: below it a place is on the opposite side
+constexpr double kBeside = 0.05;  // of the bead: greatest distance past a rim that counts as on the surface
+constexpr double kInside = -1e-9; // weight of a corner: from it on a place is inside the triangle
 
 filum::surface::curve::Place nearest(const filum::surface::curve::Locator& locator, const Vec3& p, const Vec3& axis,
                                      double farther) {
@@ -27,7 +27,7 @@ filum::surface::curve::Place nearest(const filum::surface::curve::Locator& locat
 
 bool on_rim(const Surface& s, const filum::surface::curve::Place& at) {
     const auto w = filum::surface::curve::barycentric(s, at);
-    for (std::uint32_t k = 0; k < 3; ++k) // on a corner, whose triangle may have no side on the rim that it is on
+    for (std::uint32_t k = 0; k < 3; ++k) // at a corner, whose triangle may have no side on that rim
         if (w[k] > 1 - 2 * kOnRim && s.on_rim(s.triangles[at.triangle][k])) return true;
     for (std::uint32_t k = 0; k < 3; ++k)
         if (w[k] < kOnRim && s.twin[3 * at.triangle + (k + 1) % 3] == filum::surface::curve::kNone) return true;
@@ -44,19 +44,19 @@ bool inside(const Surface& s, const filum::surface::curve::Place& place) {
     return std::min({w[0], w[1], w[2]}) >= kInside;
 }
 
-// Lays one stretch of a chain onto the finer surface.
-class Laying {
+// Projects one segment of a chain onto the finer surface.
+class Projector {
   public:
-    Laying(const Ground& ground, double level, Shadow& out)
+    Projector(const Ground& ground, double level, Shadow& out)
         : ground_(ground), surface_(ground.finer.surface), level_(level), out_(out) {}
 
     void stretch(const Chain& c, std::size_t i, double from, double to, int halvings = 0) {
         const filum::surface::curve::Place a = place(c, i, from), b = place(c, i, to);
-        const Off a_off = off(c, i, from, a), b_off = off(c, i, to, b);
-        if (a_off != Off::no && a_off == b_off) {
+        const ShadowState a_state = shadow_state(c, i, from, a), b_state = shadow_state(c, i, to, b);
+        if (a_state != ShadowState::present && a_state == b_state) {
             const double length = (to - from) * (c.along[i + 1] - c.along[i]);
-            (a_off == Off::beside ? out_.beside : out_.aloft) += length;
-            if (a_off == Off::beside) out_.beside_area += length * c.width[i];
+            (a_state == ShadowState::beside ? out_.beside : out_.aloft) += length;
+            if (a_state == ShadowState::beside) out_.beside_area += length * c.width[i];
             return;
         }
         const filum::surface::curve::Line way = a.triangle == b.triangle ? filum::surface::curve::Line{{a, b}, false}
@@ -64,7 +64,7 @@ class Laying {
         const std::size_t n = way.places.size();
         const bool whole = n > 2 || a.triangle == b.triangle || inside(surface_, {a.triangle, b.point}) ||
                            inside(surface_, {b.triangle, a.point});
-        if ((!whole || a_off != b_off) && halvings < kHalvings) {
+        if ((!whole || a_state != b_state) && halvings < kHalvings) {
             stretch(c, i, from, (from + to) / 2, halvings + 1);
             return stretch(c, i, (from + to) / 2, to, halvings + 1);
         }
@@ -86,12 +86,13 @@ class Laying {
     static Vec3 at(const Chain& c, std::size_t i, double t) {
         return c.points[i] + t * (c.points[i + 1] - c.points[i]);
     }
-    // Why a place of the path has no shadow, if it has none.
-    enum class Off : std::uint8_t { no, beside, aloft };
-    [[nodiscard]] Off off(const Chain& c, std::size_t i, double t, const filum::surface::curve::Place& foot) const {
+    // Whether a place of the path has a shadow, or why it has none.
+    enum class ShadowState : std::uint8_t { present, beside, aloft };
+    [[nodiscard]] ShadowState shadow_state(const Chain& c, std::size_t i, double t,
+                                           const filum::surface::curve::Place& foot) const {
         const Vec3 p = at(c, i, t), way = p - foot.point;
-        if (past_rim(surface_, foot, p, c.width[i])) return Off::beside;
-        return norm(way) > level_ + c.width[i] / 2 ? Off::aloft : Off::no;
+        if (past_rim(surface_, foot, p, c.width[i])) return ShadowState::beside;
+        return norm(way) > level_ + c.width[i] / 2 ? ShadowState::aloft : ShadowState::present;
     }
     void add(const Chain& c, std::size_t i, std::uint32_t triangle, const Vec3& a, const Vec3& b) {
         out_.segments.push_back({triangle, a, distance(a, b) > kPoint ? b : a});
@@ -183,13 +184,13 @@ Shadow shadow(const Fibres& fibres, const Ground& ground, const ShadowOptions& o
     std::vector<Shadow> parts(fibres.chains.size());
     parallel::for_chunks(parts.size(), 1, threads, [&](std::size_t k, std::size_t) {
         const Chain& c = fibres.chains[k];
-        Laying laying(ground, options.level, parts[k]);
+        Projector projector(ground, options.level, parts[k]);
         for (std::size_t i = 0; i + 1 < c.points.size(); ++i) {
             if (c.layer[i] != options.layer) continue;
             const auto n = static_cast<std::size_t>(std::ceil((c.along[i + 1] - c.along[i]) / options.step));
             for (std::size_t j = 0; j < n; ++j)
-                laying.stretch(c, i, static_cast<double>(j) / static_cast<double>(n),
-                               static_cast<double>(j + 1) / static_cast<double>(n));
+                projector.stretch(c, i, static_cast<double>(j) / static_cast<double>(n),
+                                  static_cast<double>(j + 1) / static_cast<double>(n));
         }
     });
     Shadow out;

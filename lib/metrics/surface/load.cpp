@@ -59,12 +59,12 @@ std::vector<LoadCase> load_cases(const filum::surface::Sheet& sheet) {
     for (const auto& f : sheet.fields) {
         if (!f.name.starts_with("stress.") || !f.name.ends_with(".d1")) continue;
         if (f.components != 3)
-            throw Error(Exit::bad_input, "cannot measure load: field '" + f.name + "' holds no vectors");
+            throw Error(Exit::bad_input, "cannot measure load: field '" + f.name + "' is not a field of vectors");
         LoadCase c{f.name.substr(7, f.name.size() - 10), nullptr, &f};
         for (const auto& g : sheet.fields)
             if (g.name == "stress." + c.name + ".s1") c.s1 = &g;
         if (c.s1 != nullptr && c.s1->components != 1)
-            throw Error(Exit::bad_input, "cannot measure load: field '" + c.s1->name + "' holds no numbers");
+            throw Error(Exit::bad_input, "cannot measure load: field '" + c.s1->name + "' is not a field of numbers");
         out.push_back(c);
     }
     return out;

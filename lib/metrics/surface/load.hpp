@@ -1,4 +1,4 @@
-// How well fibres follow the principal stress.
+// How closely fibres follow the directions of principal stress.
 #pragma once
 
 #include "metrics/surface/ground.hpp"
@@ -12,27 +12,27 @@ namespace filum::metrics::surface {
 // A load case of a sheet: its fields stress.NAME.s1 and stress.NAME.d1.
 struct LoadCase {
     std::string name;
-    const filum::surface::Field* s1 = nullptr; // MPa; may be missing
+    const filum::surface::Field* s1 = nullptr; // MPa; may be null
     const filum::surface::Field* d1 = nullptr;
 };
 
-// In the order of the fields.  Throws Error(bad_input) if a d1 is no field of vectors, or an s1 none of numbers.
+// In the order of the fields. Throws Error(bad_input) if a d1 is not a field of vectors, or an s1 not one of numbers.
 std::vector<LoadCase> load_cases(const filum::surface::Sheet& sheet);
 
-// The direction that a field of vectors has at a place, unit: those of the triangle's corners, turned towards that of
-// the greatest weight, by weights; (0, 0, 0) where that is not known.
+// The direction of a field of vectors at a place, unit: the weighted mean of those of the triangle's corners, each
+// with the sign that agrees with the one of the greatest weight; (0, 0, 0) if unknown.
 Vec3 direction(const Surface& s, const filum::surface::Field& d1, const filum::surface::curve::Place& at);
 
-// All are means of absolute values, so directions have no sign.  Samples where the stress is not known do not count.
+// All are means of absolute values, as directions have no sign. Samples without a known stress do not count.
 struct LoadFigures {
-    double known = 0; // share of the length where d1 is known
+    double known = 0; // fraction of the length with a known d1
     double mean = 0;  // of |t . d1|, by length; t: unit, along the path
     double tangential =
         0; // of the cosine of the angle between t and d1, both projected onto the tangent plane, by length
-    double weighted = 0; // the same, by length times |s1|
-    double best = 0;     // the upper bound of `mean` on this surface: of the length of d1's projection
-    double random = 0;   // what `tangential` comes to where directions are at random: computed, 2 / pi
-    double within = 0;   // share of the length where that angle is at most 15 degrees
+    double weighted = 0; // the same, weighted by length times |s1|
+    double best = 0;     // the upper bound of `mean` on this surface: the mean length of d1's projection
+    double random = 0;   // the value of `tangential` for random directions: 2 / pi, computed
+    double within = 0;   // fraction of the length with an angle of at most 15 degrees
 };
 LoadFigures adequacy(std::span<const Sample> samples, const Surface& surface, const LoadCase& load);
 

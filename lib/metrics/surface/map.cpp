@@ -20,18 +20,18 @@ namespace {
 using filum::surface::curve::Locator;
 using filum::surface::curve::Place;
 
-constexpr double kPart = 1.0 / 3;     // of a bead's width, between points
-constexpr std::size_t kPoints = 1024; // of a piece of work
+constexpr double kPart = 1.0 / 3;     // of a bead's width: greatest distance of points
+constexpr std::size_t kPoints = 1024; // points per task of a thread
 constexpr double kEndless = std::numeric_limits<double>::infinity();
-constexpr double kUpright = 1e-6; // of the reference's length: what is left of it on the surface says nothing
+constexpr double kUpright = 1e-6; // of the reference's length: a shorter projection has no direction
 
-// A straight stretch of a ply.
+// A straight segment of a ply.
 struct Bead {
-    Vec3 a, b, normal; // its ends; where the tool comes from, (0, 0, 0) where that is not said
-    double way = 0;    // mm from the begin of the path, whose chains lie a mile apart
+    Vec3 a, b, normal; // its ends; from the surface to the tool, (0, 0, 0) if unknown
+    double way = 0;    // mm from the start of the path, with 1 km between chains
     double width = 0, height = 0;
     bool hairpin = false;
-    double off = kEndless; // degrees from the asked direction; infinite in a declared turn or where nothing is asked
+    double off = kEndless; // degrees from the requested direction; infinite in declared turns or without a request
 };
 
 std::vector<double> areas(const Surface& s) {
@@ -41,10 +41,10 @@ std::vector<double> areas(const Surface& s) {
     return out;
 }
 
-// Points of one surface carried to another of the same vertices and triangles.
-class Carried {
+// Transfers points and values from one surface to others with the same triangles.
+class PointTransfer {
   public:
-    Carried(const Surface& base, const filum::surface::FinerSurface& finer) : at_(finer.surface.vertices.size()) {
+    PointTransfer(const Surface& base, const filum::surface::FinerSurface& finer) : at_(finer.surface.vertices.size()) {
         for (std::uint32_t t = 0; t < finer.parent.size(); ++t)
             for (const std::uint32_t v : finer.surface.triangles[t]) {
                 const Place place{finer.parent[t], finer.surface.vertices[v]};
@@ -63,12 +63,12 @@ class Carried {
     [[nodiscard]] std::uint32_t triangle(std::size_t v) const { return at_[v].triangle; }
 
   private:
-    struct At {
+    struct Barycentric {
         std::uint32_t triangle = 0;
-        mesh::Triangle corners{}; // of the base; a surface that is turned over has them in another order
+        mesh::Triangle corners{}; // of the base; a surface that is turned over has another order
         std::array<double, 3> weight{};
     };
-    std::vector<At> at_;
+    std::vector<Barycentric> at_;
 };
 
 std::vector<Bead> beads_of(const Fibres& fibres, std::uint32_t layer) {
@@ -85,8 +85,8 @@ std::vector<Bead> beads_of(const Fibres& fibres, std::uint32_t layer) {
     return out;
 }
 
-// The direction asked for at a place with that normal; (0, 0, 0) where none is.
-Vec3 asked_at(const Bed& bed, const Place& at, const Vec3& n) {
+// The direction requested at a place with that normal; (0, 0, 0) if none is.
+Vec3 requested_at(const Bed& bed, const Place& at, const Vec3& n) {
     if (bed.asked.field != nullptr) return direction(bed.ground, *bed.asked.field, at);
     const Vec3& r = bed.asked.reference;
     const Vec3 flat = r - dot(r, n) * n;
@@ -99,7 +99,7 @@ double degrees_between(const Vec3& a, const Vec3& b) {
     return geom::degrees(std::min(angle, geom::kDegree * 180 - angle));
 }
 
-// Finds how far each bead is off what is asked, and gathers what counts.
+// Sets the deviation of each bead; appends those that count to `to`.
 void judge(const Bed& bed, std::vector<Bead>& beads, std::vector<Weighted>& to, int threads) {
     const Locator near(bed.ground);
     const auto normals = filum::surface::curve::vertex_normals(bed.ground);
@@ -112,7 +112,7 @@ void judge(const Bed& bed, std::vector<Bead>& beads, std::vector<Weighted>& to, 
             if (foot.triangle == filum::surface::kNone) foot = near.nearest(middle);
             if (b.normal == Vec3{}) b.normal = filum::surface::normal(bed.ground, foot.triangle);
             const Vec3 n = filum::surface::curve::normal_at(bed.ground, normals, foot), way = b.b - b.a;
-            const Vec3 flat = way - dot(way, n) * n, to_follow = asked_at(bed, foot, n);
+            const Vec3 flat = way - dot(way, n) * n, to_follow = requested_at(bed, foot, n);
             if (b.hairpin || !(norm(to_follow) > 0) || !(norm(flat) > 0)) continue;
             b.off = degrees_between(flat, to_follow);
             const auto w = filum::surface::curve::barycentric(bed.ground, foot);
@@ -126,14 +126,15 @@ void judge(const Bed& bed, std::vector<Bead>& beads, std::vector<Weighted>& to, 
         if (counts[i] != 0) to.push_back({beads[i].off, distance(beads[i].a, beads[i].b)});
 }
 
-// A bead near a point: where along the path, and how much of what the point stands for lies under it.
-struct Over {
+// A bead near a point: its position along the path, and the fraction of the point's area that it covers.
+struct BeadPass {
     double way = 0, share = 0;
 };
 
-// How many beads lie over a point: places that are more than a width of way apart count each, by the greatest share.
-double passes(std::vector<Over>& found, double width) {
-    std::sort(found.begin(), found.end(), [](const Over& a, const Over& b) { return a.way < b.way; });
+// The number of beads over a point: coverages more than a width apart along the path are separate beads, each with its
+// greatest coverage.
+double passes(std::vector<BeadPass>& found, double width) {
+    std::sort(found.begin(), found.end(), [](const BeadPass& a, const BeadPass& b) { return a.way < b.way; });
     double sum = 0, most = 0;
     for (std::size_t i = 0; i < found.size(); ++i) {
         most = std::max(most, found[i].share);
@@ -144,16 +145,17 @@ double passes(std::vector<Over>& found, double width) {
     return sum;
 }
 
-// What is seen from one point of a ply.
+// Sets passes, clearance and deviation at one point of a ply.
 void look(const std::vector<Bead>& beads, const geom::Bvh& tree, const Vec3& p, const Vec3& n, double widest,
           std::size_t v, PlyMap& out) {
-    std::vector<Over> found;
+    std::vector<BeadPass> found;
     double least = out.clearance[v];
     tree.visit(geom::grown({p, p}, 1.5 * widest), [&](std::uint32_t i) {
         const Bead& l = beads[i];
         if (!(dot(n, l.normal) > 0)) return;
         const double t = geom::nearest_parameter(l.a, l.b, p), d = distance(p, l.a + t * (l.b - l.a));
-        const double share = (l.width / 2 - d) / (kPart * l.width) + 0.5; // a point is as wide as to the next
+        // a point's area extends halfway to its neighbours
+        const double share = (l.width / 2 - d) / (kPart * l.width) + 0.5;
         if (share > 0) found.push_back({l.way + t * distance(l.a, l.b), std::min(1.0, share)});
         if (!(d - l.width / 2 < least)) return;
         least = d - l.width / 2;
@@ -163,7 +165,7 @@ void look(const std::vector<Bead>& beads, const geom::Bvh& tree, const Vec3& p, 
     out.passes[v] = passes(found, out.width);
 }
 
-PlyMap map_of(const Fibres& fibres, const Bed& bed, const Carried& carried, std::size_t points, int threads) {
+PlyMap map_of(const Fibres& fibres, const Bed& bed, const PointTransfer& transfer, std::size_t points, int threads) {
     auto beads = beads_of(fibres, bed.layer);
     PlyMap out;
     judge(bed, beads, out.off, threads);
@@ -188,17 +190,17 @@ PlyMap map_of(const Fibres& fibres, const Bed& bed, const Carried& carried, std:
     parallel::for_chunks(points, kPoints, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
             if (!bed.edge.empty()) {
-                out.edge[v] = carried.value(bed.edge, v);
+                out.edge[v] = transfer.value(bed.edge, v);
                 out.inside[v] = std::clamp(0.5 - out.edge[v] / (kPart * out.width), 0.0, 1.0);
             }
-            look(beads, tree, carried.point(bed.ground, v), filum::surface::normal(bed.ground, carried.triangle(v)),
+            look(beads, tree, transfer.point(bed.ground, v), filum::surface::normal(bed.ground, transfer.triangle(v)),
                  widest, v, out);
         }
     });
     return out;
 }
 
-// Values averaged over what is within `reach` mm, by area.
+// Means of the values within `reach` mm, by area.
 std::vector<double> averaged(const Surface& s, std::span<const double> area, std::span<const double> values,
                              double reach, int threads) {
     std::vector<geom::Box3> boxes;
@@ -234,9 +236,9 @@ Map map(const Surface& base, const Fibres& fibres, std::span<const Bed> beds, in
     out.nominal.assign(n, 0);
     out.thickness.assign(n, 0);
     out.even.assign(n, 0);
-    const Carried carried(base, out.ground);
+    const PointTransfer transfer(base, out.ground);
     for (const Bed& bed : beds) {
-        PlyMap& now = out.plies.emplace_back(map_of(fibres, bed, carried, n, threads));
+        PlyMap& now = out.plies.emplace_back(map_of(fibres, bed, transfer, n, threads));
         now.amount = averaged(s, out.area, now.passes, now.width, threads);
         for (std::size_t v = 0; v < n; ++v) {
             out.nominal[v] += now.height * now.inside[v];

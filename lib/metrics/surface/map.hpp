@@ -1,4 +1,4 @@
-// How thick plies become on a surface, and how their fibres lie: point by point, of the finished toolpath.
+// Maps of a finished toolpath on a surface: thickness, coverage and fibre directions, per point and ply.
 #pragma once
 
 #include "metrics/surface/chains.hpp"
@@ -11,63 +11,64 @@ namespace filum::metrics::surface {
 
 using filum::surface::Surface;
 
-// What fibres are asked to follow: a direction laid onto the surface and turned on it, or vectors per vertex.
-struct Asked {
+// The direction that fibres should follow: a direction projected onto the surface and turned, or vectors per vertex.
+struct RequestedDirection {
     Vec3 reference{};                             // of any length; (0, 0, 0): none
     double turn = 0;                              // rad, counter-clockwise as seen from the side that the ground faces
-    const filum::surface::Field* field = nullptr; // instead, per vertex of the ground
+    const filum::surface::Field* field = nullptr; // if not null, used instead: per vertex of the ground
 };
 
-// A ply: its stretches are those of a layer of the toolpath.
+// A ply: the segments of one layer of the toolpath.
 struct Bed {
     std::uint32_t layer = 0;
-    Surface ground; // what it lies on: the base's triangles, raised; turned over of what lies under the base
-    Asked asked{};
-    std::vector<double> edge{}; // mm from the ply's edge per vertex of the base, below 0 where it is to lie; empty: all
+    Surface ground; // the surface under the ply: the base, offset; turned over for plies on the back of the base
+    RequestedDirection asked{};
+    std::vector<double> edge{}; // mm per vertex of the base: distance from the ply's edge, negative within; empty:
+                                // the ply covers everything
 };
 
-// Of one ply, at the points of a Map.
+// One ply at the points of a Map.
 struct PlyMap {
-    double width = 0, height = 0;  // mm: medians of its beads, by length
-    std::vector<double> edge;      // mm from where the ply is to end, below 0 within; empty: it is to lie everywhere
-    std::vector<double> inside;    // 0 to 1: how much of what the point stands for lies within
-    std::vector<double> passes;    // beads that lie over it: 0, a gap; 2, an overlap; at edges of beads between
+    double width = 0, height = 0; // mm: medians over its beads, by length
+    std::vector<double> edge; // mm from the planned edge of the ply, negative within; empty: the ply covers everything
+    std::vector<double> inside;    // 0 to 1: fraction of the point's area that is within the edge
+    std::vector<double> passes;    // number of beads over it: 0: gap; 2: overlap; fractions at edges of beads
     std::vector<double> amount;    // material per area over the ply's own thickness, within a bead's width of the point
-    std::vector<double> deviation; // degrees from the asked direction, of the nearest bead; infinite: none near, or in
-                                   // a declared turn, or nothing asked
-    std::vector<double> clearance; // mm from the nearest bead's edge, below 0 under one; at most a bead's width
-    // How far beads lie off the asked direction, degrees, by their length, but for declared turns and what lies beyond
-    // the rims or where the ply is not to be; turns that are none by their radius count.
+    std::vector<double> deviation; // degrees between the nearest bead and the requested direction; infinite if no bead
+                                   // is near, in declared turns, or without a request
+    std::vector<double> clearance; // mm from the nearest bead's edge, negative under beads; at most a bead's width
+    // Degrees between beads and the requested direction, by their length, except for declared turns and beads past the
+    // rims or past the edge of the ply. Wide turns, which are not declared, count.
     std::vector<Weighted> off;
 };
 
 struct Map {
     filum::surface::FinerSurface ground; // the base in triangles with sides of at most a third of the narrowest bead
     std::vector<double> area;            // mm2, per vertex
-    std::vector<PlyMap> plies;           // as the beds
-    std::vector<double> nominal;         // mm: the sum of heights of the plies that are to lie there
+    std::vector<PlyMap> plies;           // in the order of the beds
+    std::vector<double> nominal;         // mm: the sum of heights of the plies that are planned at the point
     std::vector<double> thickness;       // mm: the sum of passes times heights
-    std::vector<double> even;            // mm: likewise of amounts: as thick as if beads flowed by their width
+    std::vector<double> even; // mm: the sum of amounts times heights: the thickness if beads spread by their width
 };
 
-// The map of the fibres on `base`, whose triangles the beds' grounds have.  Same result for any `threads`.
+// The map of the fibres on `base`; the grounds of `beds` have its triangles. The result does not depend on `threads`.
 Map map(const Surface& base, const Fibres& fibres, std::span<const Bed> beds, int threads);
 
-// A bed per layer of the fibres, from the lowest: the base raised to where their middle is, place by place; turned over
-// where the tool comes from its back.
+// One bed per layer of the fibres, from the lowest: the base offset at each vertex to the middle of the fibres; turned
+// over if the tool is on its back.
 std::vector<Bed> beds(const Surface& base, const Fibres& fibres, int threads);
 
-// Values at the points, by area: those of `values` that are finite, where `weight` (0 to 1) is above 0.
+// The finite ones of `values` at the points, by area; only where `weight` (0 to 1) is above 0.
 std::vector<Weighted> weighed(std::span<const double> values, std::span<const double> area,
                               std::span<const double> weight = {});
 
-// The part of the area where a ply is to lie, 0 to 1, over which more than `more` beads lie, up to one more.
+// The fraction of the ply's planned area, 0 to 1, with more than `more` beads; linear up to one bead more.
 double share_beyond(const PlyMap& ply, std::span<const double> area, double more);
 
 // The map as a surface with fields: "thickness", "thickness-even", "thickness-nominal" (mm), "fibre-volume" (even over
-// nominal, infinite where that is 0), and of every ply "ply-K.thickness" (mm), "ply-K.covered" and
-// "ply-K.twice" (0 to 1), "ply-K.gap" (mm from the nearest bead's edge, below 0 under one), "ply-K.deviation" (degrees)
-// and, of those that do not lie everywhere, "ply-K.edge" (mm).
+// nominal, infinite where that is 0), and for every ply "ply-K.thickness" (mm), "ply-K.covered" and "ply-K.twice" (0
+// to 1), "ply-K.gap" (mm from the nearest bead's edge, negative under beads), "ply-K.deviation" (degrees) and, for
+// plies with an edge, "ply-K.edge" (mm).
 filum::surface::Sheet sheet_of(const Map& map, const std::string& name);
 
 } // namespace filum::metrics::surface

@@ -14,7 +14,7 @@ namespace {
 using metrics::figures::Figures;
 
 constexpr double kHundredth = 0.01;
-constexpr double kAlong = 15; // degrees: what is farther off turns
+constexpr double kAlong = 15; // degrees: greater deviations are turns
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 double mean(const std::vector<Weighted>& all) {
@@ -26,18 +26,18 @@ double mean(const std::vector<Weighted>& all) {
     return total > 0 ? sum / total : kUnknown;
 }
 
-// The values above 0, where the ply is to lie: how they are spread, and where the greatest is.
-struct Above {
+// Statistics of the values above 0 within the ply.
+struct PositiveSpread {
     double median = 0, high = 0, most = 0;
     Vec3 at{};
 };
-Above above(const Map& map, const PlyMap& ply, const std::vector<double>& values) {
-    Above out;
+PositiveSpread positive_spread(const Map& map, const PlyMap& ply, const std::vector<double>& values) {
+    PositiveSpread out;
     std::vector<Weighted> all;
     for (std::size_t v = 0; v < values.size(); ++v) {
         if (!(values[v] > 0 && ply.inside[v] > 0)) continue;
         all.push_back({values[v], map.area[v] * ply.inside[v]});
-        if (values[v] > out.most && ply.inside[v] > 0.5) { // at the ply's own edge others may lie
+        if (values[v] > out.most && ply.inside[v] > 0.5) { // near the edge of the ply others may cover it
             out.most = values[v];
             out.at = map.ground.surface.vertices[v];
         }
@@ -76,7 +76,7 @@ PlySpread ply_spread(const Map& map, std::size_t k) {
     out.bare = 1 - share_beyond(ply, map.area, 0);
     out.twice = share_beyond(ply, map.area, 1);
     out.thrice = share_beyond(ply, map.area, 2);
-    const Above gap = above(map, ply, ply.clearance);
+    const PositiveSpread gap = positive_spread(map, ply, ply.clearance);
     out.gap_median = gap.median;
     out.gap_high = gap.high;
     out.gap_most = gap.most;
@@ -85,7 +85,7 @@ PlySpread ply_spread(const Map& map, std::size_t k) {
     out.gap = clear.empty() ? 0 : std::max(0.0, quantile(clear, 1 - kHundredth));
     std::vector<double> more;
     for (const double p : ply.passes) more.push_back(p - 1);
-    const Above over = above(map, ply, more);
+    const PositiveSpread over = positive_spread(map, ply, more);
     out.over_median = over.median;
     out.over_high = over.high;
     out.over_most = over.most;

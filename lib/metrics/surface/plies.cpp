@@ -32,10 +32,10 @@ double laid(const Fibres& fibres, std::uint32_t layer) {
     return sum;
 }
 
-// Distances of the vertices of a still finer surface, of which each lies in a triangle of the finer one.
-class Distances {
+// Distances from the path at the vertices of a refinement of the finer surface.
+class VertexDistances {
   public:
-    Distances(const Ground& ground, double edge)
+    VertexDistances(const Ground& ground, double edge)
         : ground_(ground), fine_(finer(ground.finer.surface, edge, kMostTriangles)), in_(fine_.surface.vertices.size()),
           values_(fine_.surface.vertices.size(), 0) {
         for (std::uint32_t t = 0; t < fine_.parent.size(); ++t)
@@ -70,7 +70,7 @@ Plies measure_plies(const Fibres& fibres, const Ground& ground, std::span<const 
     std::map<std::uint32_t, std::vector<Sample>> layers;
     for (const Sample& s : samples) layers[s.layer].push_back(s);
     Plies out;
-    std::optional<Distances> distances;
+    std::optional<VertexDistances> distances;
     if (options.distance) distances.emplace(ground, options.spacing / 4);
     for (const auto& [layer, own] : layers) {
         std::vector<Weighted> off;

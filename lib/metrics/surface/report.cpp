@@ -26,15 +26,15 @@ void tell(Figures& out, std::string_view key, decltype(metrics::figures::Figure:
     metrics::figures::tell(out, metrics::figures::surface_meanings(), key, std::move(value), of);
 }
 
-constexpr double kWidest = 20;       // bead widths: how far apart strands may be
+constexpr double kWidest = 20;       // bead widths: the greatest ratio of the spacing to them, in either direction
 constexpr double kMostSamples = 2e7; //
-constexpr double kBeyond = 1.05;     // of the limit of curvature: what points leave uncertain
+constexpr double kBeyond = 1.05;     // of the limit of curvature: tolerance for the uncertainty from points
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 double share(double part, double all) { return all > 0 ? part / all : std::nan(""); }
 
-// What all figures are made of.
-struct Job {
+// The inputs of all figures.
+struct Inputs {
     const Fibres& fibres;
     const filum::surface::Sheet& sheet;
     Options options; // resolved
@@ -43,7 +43,7 @@ struct Job {
     std::vector<Sample> samples;
     int threads;
 
-    Job(const Fibres& f, const filum::surface::Sheet& s, const Options& o, double width, int n)
+    Inputs(const Fibres& f, const filum::surface::Sheet& s, const Options& o, double width, int n)
         : fibres(f), sheet(s), options(o), spread(o.spacing / width), ground(s.surface, o.spacing),
           samples(metrics::surface::samples(f, ground, o.step, n)), threads(n) {}
 };
@@ -63,11 +63,11 @@ void continuity(const Fibres& fibres, double area, Figures& out) {
     if (fibres.jumps > 0) tell(out, "unmarked_jumps", std::uint64_t{fibres.jumps});
 }
 
-std::vector<Bends> bend(const Job& job, const Feet& feet) {
-    const auto& chains = job.fibres.chains;
+std::vector<Bends> bend(const Inputs& inputs, const Feet& feet) {
+    const auto& chains = inputs.fibres.chains;
     std::vector<Bends> out(chains.size());
-    parallel::for_chunks(chains.size(), 1, job.threads, [&](std::size_t k, std::size_t) {
-        out[k] = bends(chains[k], feet.normals[k], job.options.step);
+    parallel::for_chunks(chains.size(), 1, inputs.threads, [&](std::size_t k, std::size_t) {
+        out[k] = bends(chains[k], feet.normals[k], inputs.options.step);
     });
     return out;
 }
@@ -81,8 +81,8 @@ void mark_turns(const std::vector<Bends>& bent, std::vector<Sample>& samples) {
     }
 }
 
-void curvature(const Job& job, const std::vector<Bends>& bent, Figures& out) {
-    const double limit = kBeyond * job.options.max_curvature;
+void curvature(const Inputs& inputs, const std::vector<Bends>& bent, Figures& out) {
+    const double limit = kBeyond * inputs.options.max_curvature;
     std::vector<Weighted> geodesic, normal, total;
     double all = 0, sharp = 0, sharp_total = 0, plain = 0, sharp_plain = 0, total_plain = 0, most_plain = 0;
     std::size_t turns = 0;
@@ -103,16 +103,16 @@ void curvature(const Job& job, const std::vector<Bends>& bent, Figures& out) {
             most_plain = std::max(most_plain, p.total());
         }
     }
-    tell(out, "paper_angle_deg", paper_angle(job.fibres, job.options.spacing) * kDegrees);
-    tell(out, "paper_angle_step_deg", paper_angle(job.fibres, job.options.step) * kDegrees);
-    tell(out, "step_mm", job.options.step);
+    tell(out, "paper_angle_deg", paper_angle(inputs.fibres, inputs.options.spacing) * kDegrees);
+    tell(out, "paper_angle_step_deg", paper_angle(inputs.fibres, inputs.options.step) * kDegrees);
+    tell(out, "step_mm", inputs.options.step);
     tell(out, "geodesic_p99_per_mm", quantile(geodesic, 0.99));
     tell(out, "geodesic_greatest_per_mm", quantile(geodesic, 1));
     tell(out, "normal_p99_per_mm", quantile(normal, 0.99));
     tell(out, "normal_greatest_per_mm", quantile(normal, 1));
     tell(out, "radius_least_mm", 1 / quantile(total, 1));
     tell(out, "radius_least_plain_mm", 1 / most_plain);
-    tell(out, "curvature_limit_per_mm", job.options.max_curvature);
+    tell(out, "curvature_limit_per_mm", inputs.options.max_curvature);
     tell(out, "sharp_geodesic", share(sharp, all));
     tell(out, "sharp_geodesic_plain", share(sharp_plain, plain));
     tell(out, "sharp_total", share(sharp_total, all));
@@ -121,9 +121,9 @@ void curvature(const Job& job, const std::vector<Bends>& bent, Figures& out) {
     tell(out, "turns_over_90", std::uint64_t{turns});
 }
 
-void tight_turns(const Job& job, const Feet& feet, Figures& out) {
-    const TightTurns t = tight(job.fibres, feet.normals, 1 / job.options.max_curvature);
-    tell(out, "tight_limit_mm", 1 / job.options.max_curvature);
+void tight_turns(const Inputs& inputs, const Feet& feet, Figures& out) {
+    const TightTurns t = tight(inputs.fibres, feet.normals, 1 / inputs.options.max_curvature);
+    tell(out, "tight_limit_mm", 1 / inputs.options.max_curvature);
     tell(out, "tight_turns", std::uint64_t{t.count});
     tell(out, "tight_mm", t.length);
     tell(out, "tight_undeclared_mm", t.undeclared);
@@ -159,31 +159,31 @@ void area(const Plies& plies, double fibre, Figures& out) {
     if (plies.lost > 0) tell(out, "across_gaps_mm", plies.lost);
 }
 
-void spacing(const Job& job, bool turns, Figures& out) {
+void spacing(const Inputs& inputs, bool turns, Figures& out) {
     const std::string of = turns ? "" : "plain_";
     std::vector<Weighted> signed_error, error;
-    for (const Gap& gap : gaps(job.samples, job.spread, turns, job.threads)) {
+    for (const Gap& gap : gaps(inputs.samples, inputs.spread, turns, inputs.threads)) {
         signed_error.push_back({gap.error, gap.length});
         error.push_back({std::abs(gap.error), gap.length});
     }
     double sides = 0, found = 0;
-    for (const Sample& s : job.samples) sides += s.hairpin || (s.turning && !turns) ? 0 : 2 * s.length;
+    for (const Sample& s : inputs.samples) sides += s.hairpin || (s.turning && !turns) ? 0 : 2 * s.length;
     for (const Weighted& w : error) found += w.weight;
     if (turns)
-        tell(out, "d_mm", job.options.spacing);
+        tell(out, "d_mm", inputs.options.spacing);
     else
-        tell(out, "plain_path_share", share(sides / 2, length(job.fibres)));
+        tell(out, "plain_path_share", share(sides / 2, length(inputs.fibres)));
     tell(out, of + "sides_neighboured", share(found, sides));
     for (const int p : {1, 50, 99})
         tell(out, of + "gap_error_p*", quantile(signed_error, p / 100.0), std::to_string(p));
     for (const int p : {50, 99}) tell(out, of + "gap_off_p*", quantile(error, p / 100.0), std::to_string(p));
 }
 
-void load(const Job& job, Figures& out) {
-    const auto cases = load_cases(job.sheet);
-    const Surface& s = job.sheet.surface;
-    std::vector<Sample> on; // what is trimmed off carries nothing
-    std::copy_if(job.samples.begin(), job.samples.end(), std::back_inserter(on),
+void load(const Inputs& inputs, Figures& out) {
+    const auto cases = load_cases(inputs.sheet);
+    const Surface& s = inputs.sheet.surface;
+    std::vector<Sample> on; // samples past a rim carry no load
+    std::copy_if(inputs.samples.begin(), inputs.samples.end(), std::back_inserter(on),
                  [](const Sample& p) { return !p.beside; });
     if (cases.empty() || on.empty()) return;
     std::vector<LoadFigures> each;
@@ -222,12 +222,12 @@ void off_surface(const Feet& feet, const std::vector<Sample>& samples, Figures& 
     tell(out, "off_greatest_mm", quantile(off, 1));
 }
 
-// Options that nothing sensible, or nothing in sensible time, could be measured by.
+// Rejects options with which no sensible result, or none in sensible time, is possible.
 void check(const Options& o, double width, double length) {
     const auto mm = [](double v) { return shortest_text(v) + " mm"; };
     if (o.spacing > kWidest * width || o.spacing * kWidest < width)
-        throw Error(Exit::usage, "cannot take strands of beads " + mm(width) + " wide as " + mm(o.spacing) +
-                                     " apart; give a --spacing nearer to that");
+        throw Error(Exit::usage, "cannot use a spacing of " + mm(o.spacing) + " for beads " + mm(width) +
+                                     " wide; give a --spacing nearer to that");
     if (o.step > o.spacing)
         throw Error(Exit::usage, "cannot sample every " + mm(o.step) + " where strands are " + mm(o.spacing) +
                                      " apart; give a smaller --step");
@@ -238,9 +238,9 @@ void check(const Options& o, double width, double length) {
 
 } // namespace
 
-Measured measure(const Fibres& fibres, const filum::surface::Sheet& sheet, const Options& given, bool distance,
-                 int threads) {
-    Measured out;
+Measurement measure(const Fibres& fibres, const filum::surface::Sheet& sheet, const Options& given, bool distance,
+                    int threads) {
+    Measurement out;
     const double width = median_width(fibres);
     Options options = given;
     if (options.spacing == 0) options.spacing = width;
@@ -250,20 +250,20 @@ Measured measure(const Fibres& fibres, const filum::surface::Sheet& sheet, const
     }
     if (options.step == 0) options.step = options.spacing / 4;
     check(options, width, length(fibres));
-    Job job(fibres, sheet, options, width, threads);
-    const Feet touch = feet(fibres, job.ground, threads);
-    const auto bent = bend(job, touch);
-    mark_turns(bent, job.samples);
-    auto plies = measure_plies(fibres, job.ground, job.samples, {options.spacing, distance}, threads);
+    Inputs inputs(fibres, sheet, options, width, threads);
+    const Feet touch = feet(fibres, inputs.ground, threads);
+    const auto bent = bend(inputs, touch);
+    mark_turns(bent, inputs.samples);
+    auto plies = measure_plies(fibres, inputs.ground, inputs.samples, {options.spacing, distance}, threads);
     continuity(fibres, plies.area.surface, out.figures);
-    tell(out.figures, "retraced_mm", retraced(job.samples, threads));
-    curvature(job, bent, out.figures);
-    tight_turns(job, touch, out.figures);
+    tell(out.figures, "retraced_mm", retraced(inputs.samples, threads));
+    curvature(inputs, bent, out.figures);
+    tight_turns(inputs, touch, out.figures);
     area(plies, length(fibres), out.figures);
-    spacing(job, true, out.figures);
-    spacing(job, false, out.figures);
-    load(job, out.figures);
-    off_surface(touch, job.samples, out.figures);
+    spacing(inputs, true, out.figures);
+    spacing(inputs, false, out.figures);
+    load(inputs, out.figures);
+    off_surface(touch, inputs.samples, out.figures);
     out.distance = std::move(plies.distance);
     return out;
 }

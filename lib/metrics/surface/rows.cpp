@@ -10,12 +10,12 @@ namespace {
 using geodesic::Window;
 using geom::Vec2;
 
-constexpr double kGlue = 1e-7; // of a row: gaps that are none
+constexpr double kGlue = 1e-7; // of a row: shorter gaps are closed
 
-constexpr Part kNothing{1, 0};
+constexpr Interval kNothing{1, 0};
 
-// The part where c0 + c1 s >= 0.
-void keep(Part& p, double c0, double c1) {
+// Clips to c0 + c1 s >= 0.
+void keep(Interval& p, double c0, double c1) {
     if (c1 > 0)
         p.lo = std::max(p.lo, -c0 / c1);
     else if (c1 < 0)
@@ -24,9 +24,9 @@ void keep(Part& p, double c0, double c1) {
         p = kNothing;
 }
 
-// The part within `r` of `centre`, of a row from a along d.  V: Vec2 or Vec3.
+// Clips to the points within `r` of `centre`, on a row from `a` with direction `d`. V: Vec2 or Vec3.
 template <class V>
-void keep_disc(Part& p, const V& a, const V& d, const V& centre, double r) {
+void keep_disc(Interval& p, const V& a, const V& d, const V& centre, double r) {
     const V f = a - centre;
     const double dd = dot(d, d), fd = dot(f, d), root = fd * fd - dd * (dot(f, f) - r * r);
     if (!(r > 0) || !(root >= 0) || !(dd > 0)) {
@@ -38,10 +38,10 @@ void keep_disc(Part& p, const V& a, const V& d, const V& centre, double r) {
     p.hi = std::min(p.hi, (-fd + half) / dd);
 }
 
-Part below_window(const Window& w, const Vec2& a, const Vec2& d, double level) {
-    Part p{0, 1};
+Interval below_window(const Window& w, const Vec2& a, const Vec2& d, double level) {
+    Interval p{0, 1};
     if (w.is_line()) {
-        // along the direction of travel from the window's ends; and before the front at `level`
+        // between the rays through the window's ends, and before the front at `level`
         keep(p, w.sy * (a.x - w.b0) - w.sx * a.y, w.sy * d.x - w.sx * d.y);
         keep(p, w.sy * (w.b1 - a.x) + w.sx * a.y, w.sx * d.y - w.sy * d.x);
         keep(p, level - w.sigma - w.sx * a.x - w.sy * a.y, -(w.sx * d.x + w.sy * d.y));
@@ -64,7 +64,7 @@ Rows::Rows(const filum::surface::Surface& s, const geodesic::ExactField& field, 
             const Window& window = field.windows[w];
             const double nearest = window.is_line() ? std::min(window.at(window.b0), window.at(window.b1))
                                                     : window.at(std::clamp(window.sx, window.b0, window.b1));
-            if (nearest < level) seen_.push_back({k, window});
+            if (nearest < level) windows_.push_back({k, window});
         }
     const auto& own = field.segments;
     auto it = std::lower_bound(own.begin(), own.end(), triangle,
@@ -72,8 +72,8 @@ Rows::Rows(const filum::surface::Surface& s, const geodesic::ExactField& field, 
     for (; it != own.end() && it->triangle == triangle; ++it) segments_.push_back(*it);
 }
 
-void Rows::below(const Vec3& a, const Vec3& b, std::vector<Part>& out) const {
-    const auto add = [&](const Part& p) {
+void Rows::below(const Vec3& a, const Vec3& b, std::vector<Interval>& out) const {
+    const auto add = [&](const Interval& p) {
         if (p.lo < p.hi) out.push_back(p);
     };
     Vec2 from[3], way[3];
@@ -81,13 +81,13 @@ void Rows::below(const Vec3& a, const Vec3& b, std::vector<Part>& out) const {
         const std::uint32_t h = 3 * triangle_ + k, v = surface_.tail(h);
         from[k] = geodesic::flatten(surface_, field_.unfolding->frame[h], h, a);
         way[k] = geodesic::flatten(surface_, field_.unfolding->frame[h], h, b) - from[k];
-        Part p{0, 1};
+        Interval p{0, 1};
         keep_disc(p, a, b - a, surface_.vertices[v], level_ - field_.distance[v]);
         add(p);
     }
-    for (const Seen& s : seen_) add(below_window(s.window, from[s.side], way[s.side], level_));
+    for (const SideWindow& s : windows_) add(below_window(s.window, from[s.side], way[s.side], level_));
     for (const filum::surface::Segment& s : segments_) {
-        Part disc{0, 1};
+        Interval disc{0, 1};
         keep_disc(disc, a, b - a, s.a, level_);
         add(disc);
         const Vec3 along = s.b - s.a;
@@ -96,9 +96,9 @@ void Rows::below(const Vec3& a, const Vec3& b, std::vector<Part>& out) const {
         disc = {0, 1};
         keep_disc(disc, a, b - a, s.b, level_);
         add(disc);
-        // between the ends, and across the line at most `level`
+        // between the ends, and at most `level` from the line
         const Vec3 d = b - a, n = 1 / std::sqrt(l2) * cross(filum::surface::normal(surface_, triangle_), along);
-        Part strip{0, 1};
+        Interval strip{0, 1};
         keep(strip, dot(a - s.a, along), dot(d, along));
         keep(strip, dot(s.b - a, along), -dot(d, along));
         keep(strip, level_ - dot(a - s.a, n), -dot(d, n));
@@ -107,11 +107,11 @@ void Rows::below(const Vec3& a, const Vec3& b, std::vector<Part>& out) const {
     }
 }
 
-void unite(std::vector<Part>& parts) {
+void unite(std::vector<Interval>& parts) {
     std::sort(parts.begin(), parts.end(),
-              [](const Part& a, const Part& b) { return a.lo != b.lo ? a.lo < b.lo : a.hi < b.hi; });
+              [](const Interval& a, const Interval& b) { return a.lo != b.lo ? a.lo < b.lo : a.hi < b.hi; });
     std::size_t n = 0;
-    for (const Part& p : parts) {
+    for (const Interval& p : parts) {
         if (n > 0 && p.lo <= parts[n - 1].hi + kGlue)
             parts[n - 1].hi = std::max(parts[n - 1].hi, p.hi);
         else
@@ -120,16 +120,16 @@ void unite(std::vector<Part>& parts) {
     parts.resize(n);
 }
 
-double total(const std::vector<Part>& united) {
+double total(const std::vector<Interval>& united) {
     double sum = 0;
-    for (const Part& p : united) sum += p.hi - p.lo;
+    for (const Interval& p : united) sum += p.hi - p.lo;
     return sum;
 }
 
-std::vector<Part> common(const std::vector<Part>& a, const std::vector<Part>& b) {
-    std::vector<Part> out;
+std::vector<Interval> common(const std::vector<Interval>& a, const std::vector<Interval>& b) {
+    std::vector<Interval> out;
     for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-        const Part p{std::max(a[i].lo, b[j].lo), std::min(a[i].hi, b[j].hi)};
+        const Interval p{std::max(a[i].lo, b[j].lo), std::min(a[i].hi, b[j].hi)};
         if (p.lo < p.hi) out.push_back(p);
         if (a[i].hi < b[j].hi)
             ++i;

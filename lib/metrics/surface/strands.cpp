@@ -12,14 +12,14 @@ namespace filum::metrics::surface {
 
 namespace {
 
-constexpr double kNeighbour = 1.5;   // nominal spacings: what is farther is no neighbour
+constexpr double kNeighbour = 1.5;   // nominal spacings: greatest distance of neighbours
 constexpr double kParallel = 0.866;  // cosine of 30 degrees
 constexpr double kBetween = 3;       // nominal spacings of fibre between neighbours on one chain
 constexpr double kSame = 0.25;       // bead widths
 constexpr double kSameWay = 0.96593; // cosine of 15 degrees
 constexpr double kSameBetween = 2;   // bead widths
 
-// The samples by their middles.
+// The samples by the places of their middles.
 using Cells = geom::PointGrid<Vec3>;
 
 Cells cells_of(std::span<const Sample> samples, double size) {
@@ -35,15 +35,15 @@ double widest(std::span<const Sample> samples) {
     return out;
 }
 
-// The length of an arc of which the chord and the angle between its ends' normals are known.
+// The length of an arc from its chord and the angle between the normals at its ends.
 double arc(double chord, const Vec3& n, const Vec3& m) {
     const double half = angle(n, m) / 2;
     return half > 1e-6 ? chord * half / std::sin(half) : chord;
 }
 
-class Search {
+class GapSearch {
   public:
-    Search(std::span<const Sample> samples, const Cells& cells, double spread, bool turns)
+    GapSearch(std::span<const Sample> samples, const Cells& cells, double spread, bool turns)
         : samples_(samples), cells_(cells), spread_(spread), turns_(turns) {}
 
     void gaps(std::uint32_t i, std::vector<Gap>& out) const {
@@ -97,7 +97,7 @@ class Search {
 
 std::vector<Gap> gaps(std::span<const Sample> samples, double spread, bool turns, int threads) {
     const Cells cells = cells_of(samples, kNeighbour * spread * widest(samples) * 1.2);
-    const Search search(samples, cells, spread, turns);
+    const GapSearch search(samples, cells, spread, turns);
     std::vector<std::vector<Gap>> parts((samples.size() + kGrain - 1) / kGrain);
     parallel::for_chunks(samples.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) search.gaps(static_cast<std::uint32_t>(i), parts[begin / kGrain]);
@@ -109,7 +109,7 @@ std::vector<Gap> gaps(std::span<const Sample> samples, double spread, bool turns
 
 double retraced(std::span<const Sample> samples, int threads) {
     const Cells cells = cells_of(samples, widest(samples));
-    const Search search(samples, cells, 1, true);
+    const GapSearch search(samples, cells, 1, true);
     std::vector<char> found(samples.size(), 0);
     parallel::for_chunks(samples.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) found[i] = search.retraced(static_cast<std::uint32_t>(i)) ? 1 : 0;

@@ -9,14 +9,14 @@ namespace filum::metrics::surface {
 
 namespace {
 
-// What of the chain between two ways lies in no hairpin.
-struct Open {
-    double length = 0, first = 0; // mm; where it begins
+// The part of a chain between two positions that is not in hairpins.
+struct UndeclaredPart {
+    double length = 0, first = 0; // mm; position of its start
 };
 
-Open open(const Chain& c, double from, double to) {
+UndeclaredPart undeclared_part(const Chain& c, double from, double to) {
     const auto after = std::upper_bound(c.along.begin() + 1, c.along.end() - 1, from);
-    Open out;
+    UndeclaredPart out;
     for (auto i = static_cast<std::size_t>(after - c.along.begin()) - 1; i < c.role.size() && c.along[i] < to; ++i) {
         if (c.role[i] == toolpath::Role::hairpin) continue;
         const double begin = std::max(from, c.along[i]), length = std::min(to, c.along[i + 1]) - begin;
@@ -30,22 +30,22 @@ Open open(const Chain& c, double from, double to) {
 
 TightTurns tight(const Fibres& fibres, std::span<const std::vector<Vec3>> normals, double radius) {
     TightTurns out;
-    double least_open = std::numeric_limits<double>::infinity();
-    out.least = least_open;
+    double least_undeclared = std::numeric_limits<double>::infinity();
+    out.least = least_undeclared;
     for (std::size_t k = 0; k < fibres.chains.size(); ++k) {
         const Chain& c = fibres.chains[k];
         out.least = std::min(out.least, filum::surface::curve::least_radius(c.points, normals[k]));
         for (const auto& t : filum::surface::curve::tight_turns(c.points, normals[k], radius)) {
-            const Open bare = open(c, t.from, t.to);
+            const UndeclaredPart undeclared = undeclared_part(c, t.from, t.to);
             std::size_t stretch = 0;
             if (t.radius <= out.least) out.tightest = point_at(c, t.at, stretch);
             ++out.count;
             out.length += t.to - t.from;
-            out.undeclared += bare.length;
-            if (!(bare.length > 0) || t.radius >= least_open) continue;
-            least_open = t.radius;
+            out.undeclared += undeclared.length;
+            if (!(undeclared.length > 0) || t.radius >= least_undeclared) continue;
+            least_undeclared = t.radius;
             stretch = 0;
-            out.undeclared_at = point_at(c, bare.first, stretch);
+            out.undeclared_at = point_at(c, undeclared.first, stretch);
         }
     }
     return out;

@@ -1,4 +1,4 @@
-// Tight turns of a path, found by its shape, and what of them was declared.
+// Tight turns of a path, found by its shape, and whether they are declared.
 #pragma once
 
 #include "metrics/surface/chains.hpp"
@@ -8,14 +8,15 @@
 namespace filum::metrics::surface {
 
 struct TightTurns {
-    std::size_t count = 0;             // stretches
-    double length = 0, undeclared = 0; // mm of them; mm of these that lie in no hairpin
-    double least = 0;                  // mm, the least radius of turning anywhere; infinite if nothing turns
-    Vec3 tightest{}, undeclared_at{}; // where that is; where the tightest stretch that is not all declared is first not
+    std::size_t count = 0;             // number of tight turns
+    double length = 0, undeclared = 0; // mm of them; mm of these outside hairpins
+    double least = 0;                  // mm, the least turning radius anywhere; infinite without turns
+    // the place of that; the start of the undeclared part of the tightest turn that has one
+    Vec3 tightest{}, undeclared_at{};
 };
 
-// The stretches where the path turns within less than `radius` mm along the surface, as surface::curve::tight_turns has
-// it: no role is read for that.  `normals`: of the surface, per chain and point; of any length but 0.
+// The parts of the path that turn with a radius below `radius` mm along the surface, as surface::curve::tight_turns
+// defines it, independent of roles. `normals`: of the surface, per chain and point, of any length except 0.
 TightTurns tight(const Fibres& fibres, std::span<const std::vector<Vec3>> normals, double radius);
 
 } // namespace filum::metrics::surface
