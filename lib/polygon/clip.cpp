@@ -1,8 +1,10 @@
 #include "polygon/clip.hpp"
 
 #include "base/error.hpp"
+#include "polygon/cut.hpp"
 #include "polygon/simple.hpp"
 #include "polygon/tiles.hpp"
+#include "polygon/touches.hpp"
 
 #include <polyclipping/clipper.hpp>
 
@@ -49,10 +51,7 @@ Loops combine_tile(cl::ClipType kind, std::span<const Loops> in, Fill rule, bool
     cl::Paths out;
     clipper.Execute(kind, out, fill_type(rule), fill_type(rule));
     Loops result = from_clipper(out);
-    if (!strict || is_simple(result)) return result;
-    clipper.StrictlySimple(true); // takes time by the square of the points, and is seldom needed
-    clipper.Execute(kind, out, fill_type(rule), fill_type(rule));
-    return from_clipper(out);
+    return !strict || is_simple(result) ? result : parted_at_touches(result);
 }
 
 Loops combine(cl::ClipType kind, std::span<const Loops> in, Fill rule, bool strict = true) {
@@ -112,6 +111,72 @@ Vec2 lowest_left(std::span<const Vec2> loop) {
                              [](Vec2 a, Vec2 b) { return a.y < b.y || (a.y == b.y && a.x < b.x); });
 }
 
+// On the grid of Boolean results.
+Loops on_grid(Loops a) {
+    for (Vec2& p : a.points)
+        p = {static_cast<double>(std::llround(p.x * kGridPerMm)) / kGridPerMm,
+             static_cast<double>(std::llround(p.y * kGridPerMm)) / kGridPerMm};
+    return a;
+}
+
+// The parts of a simple area, in the order of their outer loops.  `within`: its nesting.
+Parts parts_of_simple(const Loops& area, const std::vector<int>& within) {
+    const Loops a = on_grid(area);
+    Parts out;
+    std::vector<int> part_of(a.size(), -1); // loop to part
+    for (std::size_t l = 0; l < a.size(); ++l) {
+        if (signed_area(a[l]) < 0) continue;
+        part_of[l] = static_cast<int>(out.part.size());
+        out.part.emplace_back();
+        out.part.back().add(a[l]);
+    }
+    for (std::size_t l = 0; l < a.size(); ++l) {
+        if (part_of[l] >= 0) continue; // an outer loop
+        part_of[l] = part_of[static_cast<std::size_t>(within[l])];
+        out.part[static_cast<std::size_t>(part_of[l])].add(a[l]);
+    }
+    for (std::size_t l = 0; l < a.size(); ++l)
+        if (signed_area(a[l]) >= 0)
+            out.parent.push_back(within[l] < 0 ? -1 : part_of[static_cast<std::size_t>(within[l])]);
+    return out;
+}
+
+// The same of any loops.  Loops that touch each other in points are left to Clipper: quadratic, and rare.
+Parts parts_of_any(const Loops& a) {
+    cl::PolyTree tree;
+    try {
+        const Loops parted = unite(a);
+        if (const auto within = nesting(parted)) return parts_of_simple(parted, *within);
+        cl::Clipper clipper;
+        clipper.StrictlySimple(true);
+        clipper.AddPaths(to_clipper(parted), cl::ptSubject, true);
+        clipper.Execute(cl::ctUnion, tree, cl::pftNonZero, cl::pftNonZero);
+    } catch (const cl::clipperException& e) {
+        throw Error(Exit::bad_input, std::string("cannot split outlines: ") + e.what());
+    }
+    Parts out;
+    for (const auto* outer : tree.Childs) collect(*outer, -1, out);
+    return out;
+}
+
+// Ordered by the lowest-left vertices of the outer loops.
+Parts ordered(Parts found) {
+    std::vector<Ordered> order;
+    for (std::size_t i = 0; i < found.part.size(); ++i) order.push_back({lowest_left(found.part[i][0]), i});
+    std::stable_sort(order.begin(), order.end(), [](const Ordered& l, const Ordered& r) {
+        return l.key.y < r.key.y || (l.key.y == r.key.y && l.key.x < r.key.x);
+    });
+    std::vector<int> place(found.part.size());
+    for (std::size_t i = 0; i < order.size(); ++i) place[order[i].part] = static_cast<int>(i);
+    Parts out;
+    for (const auto& o : order) {
+        out.part.push_back(std::move(found.part[o.part]));
+        const int parent = found.parent[o.part];
+        out.parent.push_back(parent < 0 ? -1 : place[static_cast<std::size_t>(parent)]);
+    }
+    return out;
+}
+
 // The point of a loop's stretch farthest from its chord, and how far, squared.
 struct Farthest {
     std::size_t at = 0;
@@ -163,6 +228,13 @@ Loops intersect_touching(const Loops& a, const Loops& b, Fill rule) {
 }
 Loops subtract(const Loops& a, const Loops& b, Fill rule) { return combine(cl::ctDifference, a, b, rule); }
 
+Loops within_box(const Loops& a, const Box2& box) {
+    if (auto part = clipped_simple(a, box)) return std::move(*part);
+    Loops frame;
+    frame.add(std::vector<Vec2>{box.lo, {box.hi.x, box.lo.y}, box.hi, {box.lo.x, box.hi.y}});
+    return intersect(a, frame);
+}
+
 Loops offset(const Loops& a, double delta, double arc_tolerance) {
     if (a.empty()) return {};
     try {
@@ -196,32 +268,8 @@ Loops around(std::span<const Vec2> line, double radius, double arc_tolerance) {
 }
 
 Parts split(const Loops& a) {
-    cl::PolyTree tree;
-    try {
-        cl::Clipper clipper;
-        clipper.StrictlySimple(true);
-        clipper.AddPaths(to_clipper(a), cl::ptSubject, true);
-        clipper.Execute(cl::ctUnion, tree, cl::pftNonZero, cl::pftNonZero);
-    } catch (const cl::clipperException& e) {
-        throw Error(Exit::bad_input, std::string("cannot split outlines: ") + e.what());
-    }
-    Parts found;
-    for (const auto* outer : tree.Childs) collect(*outer, -1, found);
-
-    std::vector<Ordered> order;
-    for (std::size_t i = 0; i < found.part.size(); ++i) order.push_back({lowest_left(found.part[i][0]), i});
-    std::stable_sort(order.begin(), order.end(), [](const Ordered& l, const Ordered& r) {
-        return l.key.y < r.key.y || (l.key.y == r.key.y && l.key.x < r.key.x);
-    });
-    std::vector<int> place(found.part.size());
-    for (std::size_t i = 0; i < order.size(); ++i) place[order[i].part] = static_cast<int>(i);
-    Parts out;
-    for (const auto& o : order) {
-        out.part.push_back(std::move(found.part[o.part]));
-        const int parent = found.parent[o.part];
-        out.parent.push_back(parent < 0 ? -1 : place[static_cast<std::size_t>(parent)]);
-    }
-    return out;
+    const auto within = nesting(a);
+    return ordered(within ? parts_of_simple(a, *within) : parts_of_any(a));
 }
 
 Loops simplify(const Loops& a, double tolerance) {

@@ -21,6 +21,9 @@ Loops intersect(const Loops& a, const Loops& b, Fill rule = Fill::nonzero);
 Loops intersect_touching(const Loops& a, const Loops& b, Fill rule = Fill::nonzero);
 Loops subtract(const Loops& a, const Loops& b, Fill rule = Fill::nonzero);
 
+// The part of `a` within a box, whose sides move by up to a grid step.  Linear in the points of `a`, if that is simple.
+Loops within_box(const Loops& a, const Box2& box);
+
 // `a` grown by `delta` mm (shrunk if negative), corners rounded; arcs are off by at most `arc_tolerance` mm.
 Loops offset(const Loops& a, double delta, double arc_tolerance = 0.002);
 

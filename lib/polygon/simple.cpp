@@ -22,9 +22,11 @@ template <class Wide>
 class Sweep {
   public:
     Sweep(const std::vector<Point>& points, const std::vector<std::uint32_t>& start)
-        : p_(points), next_(points.size()), prev_(points.size()), place_(points.size()) {
+        : p_(points), next_(points.size()), prev_(points.size()), loop_(points.size()), place_(points.size()),
+          within_(start.size() - 1, kUnknown), hole_(start.size() - 1, 0) {
         for (std::size_t i = 0; i + 1 < start.size(); ++i)
             for (std::uint32_t k = start[i]; k < start[i + 1]; ++k) {
+                loop_[k] = static_cast<std::uint32_t>(i);
                 next_[k] = k + 1 < start[i + 1] ? k + 1 : start[i];
                 prev_[next_[k]] = k;
             }
@@ -33,6 +35,8 @@ class Sweep {
     bool run(const std::vector<std::uint32_t>& order) {
         return std::all_of(order.begin(), order.end(), [&](std::uint32_t v) { return pass(v); });
     }
+    // Of each loop, after a run.
+    [[nodiscard]] std::vector<int> within() && { return std::move(within_); }
 
   private:
     [[nodiscard]] bool upwards(std::uint32_t e) const { return before(p_[e], p_[next_[e]]); }
@@ -87,11 +91,21 @@ class Sweep {
         const auto i = static_cast<std::size_t>(at - active_.begin());
         if (turn == 0 || left_runs_down != (i % 2 == 0)) return false;
         const std::uint32_t both[2] = {left_runs_down ? in : out, left_runs_down ? out : in};
+        if (within_[loop_[v]] == kUnknown) place_loop(loop_[v], i);
         active_.insert(at, both, both + 2);
         place_[both[0]] = static_cast<std::uint32_t>(i);
         place_[both[1]] = static_cast<std::uint32_t>(i + 1);
         return (i == 0 || stays_left(active_[i - 1], active_[i])) &&
                (i + 2 >= active_.size() || stays_left(active_[i + 1], active_[i + 2]));
+    }
+
+    // Loop l begins before the active edge i.  The edge to its left belongs to a loop around it, or to one beside it.
+    void place_loop(std::uint32_t l, std::size_t i) {
+        hole_[l] = static_cast<char>(i % 2);
+        within_[l] = -1;
+        if (i == 0) return;
+        const std::uint32_t left = loop_[active_[i - 1]];
+        within_[l] = hole_[left] != hole_[l] ? static_cast<int>(left) : within_[left];
     }
 
     bool end(std::uint32_t v, std::uint32_t in, std::uint32_t out) {
@@ -104,9 +118,13 @@ class Sweep {
         return i == 0 || i >= active_.size() || stays_left(active_[i - 1], active_[i]);
     }
 
+    static constexpr int kUnknown = -2;
+
     const std::vector<Point>& p_;
-    std::vector<std::uint32_t> next_, prev_;
-    std::vector<std::uint32_t> place_;  // of an edge among the active ones, when it was put there
+    std::vector<std::uint32_t> next_, prev_, loop_;
+    std::vector<std::uint32_t> place_; // of an edge among the active ones, when it was put there
+    std::vector<int> within_;          // of each loop, as nesting() gives it
+    std::vector<char> hole_;
     std::vector<std::uint32_t> active_; // edges at the height of the sweep, left to right
 };
 
@@ -135,10 +153,10 @@ std::vector<std::uint32_t> lowest_first(const std::vector<Point>& p) {
 
 } // namespace
 
-bool is_simple(const Loops& loops) {
-    if (loops.points.empty()) return true;
+std::optional<std::vector<int>> nesting(const Loops& loops) {
+    if (loops.points.empty()) return std::vector<int>(loops.size(), -1);
     for (std::size_t i = 0; i < loops.size(); ++i)
-        if (loops[i].size() < 3) return false;
+        if (loops[i].size() < 3) return std::nullopt;
     std::vector<Point> points;
     points.reserve(loops.points.size());
     const Box2 box = bounds(loops);
@@ -146,11 +164,16 @@ bool is_simple(const Loops& loops) {
     for (const Vec2 q : loops.points) points.push_back({to_grid(q.x) - corner.x, to_grid(q.y) - corner.y});
     const std::vector<std::uint32_t> order = lowest_first(points);
     for (std::size_t i = 1; i < order.size(); ++i) // one that ends where another begins would pass unseen
-        if (points[order[i]] == points[order[i - 1]]) return false;
+        if (points[order[i]] == points[order[i - 1]]) return std::nullopt;
     constexpr std::int64_t kNarrow = std::int64_t{1} << 30;
+    const auto swept = [&](auto sweep) -> std::optional<std::vector<int>> {
+        if (!sweep.run(order)) return std::nullopt;
+        return std::move(sweep).within();
+    };
     const bool narrow = to_grid(box.hi.x) - corner.x < kNarrow && to_grid(box.hi.y) - corner.y < kNarrow;
-    return narrow ? Sweep<std::int64_t>(points, loops.start).run(order)
-                  : Sweep<__int128>(points, loops.start).run(order);
+    return narrow ? swept(Sweep<std::int64_t>(points, loops.start)) : swept(Sweep<__int128>(points, loops.start));
 }
+
+bool is_simple(const Loops& loops) { return nesting(loops).has_value(); }
 
 } // namespace filum::polygon

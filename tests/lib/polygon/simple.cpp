@@ -116,3 +116,42 @@ TEST(Simple, StarsWithHolesAndIslands) {
     }
     EXPECT_TRUE(is_simple(Loops{}));
 }
+
+// Rings of random depth in a grid of squares, in random order: every loop's surrounding one is known.
+TEST(Simple, NestingNamesTheSmallestLoopAround) {
+    Random random{11};
+    for (int round = 0; round < 200; ++round) {
+        std::vector<std::vector<Vec2>> loops;
+        std::vector<int> around;
+        for (int column = 0; column < 4; ++column)
+            for (std::uint64_t depth = 0, n = 1 + random(6); depth < n; ++depth) {
+                const double lo = 0.1 * static_cast<double>(depth + 1), hi = 2 - lo, x = 3 * column;
+                loops.push_back({{x + lo, lo}, {x + hi, lo}, {x + hi, hi}, {x + lo, hi}});
+                if (depth % 2 == 1) std::reverse(loops.back().begin(), loops.back().end());
+                around.push_back(depth == 0 ? -1 : static_cast<int>(loops.size()) - 2);
+            }
+        std::vector<std::size_t> order(loops.size()), place(loops.size());
+        for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+        for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random(i)]);
+        Loops all;
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            place[order[i]] = i;
+            all.add(loops[order[i]]);
+        }
+        const auto found = nesting(all);
+        ASSERT_TRUE(found);
+        for (std::size_t l = 0; l < loops.size(); ++l)
+            EXPECT_EQ((*found)[place[l]],
+                      around[l] < 0 ? -1 : static_cast<int>(place[static_cast<std::size_t>(around[l])]));
+        const Parts parts = split(all);
+        std::size_t holes = 0;
+        for (std::size_t k = 0; k < parts.part.size(); ++k) {
+            EXPECT_GT(signed_area(parts.part[k]), 0);
+            holes += parts.part[k].size() - 1;
+            if (parts.parent[k] < 0) continue;
+            const auto& parent = parts.part[static_cast<std::size_t>(parts.parent[k])];
+            EXPECT_FALSE(contains(parent, parts.part[k][0][0])); // it lies in the hole
+        }
+        EXPECT_EQ(holes + parts.part.size(), loops.size());
+    }
+}
