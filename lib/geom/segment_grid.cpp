@@ -4,6 +4,20 @@
 
 namespace filum::geom {
 
+double cell_for(std::span<const Segment> segments, double least) {
+    if (segments.empty()) return least;
+    Box2 box;
+    double length = 0;
+    for (const Segment& s : segments) {
+        box.add(s.a);
+        box.add(s.b);
+        length += distance(s.a, s.b);
+    }
+    if (!(length > 0)) return least;
+    const Vec2 size = box.hi - box.lo;
+    return std::max(least, std::min(size.x * size.y / length, length / static_cast<double>(segments.size())));
+}
+
 SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell, double margin) : cell_(cell) {
     if (segments.empty()) return;
     Box2 box;

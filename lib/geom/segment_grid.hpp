@@ -13,6 +13,10 @@ struct Segment {
     Vec2 a, b;
 };
 
+// mm: a good size of cells for these segments, at least `least`. As wide as the segments lie apart on average, so that
+// long rows fill few cells; no wider than they are long on average, so that few segments share a cell.
+double cell_for(std::span<const Segment> segments, double least);
+
 // Segment i is in every cell to which its distance along x and along y is less than `margin`. Cells are stored in
 // blocks of 8 x 8, in the order in which segments reach them, and only if a block is not empty. So neighbouring cells
 // along a line are near each other in memory, and a thin ring in a large box needs memory for its own area only. Cells

@@ -65,23 +65,36 @@ struct Division {
     std::vector<double> direction; // rad, of each bridge
 };
 
-// Cuts bridges out of what is solid, and with them what beside them is narrower than a bead.  Walls are `depth` mm wide
-// together.
+// Cuts bridges out of the solid area, together with places beside them that are narrower than a bead.  `depth`: mm, of
+// all walls.  A bridge takes nothing farther than two beads from its reach, so it is cut from a window of the solid
+// area; the outermost bead of the window may differ from the whole area, and is not looked at.
 void take_bridges(const Region& r, double depth, double w, Loops& solid, Division& out) {
+    constexpr double kWindow = 4; // bead widths around the reach
+    Loops all;
+    std::vector<geom::Box2> boxes; // of the bridges taken so far
     for (const Area& a : r.areas) {
         if (a.kind != AreaKind::bridge) continue;
         // rows end over the walls of the layer below
         const Loops reach = polygon::offset(a.loops, depth, kTolerance);
-        const Loops over = polygon::opened(polygon::intersect(solid, reach), w, kTolerance);
+        if (reach.empty()) continue;
+        const Vec2 margin{kWindow * w, kWindow * w};
+        const geom::Box2 near = polygon::bounds(reach), window{near.lo - margin, near.hi + margin};
+        Loops local = polygon::within_box(solid, window), taken;
+        for (std::size_t k = 0; k < boxes.size(); ++k)
+            if (geom::meet(boxes[k], window)) taken.add(out.bridge[k]);
+        if (!taken.empty()) local = polygon::subtract(local, taken);
+        const Loops over = polygon::opened(polygon::intersect(local, reach), w, kTolerance);
         if (over.empty()) continue;
-        const Loops beside = polygon::opened(polygon::subtract(solid, over), w / 2, kTolerance);
-        for (Loops& part : polygon::split(polygon::opened(polygon::subtract(solid, beside), w, kTolerance)).part) {
+        const Loops beside = polygon::opened(polygon::subtract(local, over), w / 2, kTolerance);
+        for (Loops& part : polygon::split(polygon::opened(polygon::subtract(local, beside), w, kTolerance)).part) {
             if (polygon::intersect(part, a.loops).empty()) continue;
-            solid = polygon::subtract(solid, part);
+            all.add(part);
+            boxes.push_back(polygon::bounds(part));
             out.bridge.push_back(std::move(part));
             out.direction.push_back(a.direction);
         }
     }
+    if (!all.empty()) solid = polygon::subtract(solid, all);
 }
 
 // A ring in each of the strips two beads high that run along the bridge: rows that turn where it is carried.
@@ -205,7 +218,7 @@ void tell_features(const Region& r, const Loose& from, double w, std::vector<too
     const auto segments = polygon::segments(Loops{from.rings.points, from.rings.start});
     std::vector<std::uint32_t> loop_of;
     for (std::uint32_t l = 0; l < from.rings.size(); ++l) loop_of.resize(from.rings.start[l + 1], l);
-    const geom::SegmentGrid grid(segments, 1.5 * w);
+    const geom::SegmentGrid grid(segments, geom::cell_for(segments, 1.5 * w));
     for (auto& c : curves)
         for (std::size_t i = 0; i < c.points.size(); ++i) {
             const Vec2 p = geom::lerp(c.points[i], c.points[(i + 1) % c.points.size()], 0.5);

@@ -122,7 +122,7 @@ void put_on_grid(Curve& curve) {
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_pairs(const std::vector<Curve>& curves, double cell) {
     const std::vector<geom::Segment> all = segments_of(curves);
-    const geom::SegmentGrid grid(all, cell);
+    const geom::SegmentGrid grid(all, geom::cell_for(all, cell));
     Pairs out;
     for (std::uint32_t i = 0; i < all.size(); ++i) {
         const Vec2 a = all[i].a, b = all[i].b;
