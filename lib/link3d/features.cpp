@@ -44,8 +44,9 @@ void emit_by_feature(toolpath::Span bead, std::span<const toolpath::Curve> curve
     if (std::all_of(curves.begin(), curves.end(), [](const toolpath::Curve& c) { return c.feature.empty(); }))
         return emit(bead);
     std::vector<toolpath::Feature> feature;
+    std::optional<Place> at;
     for (std::size_t i = 0; i + 1 < bead.points.size(); ++i) {
-        const auto at = index.nearest(geom::lerp(bead.points[i].xy(), bead.points[i + 1].xy(), 0.5));
+        at = index.follow(geom::lerp(bead.points[i].xy(), bead.points[i + 1].xy(), 0.5), at);
         feature.push_back(at ? curves[at->curve].feature_at(at->segment) : toolpath::Feature::none);
     }
     extend_long(bead, feature);

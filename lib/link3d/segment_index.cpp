@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::uint32_t kFan = 16;
 
+constexpr double kOnSegment = 1e-6; // mm; a point nearer than this lies on the segment
+
 constexpr double kRounding = 1e-9; // mm; more than turning a point can change it, so that no box is left out for it
 
 } // namespace
@@ -139,6 +141,24 @@ std::optional<Place> SegmentIndex::nearest(Vec2 p, double limit, std::span<const
     if (!found) return std::nullopt;
     const auto [a, b] = ends(*found);
     return place(*found, geom::nearest_parameter(a, b, p), p);
+}
+
+std::optional<Place> SegmentIndex::follow(Vec2 p, const std::optional<Place>& last) const {
+    constexpr std::int64_t kBeside = 2;
+    if (last) {
+        const std::int64_t first = first_[last->curve], count = first_[last->curve + 1] - first;
+        const bool closed = points_[first + last->curve] == points_[first + count + last->curve];
+        for (std::int64_t k = 0; k <= 2 * kBeside; ++k) { // the segment itself, then one ahead, one behind, and so on
+            std::int64_t i = last->segment + (k % 2 == 0 ? -k / 2 : (k + 1) / 2);
+            if (closed) i = ((i % count) + count) % count;
+            if (i < 0 || i >= count) continue;
+            const auto at = static_cast<std::size_t>(first + i + last->curve);
+            if (geom::point_segment_distance(points_[at], points_[at + 1], p) > kOnSegment) continue;
+            return place(static_cast<std::uint32_t>(first + i),
+                         geom::nearest_parameter(points_[at], points_[at + 1], p), p);
+        }
+    }
+    return nearest(p);
 }
 
 void SegmentIndex::within(const Box2& box, const std::function<bool(std::uint32_t, Vec2, Vec2)>& visit) const {

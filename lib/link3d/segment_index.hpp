@@ -41,6 +41,11 @@ class SegmentIndex {
     [[nodiscard]] std::optional<Place> nearest(Vec2 p, double limit = std::numeric_limits<double>::infinity(),
                                                std::span<const char> skip = {}) const;
 
+    // The place nearest to p.  First looks at `last` and at the segments beside it on its curve: if p lies on one of
+    // these, this takes constant time.  Where lines lie on each other, the place may be on another one than nearest()
+    // gives.
+    [[nodiscard]] std::optional<Place> follow(Vec2 p, const std::optional<Place>& last) const;
+
     // Calls `visit` with the number and the ends of every segment that meets `box`, in ascending order, and of some
     // others.  Stops when `visit` returns false.
     void within(const Box2& box, const std::function<bool(std::uint32_t, Vec2, Vec2)>& visit) const;

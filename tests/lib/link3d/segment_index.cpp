@@ -54,6 +54,24 @@ TEST(SegmentIndex, FindsTheNearestPlaceOfEveryCurve) {
     }
 }
 
+// Along a curve, forwards and backwards and with jumps, the place lies as near as the nearest one.
+TEST(SegmentIndex, FollowsCurves) {
+    Random random{5};
+    const auto curves = some_curves(random);
+    const SegmentIndex index(curves);
+    for (const Curve& c : curves) {
+        std::optional<Place> at;
+        for (int k = 0; k < 400; ++k) {
+            const std::size_t n = c.points.size(), i = static_cast<std::size_t>(k < 200 ? k : 400 - k) % n;
+            const Vec2 on = geom::lerp(c.points[i], c.points[(i + 1) % n], random());
+            const Vec2 p = k % 50 == 7 ? Vec2{20 * random(), 20 * random()} : on; // a jump
+            at = index.follow(p, at);
+            ASSERT_TRUE(at);
+            EXPECT_NEAR(at->distance, index.nearest(p)->distance, 1e-6);
+        }
+    }
+}
+
 TEST(SegmentIndex, TellsWhatIsFree) {
     Random random{2};
     const auto curves = some_curves(random);
