@@ -4,6 +4,18 @@
 
 namespace filum::geom {
 
+namespace {
+
+// The most entries of a grid: 4 million, or 24 for each segment.  A cell takes up to 36 bytes.
+constexpr double kMostEntries = 4e6, kMostEach = 24;
+
+// At most how many cells segments of this length in all lie in: each as many as it is long and a margin wide.
+double entries(double segments, double length, double margin, double cell) {
+    return (length / cell + 2 * segments) * (2 * margin / cell + 2);
+}
+
+} // namespace
+
 double cell_for(std::span<const Segment> segments, double least) {
     if (segments.empty()) return least;
     Box2 box;
@@ -29,9 +41,12 @@ SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell, double 
     }
     origin_ = box.lo;
     const Vec2 size = box.hi - box.lo;
-    const double most = std::min(16e6, 64 + 8 * (static_cast<double>(segments.size()) + length / cell));
+    const auto n = static_cast<double>(segments.size());
+    const double most = std::min(16e6, 64 + 8 * (n + length / cell));
     const auto blocks = [&](double mm) { return mm / (kSide * cell_) + 1; };
-    while (blocks(size.x) * blocks(size.y) > most) cell_ *= 1.5;
+    while (blocks(size.x) * blocks(size.y) > most ||
+           entries(n, length, margin, cell_) > std::max(kMostEntries, kMostEach * n))
+        cell_ *= 1.5;
     per_mm_ = 1 / cell_;
     columns_ = static_cast<unsigned>(size.x * per_mm_) + 1;
     rows_ = static_cast<unsigned>(size.y * per_mm_) + 1;

@@ -20,8 +20,8 @@ double cell_for(std::span<const Segment> segments, double least);
 // Segment i is in every cell to which its distance along x and along y is less than `margin`. Cells are stored in
 // blocks of 8 x 8, in the order in which segments reach them, and only if a block is not empty. So neighbouring cells
 // along a line are near each other in memory, and a thin ring in a large box needs memory for its own area only. Cells
-// grow if the box would need more than about eight blocks per segment or 16 million, which bounds memory for any
-// coordinates.
+// grow if the box would need more than about eight blocks per segment or 16 million, or if the segments would be in
+// more cells than 4 million and 24 each, which bounds memory for any coordinates.
 class SegmentGrid {
   public:
     SegmentGrid(std::span<const Segment> segments, double cell, double margin = 0);

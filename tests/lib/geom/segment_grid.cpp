@@ -1,0 +1,46 @@
+#include "geom/segment_grid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+namespace {
+
+using namespace filum::geom;
+
+std::vector<Segment> random_segments(std::mt19937& random, double longest) {
+    const auto uniform = [&](double hi) { return hi * static_cast<double>(random()) / 4294967296.0; };
+    std::vector<Segment> out;
+    for (int k = 0; k < 60; ++k) {
+        const Vec2 a{uniform(20), uniform(20)};
+        const double length = k < 3 ? longest : 1, turn = uniform(6.3);
+        out.push_back({a, {a.x + length * std::cos(turn), a.y + (k == 0 ? 0 : length * std::sin(turn))}});
+    }
+    return out;
+}
+
+TEST(SegmentGrid, FindsAllThatIsNearWhateverTheLengths) {
+    std::mt19937 random(1);
+    for (const double longest : {1.0, 1e3, 1e5, 1e8})
+        for (const double margin : {0.0, 0.4, 30.0}) {
+            const auto segments = random_segments(random, longest);
+            const SegmentGrid grid(segments, 0.4, margin);
+            EXPECT_LT(grid.cells(), 16e6) << longest; // 36 bytes each
+            for (const Segment& s : segments) {
+                std::set<std::uint32_t> found;
+                grid.near(s.a, s.a, [&](std::uint32_t i) { found.insert(i); });
+                for (std::uint32_t i = 0; i < segments.size(); ++i) {
+                    const bool near = point_segment_distance(segments[i].a, segments[i].b, s.a) <= margin;
+                    EXPECT_TRUE(!near || found.contains(i));
+                }
+            }
+        }
+}
+
+TEST(SegmentGrid, OneLongSegmentTakesBoundedMemory) {
+    const std::vector<Segment> one{{{0, 0}, {1e8, 0}}, {{0, 0}, {1, 1}}};
+    EXPECT_LT(SegmentGrid(one, 0.4, 0.4).cells(), 16e6);
+}
+
+} // namespace
