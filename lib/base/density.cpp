@@ -4,20 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace filum {
 
-namespace {
-
-// Two digits of the value, rounded up, so that it holds when it is typed.
 std::string rounded_up(double value) {
     const int decimals = 1 - static_cast<int>(std::floor(std::log10(value)));
     const double unit = std::pow(10, -decimals);
     return fixed_text(std::ceil(value / unit) * unit, std::max(0, decimals));
 }
-
-} // namespace
 
 void check_density(double area, double spacing, Exit exit, std::string_view subject) {
     if (spacing > 0 && area <= kMostSquares * spacing * spacing) return;

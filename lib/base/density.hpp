@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 
+#include <string>
 #include <string_view>
 
 namespace filum {
@@ -10,6 +11,9 @@ namespace filum {
 // A program that places lines, samples or triangles at a spacing needs time and memory that grow with the number of
 // squares of that side in the area.  A square metre at 0.4 mm holds 6 million.
 inline constexpr double kMostSquares = 1e7;
+
+// The text of a positive value to two digits, rounded up: a least value that holds when it is typed.
+std::string rounded_up(double value);
 
 // Throws Error(exit) if `area` mm2 hold more than kMostSquares squares of side `spacing` mm, or the spacing is no
 // positive number.  `subject` names the value in the message: "--spacing".

@@ -55,6 +55,7 @@ filum::metrics::figures::Figures planar(const filum::metrics::planar::Options& g
     if (!pace.why().empty())
         input.notes.push_back({.code = NoteCode::time_unknown, .detail = pace.why(), .stage = io.program});
     input.tools = pace.tools();
+    filum::metrics::planar::check_pixel(beads, regions, options.pixel);
     const auto layers = filum::metrics::planar::measure_layers(beads, regions, options.pixel, io.threads);
     if (level) input.air = filum::metrics::planar::measure_air(beads, options.pixel, io.threads);
     if (options.pores) input.pores = filum::metrics::planar::measure_pores(beads, regions, layers, io.threads);

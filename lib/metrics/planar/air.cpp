@@ -78,6 +78,7 @@ double uncovered(std::span<const Bead> beads, std::span<const Bead> below, doubl
     for (const Lane& l : upper) top = std::max(top, l.hi);
     Sweep laid{upper, 0, {}}, under{lower, 0, {}};
     std::vector<Interval> up, low;
+    spacing = std::max(spacing, (top - upper.front().lo) / kMostRows);
     const double rows = std::ceil((top - upper.front().lo) / spacing);
     for (double k = 0; k < rows; ++k) {
         const double y = upper.front().lo + (k + 0.5) * spacing;

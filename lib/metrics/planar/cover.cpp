@@ -11,8 +11,6 @@ namespace {
 
 using geom::Vec2;
 
-constexpr double kMostRows = 200000;
-
 struct Edge {
     Vec2 lo, hi; // lo.y < hi.y
     std::uint32_t slot = 0;

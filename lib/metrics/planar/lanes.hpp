@@ -11,6 +11,9 @@ namespace filum::metrics::planar {
 
 using geom::Vec2;
 
+// The most rows that sweep a layer.  Where the bead width alone decides, they are set farther apart to be no more.
+inline constexpr double kMostRows = 200000;
+
 struct Interval {
     double lo = 0, hi = 0;
     std::uint32_t slot = 0;

@@ -1,5 +1,8 @@
 #include "metrics/planar/layers.hpp"
 
+#include "base/density.hpp"
+#include "base/number.hpp"
+#include "metrics/planar/lanes.hpp"
 #include "parallel/parallel.hpp"
 
 #include <algorithm>
@@ -7,6 +10,8 @@
 namespace filum::metrics::planar {
 
 namespace {
+
+constexpr double kMostSections = 1e9; // places where a row cuts a bead or an outline: half a minute of work
 
 // What one layer is measured from.
 struct LayerInput {
@@ -111,7 +116,47 @@ LayerFigures measure(const LayerInput& w, double pixel) {
     return out;
 }
 
+struct Heights {
+    double box = 0, sum = 0; // mm along y: of the box of all, and of its parts one by one
+};
+
+Heights heights(const LayerInput& w) {
+    geom::Box2 box;
+    double sum = 0;
+    const auto add = [&](Vec2 a, Vec2 b, double width) {
+        for (const Vec2 p : {a, b}) {
+            box.add({p.x, p.y - width / 2});
+            box.add({p.x, p.y + width / 2});
+        }
+        sum += std::abs(b.y - a.y) + width;
+    };
+    for (std::size_t k = 0; w.beads != nullptr && k < w.beads->pieces.size(); ++k)
+        for (std::size_t i = w.beads->pieces[k].first; i + 1 < w.beads->end(k); ++i)
+            add(w.beads->points[i], w.beads->points[i + 1], w.beads->width[i]);
+    for (const auto* r : w.regions)
+        for (std::size_t i = 0; i < r->loops.size(); ++i) {
+            const auto loop = r->loops[i];
+            for (std::size_t k = 0, j = loop.size() - 1; k < loop.size(); j = k++) add(loop[j], loop[k], 0);
+        }
+    return {std::max(0.0, box.hi.y - box.lo.y), sum};
+}
+
 } // namespace
+
+void check_pixel(const Beads& beads, const std::vector<polygon::Region>& regions, double pixel) {
+    if (pixel == 0) return;
+    Heights all;
+    for (const auto& w : layer_inputs(beads, regions)) {
+        const Heights h = heights(w);
+        all.box = std::max(all.box, h.box);
+        all.sum += h.sum;
+    }
+    const double least = std::max(all.box / kMostRows, all.sum / kMostSections);
+    if (pixel >= least) return;
+    throw Error(Exit::usage, "cannot use '" + shortest_text(pixel) + "' for --pixel: rows so close would cut " +
+                                 fixed_text(all.sum, 0) + " mm of beads and outlines too often; give at least " +
+                                 rounded_up(least) + " mm");
+}
 
 std::vector<LayerFigures> measure_layers(const Beads& beads, const std::vector<polygon::Region>& regions, double pixel,
                                          int threads) {

@@ -35,6 +35,9 @@ struct LayerFigures {
 std::vector<LayerFigures> measure_layers(const Beads& beads, const std::vector<polygon::Region>& regions, double pixel,
                                          int threads);
 
+// Throws Error(usage) if rows `pixel` mm apart are too many for a layer or would cut the beads too often; 0 never does.
+void check_pixel(const Beads& beads, const std::vector<polygon::Region>& regions, double pixel);
+
 // The share, 1 where there is no area.
 inline double coverage(const Cover& c) { return c.area > 0 ? c.covered / c.area : 1; }
 

@@ -1,5 +1,6 @@
 #include "metrics/surface/report.hpp"
 
+#include "base/density.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "metrics/figures/meanings.hpp"
@@ -250,6 +251,9 @@ Measurement measure(const Fibres& fibres, const filum::surface::Sheet& sheet, co
     }
     if (options.step == 0) options.step = options.spacing / 4;
     check(options, width, length(fibres));
+    check_density(filum::surface::area(sheet.surface), options.spacing,
+                  given.spacing > 0 ? Exit::usage : Exit::bad_input,
+                  given.spacing > 0 ? "--spacing" : "the width of the beads");
     Inputs inputs(fibres, sheet, options, width, threads);
     const Feet touch = feet(fibres, inputs.ground, threads);
     const auto bent = bend(inputs, touch);
