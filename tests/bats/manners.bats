@@ -118,6 +118,28 @@ END
     [[ $(cat part.gcode) == mine ]]
 }
 
+@test "a disk that is really full under --keep, --report or -o leaves no program and no half of a file" {
+    mkdir disk
+    for option in --keep=disk/kept --report=disk/part.html; do
+        for size in 4k 32k; do
+            mount -t tmpfs -o "size=$size" tmpfs disk 2> /dev/null || skip "cannot mount a small file system"
+            code=0
+            filum print part.stl --quiet "$option" -o part.gcode 2> err || code=$?
+            left=$(find disk -type f)
+            umount disk
+            echo "$option $size: $code, left: $left"
+            [[ $code == 5 && ! -e part.gcode && -z $left ]]
+            grep -qi 'disk\|no space' err
+        done
+    done
+    mount -t tmpfs -o size=4k tmpfs disk
+    code=0
+    filum print part.stl --quiet --report part.html -o disk/part.gcode 2> err || code=$?
+    left=$(find disk -type f)
+    umount disk
+    [[ $code == 5 && -z $left && ! -e part.html ]]
+}
+
 @test "an endless stream is refused at once" { # mesh files may have 4 GiB, which takes too long here
     expect '3|4' timeout 20 regions /dev/zero -o none
 }

@@ -71,8 +71,10 @@ void Kept::draw(const std::vector<std::string>& words, const std::string& output
     Command command{stage_program("render"), last("Toolpath"), "--output=" + output};
     command.insert(command.end(), words.begin(), words.end());
     const Ended ended = run_piped({command}, {""}).front();
+    const bool known = !ended.by_signal && ended.code <= static_cast<int>(Exit::io);
     if (ended.code != 0)
-        throw Error(Exit::failure, "cannot draw '" + output + "': render ended with " + std::to_string(ended.code));
+        throw Error(known ? static_cast<Exit>(ended.code) : Exit::failure,
+                    "cannot draw '" + output + "': render ended with " + std::to_string(ended.code));
 }
 
 void Kept::report(const std::string& input, const std::string& machine, const std::string& output) const {
