@@ -1,13 +1,18 @@
 #include "link3d/strip_route.hpp"
 
+#include "geom/polyline.hpp"
 #include "geom/segment.hpp"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <queue>
 
 namespace filum::link3d {
@@ -35,25 +40,54 @@ struct Door {
     bool done = false;
 };
 
+constexpr double kMostPieces = 1e6; // of the lines of a region: a tenth of a square metre at 0.4 mm; then longer ones
+
 Vec2 vec(const Point& p) { return {p.x(), p.y()}; }
 
-// The lines are split to pieces of at most `step` mm, so that there is a door about as often.
-Triangulation triangulate(std::span<const std::vector<Vec2>> lines, double step) {
-    Triangulation t;
+// The lines as points, with pieces of at most `step` mm between them, so that there is a door about as often; line k
+// has those from start[k] to start[k + 1].
+struct Pieces {
     std::vector<Point> points;
+    std::vector<std::size_t> start;
+};
+
+Pieces pieces(std::span<const std::vector<Vec2>> lines, double step) {
+    Pieces out;
     for (const auto& line : lines) {
-        points.clear();
+        out.start.push_back(out.points.size());
         for (std::size_t i = 0; i < line.size(); ++i) {
             if (i > 0 && line[i] == line[i - 1]) continue;
             const double pieces = i > 0 ? std::ceil(geom::distance(line[i - 1], line[i]) / step) : 1;
             for (double k = 1; k < pieces; ++k) {
                 const Vec2 p = geom::lerp(line[i - 1], line[i], k / pieces);
-                points.emplace_back(p.x, p.y);
+                out.points.emplace_back(p.x, p.y);
             }
-            points.emplace_back(line[i].x, line[i].y);
+            out.points.emplace_back(line[i].x, line[i].y);
         }
-        t.insert_constraint(points.begin(), points.end());
     }
+    out.start.push_back(out.points.size());
+    return out;
+}
+
+// All points are inserted before the lines, in random order by larger and larger shares, each along a space-filling
+// curve: in the order of a long straight line that stands alone, each point would flip the triangles of all before it,
+// or pass through them on the way to its place, which takes a time of n^2.
+Triangulation triangulate(const Pieces& lines) {
+    Triangulation t;
+    const auto place = CGAL::make_property_map(lines.points);
+    std::vector<std::size_t> order(lines.points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    CGAL::spatial_sort(order.begin(), order.end(),
+                       CGAL::Spatial_sort_traits_adapter_2<Kernel, decltype(place)>(place, Kernel()));
+    std::vector<Triangulation::Vertex_handle> vertex(order.size());
+    Face near;
+    for (const std::size_t i : order) {
+        vertex[i] = t.insert(lines.points[i], near);
+        near = vertex[i]->face();
+    }
+    for (std::size_t k = 0; k + 1 < lines.start.size(); ++k)
+        for (std::size_t i = lines.start[k] + 1; i < lines.start[k + 1]; ++i)
+            if (vertex[i - 1] != vertex[i]) t.insert_constraint(vertex[i - 1], vertex[i]);
     return t;
 }
 
@@ -177,7 +211,9 @@ std::optional<std::vector<Vec2>> strip_route(std::span<const std::vector<Vec2>> 
                                              std::span<const toolpath::Curve> curves, const SegmentIndex& index,
                                              Vec2 from, double width, std::span<const Strips> strips, int best,
                                              const std::function<int(Vec2, int)>& rank) {
-    Triangulation t = triangulate(lines, width);
+    double length = 0;
+    for (const auto& line : lines) length += geom::length(line);
+    Triangulation t = triangulate(pieces(lines, std::max(width, length / kMostPieces)));
     if (t.dimension() < 2) return std::nullopt;
     for (const auto& [narrow, beyond] : strips)
         if (const auto way = Search(t, curves, index, narrow * width, beyond * width).run(from, best, rank))
