@@ -12,6 +12,8 @@ inline constexpr double kMaxCoordinate = 1e8; // mm; keeps every later product f
 
 inline constexpr double kMaxBead = 1e4; // mm, of width and height: no machine lays one of 10 m
 
+inline constexpr double kLongestSpan = 1e7; // mm, of the beads of a span: a layer of ten square metres
+
 inline bool usable(double v) { return std::abs(v) <= kMaxCoordinate; } // false for nan, too
 
 // Whether `v` is finite and not negative.

@@ -1,5 +1,7 @@
 #include "wire/planar.hpp"
 
+#include "base/density.hpp"
+#include "geom/polyline.hpp"
 #include "polygon/stack.hpp"
 #include "wire/checks.hpp"
 
@@ -57,7 +59,8 @@ polygon::Loops loops(const proto::Loops& m, const char* what) {
     if (out.start.front() != 0 || out.start.back() != out.points.size())
         bad_frame(what, "loop offsets do not fit the points");
     for (std::size_t i = 1; i < out.start.size(); ++i)
-        if (out.start[i] < out.start[i - 1] + 3) bad_frame(what, "a loop has fewer than three points");
+        if (out.start[i] < out.start[i - 1] || out.start[i] - out.start[i - 1] < 3)
+            bad_frame(what, "a loop has fewer than three points");
     return out;
 }
 
@@ -103,6 +106,23 @@ std::vector<toolpath::Feature> features(const proto::Curve& c, std::size_t point
     out.reserve(n);
     for (const int value : c.feature()) out.push_back(feature(value, "paths"));
     return out;
+}
+
+// The beads of a region, as squares of their mean width: a stage takes time and memory by those.
+void check_beads(const toolpath::RegionPaths& paths) {
+    double length = 0, area = 0;
+    for (const auto& c : paths.curves)
+        for (std::size_t i = c.closed ? 0 : 1, n = c.points.size(); i < n; ++i) {
+            const std::size_t before = i == 0 ? n - 1 : i - 1;
+            const double l = geom::distance(c.points[before], c.points[i]);
+            length += l;
+            area += l * c.width_at(i);
+        }
+    if (length * length > kMostSquares * area)
+        bad_frame("paths", "its beads hold more than 10 million squares of their width");
+    double stacked = 0;
+    for (const auto& line : paths.stacked) stacked += geom::length(line);
+    if (stacked > kLongestSpan) bad_frame("paths", "its middle lines of walls are longer than 10 km");
 }
 
 Join join(int value, const char* what) {
@@ -246,6 +266,7 @@ toolpath::RegionPaths paths(const RawFrame& frame) {
         out.stacked.push_back(plane_points(line.x(), line.y(), "paths"));
         if (out.stacked.back().size() < 2) bad_frame("paths", "a line has fewer than two points");
     }
+    check_beads(out);
     return out;
 }
 
@@ -318,6 +339,7 @@ toolpath::Span span(const RawFrame& frame) {
         out.points.push_back({xy[i].x, xy[i].y, z});
     }
     if (toolpath::extrudes(out.role)) {
+        if (geom::length(out.points) > kLongestSpan) bad_frame("span", "its beads are longer than 10 km");
         out.width = per_point(m.width(), xy.size(), "span", "width");
         out.height = per_point(m.height(), xy.size(), "span", "height");
     } else if (m.width_size() + m.height_size() > 0) {

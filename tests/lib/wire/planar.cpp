@@ -147,6 +147,10 @@ TEST(Planar, BrokenLayersAreRefused) {
                [](M& m) { m.mutable_contours()->set_x(0, 1e9); }, [](M& m) { m.mutable_contours()->set_start(0, 1); },
                [](M& m) { m.mutable_contours()->set_start(1, 3); }, [](M& m) { m.mutable_contours()->set_start(1, 5); },
                [](M& m) { m.mutable_contours()->set_start(1, 0xffffffffU); },
+               [](M& m) { // four less than the next offset, counted past the end of the numbers
+                   m.mutable_contours()->set_start(1, 0xfffffffeU);
+                   m.mutable_contours()->add_start(static_cast<std::uint32_t>(m.contours().x_size()));
+               },
                [](M& m) { m.mutable_contours()->clear_start(); },
                [](M& m) { m.mutable_contours()->add_start(4); }, // a loop of no points
                [](M& m) {
@@ -184,7 +188,9 @@ TEST(Planar, BrokenPathsAreRefused) {
                },
                [](M& m) { m.mutable_curves(1)->set_width(1, -0.1); }, [](M& m) { m.mutable_curves(1)->add_y(0); },
                [](M& m) { m.add_curves()->add_width(0.4); }, [](M& m) { m.add_stacked(); },
-               [](M& m) { m.mutable_stacked(0)->add_y(0); }, [](M& m) { m.mutable_stacked(0)->set_x(0, kNan); }});
+               [](M& m) { m.mutable_stacked(0)->add_y(0); }, [](M& m) { m.mutable_stacked(0)->set_x(0, kNan); },
+               [](M& m) { m.mutable_stacked(0)->set_x(0, 9e7); }, [](M& m) { m.mutable_curves(0)->set_x(0, 9e7); },
+               [](M& m) { m.mutable_curves(0)->set_y(0, -9e7); }});
 }
 
 TEST(Planar, BrokenSpansAreRefused) {
@@ -194,6 +200,7 @@ TEST(Planar, BrokenSpansAreRefused) {
                [](M& m) { m.set_feature(static_cast<proto::Feature>(99)); }, [](M& m) { m.set_role(proto::TRAVEL); },
                [](M& m) { m.clear_width(); }, [](M& m) { m.add_width(0.4); }, [](M& m) { m.clear_z(); },
                [](M& m) { m.add_z(1); }, [](M& m) { m.set_z(1, kNan); }, [](M& m) { m.set_height(0, 0); },
+               [](M& m) { m.set_x(0, 9e7); },
                [](M& m) {
                    m.clear_x();
                    m.clear_y();
