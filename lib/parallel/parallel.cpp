@@ -1,3 +1,5 @@
+#ifndef FILUM_PLAIN_THREADS // with it, plain.cpp takes the place of this file
+
 #include "parallel/parallel.hpp"
 
 #include <oneapi/tbb/global_control.h>
@@ -119,3 +121,5 @@ void ordered(int threads, const std::function<Item()>& source, const std::functi
 } // namespace detail
 
 } // namespace filum::parallel
+
+#endif
