@@ -18,6 +18,7 @@ struct Leg { // to one pose
     Act before = Act::extrude; // what comes before it; Act::extrude for nothing
     bool straight = true;      // false: the axes go straight, wherever that takes the tip
     bool surface = false;      // of a span that leans the tool
+    Feature feature = Feature::none;
 };
 
 // What a stroke's axes do, pose by pose.

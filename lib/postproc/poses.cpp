@@ -128,8 +128,8 @@ class Course {
         double slow = a.feed, fast = a.feed;
         for (std::uint32_t k = i + 1; k <= j; ++k) {
             const Leg& b = m_.legs[k];
-            if (b.act != a.act || b.role != a.role || b.layer != a.layer || b.tool != a.tool || !b.straight ||
-                b.surface != a.surface)
+            if (b.act != a.act || b.role != a.role || b.feature != a.feature || b.layer != a.layer ||
+                b.tool != a.tool || !b.straight || b.surface != a.surface)
                 return false;
             if (k > i + 1 && (b.before != Act::extrude || stays_[k - 1] != 0 || m_.legs[k - 1].halt)) return false;
             slow = std::min(slow, b.feed);

@@ -161,15 +161,17 @@ void TiltedWalk::extrude(const toolpath::Span& span) {
     const auto from = pose(span, 0, shift_);
     if (geom::angle(stroke_.poses.back().axis, from.axis) > kTouch) // the tool turns where it stands
         go(from, {laid_ ? Act::extrude : Act::travel, span.role, span.layer, own().feeds.travel, 0, 0, 0, span.tool, 0,
-                  false, Act::extrude, true, !span.normals.empty()});
+                  false, Act::extrude, true, !span.normals.empty(), span.feature});
     Act first = before();
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
         if (distance(span.points[i], span.points[i + 1]) == 0) continue;
-        const Laying how = laying(tip_, span.tool, machine::laid(span, i), i + 2 == span.points.size());
+        machine::Laid laid = machine::laid(span, i);
+        laid.volume *= profile_->features[span.feature].flow;
+        const Laying how = laying(tip_, span.tool, laid, i + 2 == span.points.size());
         go(pose(span, i + 1, shift_),
-           {Act::extrude, span.role, span.layer, how.feed, toolpath::volume(span, i),
-            (span.width_at(i) + span.width_at(i + 1)) / 2, (span.height_at(i) + span.height_at(i + 1)) / 2, span.tool,
-            how.fed, how.halt, std::exchange(first, Act::extrude), true, !span.normals.empty()});
+           {Act::extrude, span.role, span.layer, how.feed, laid.volume, (span.width_at(i) + span.width_at(i + 1)) / 2,
+            (span.height_at(i) + span.height_at(i + 1)) / 2, span.tool, how.fed, how.halt,
+            std::exchange(first, Act::extrude), true, !span.normals.empty(), span.feature});
         top_ = std::max(top_, stroke_.poses.back().tip.z);
     }
     laid_ = true;
@@ -352,6 +354,7 @@ void TiltedWalk::move(std::size_t i, double seconds) {
     const bool jointly = a.chain.carrier == kinematics::Carrier::frame && carrier_.jointly(i);
     put({.act = jointly ? Act::stand : leg.act,
          .role = leg.role,
+         .feature = leg.feature,
          .layer = leg.layer,
          .to = a.numbers == machine::Numbers::tip ? tip : to.xyz - off,
          .feed = leg.feed,

@@ -170,7 +170,6 @@ std::map<std::pair<Role, toolpath::Feature>, std::pair<double, double>> sums(con
 TEST_P(RoundTrip, RolesAndFeaturesComeBack) {
     machine::Profile p = machine::load_profile(GetParam());
     if (p.axes.chain.carrier == kinematics::Carrier::frame) GTEST_SKIP() << "a robot's language";
-    if (p.axes.active()) GTEST_SKIP() << "programs for rotary axes have no comments on features";
     std::mt19937 random(7);
     for (int trial = 0; trial < 3; ++trial) {
         const auto spans = pieces_of_every_kind(random, p.bed.centre() - geom::Vec2{12, 10});
