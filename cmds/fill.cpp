@@ -42,6 +42,7 @@ constexpr const char* kMinRadius =
 
 struct Options {
     fill::Options how;
+    std::vector<double> pore_size;                                          // mm; none: as --spacing says
     enum class Method : std::uint8_t { cyc, sun2019 } method = Method::cyc; // of the spiral
     baselines::sun2019::SpiralOptions sun2019;
 };
@@ -49,7 +50,7 @@ struct Options {
 std::vector<cli::Group> groups() {
     return {{"the spiral", {"method", "min-width", "thin", "min-radius"}},
             {"rows and rings", {"angles", "rings"}},
-            {"scaffold", {"spacing", "stagger"}},
+            {"scaffold", {"spacing", "pore-size", "stagger"}},
             {"the spiral of the 2019 paper", {"threshold", "start-shift"}}};
 }
 
@@ -89,6 +90,11 @@ cli::Spec spec(Options& all) {
                     "from strand to strand, centre to centre; 0: two and a half bead widths"}
                  .within(0, 1e6)
                  .when("pattern=scaffold"),
+             Option{"pore-size", &all.pore_size, "MM",
+                    "width of the pores of a scaffold, from bead to bead; replaces --spacing"}
+                 .numbers(1)
+                 .within(0.001, 1e6)
+                 .when("pattern=scaffold !spacing"),
              Option{"stagger", &o.stagger, "SPACINGS", "how far the strands of every other round of angles are shifted"}
                  .within(0, 1)
                  .when("pattern=scaffold"),
@@ -120,7 +126,8 @@ polygon::Region region_of(const stream::RawFrame& frame, const fill::Options& o)
 }
 
 void run(const Options& o, const cli::Io& io) {
-    const fill::Options& options = o.how;
+    fill::Options options = o.how;
+    if (!o.pore_size.empty()) options.spacing = o.pore_size.front() + options.bead_width;
     if (options.pattern == fill::Pattern::scaffold) {
         fill::strand_spacing(options);
         fill::Before before;

@@ -58,6 +58,28 @@ cli::Spec spec(postproc::Options& o) {
              {"set", &o.set, "KEY=VALUE,...",
               "changes keys of the profile, such as feeds.bead=40; without a section those of [values], such as "
               "nozzle_temp=230"},
+             cli::Option{"diameter", &o.diameter, "MM",
+                         "diameter of the filament, or of the syringe's bore; default: the profile's"}
+                 .numbers(1)
+                 .within(0.1, 200),
+             cli::Option{"nozzle", &o.nozzle, "MM",
+                         "diameter of the nozzle's hole; beads of more than four of its squares are refused; default: "
+                         "the profile's"}
+                 .numbers(1)
+                 .within(0.01, 100)
+                 .a_limit(),
+             cli::Option{"least-layer-time", &o.layer_time, "S",
+                         "feeds are lowered so that printing a layer takes at least this long, for material that must "
+                         "cool or set; default: the profile's limits.layer_time"}
+                 .numbers(1)
+                 .within(0, 1e5)
+                 .a_limit(),
+             cli::Option{"wall-height", &o.wall_height, "MM",
+                         "height of walls around the part, such as those of wells, above z = 0: travels, the first "
+                         "approach and the end keep 2 mm above; default: the profile's travel.above"}
+                 .numbers(1)
+                 .within(0, 1e4)
+                 .a_limit(),
              cli::Option{"z-offset", &o.z_offset, "MM",
                          "added to every z of the program, to correct the end stop; default: the profile's"}
                  .numbers(1)
@@ -77,7 +99,8 @@ cli::Spec spec(postproc::Options& o) {
                          "for robots: folder for the modules of a program longer than robot.module_moves"}
                  .not_a_setting()},
             cli::deviation_options(o)),
-        .groups = {{"where the part stands", {"place", "orient", "z-offset"}},
+        .groups = {{"where the part stands", {"place", "orient", "z-offset", "wall-height"}},
+                   {"the machine", {"machine", "set", "nozzle", "diameter", "least-layer-time"}},
                    {"changes on the way", {"pause-at", "by-layer"}},
                    {"accuracy", {"path-tolerance", "axis-tolerance", "flatten"}},
                    {"what else it writes", {"thumbnails", "job", "summary", "modules"}}},

@@ -3,6 +3,7 @@
 // writes: Layers
 // memory: the model, and all contours with --hole-compensation
 #include "app/slice/slice.hpp"
+#include "app/slice/grid.hpp"
 #include "cli/step_options.hpp"
 
 namespace {
@@ -29,6 +30,8 @@ constexpr const char* kDescription =
     "finds the order. Parts are turned by quarter turns only if they find no other place, with a note; a part "
     "without a place is refused. All parts have the layers of the highest. --center and --translate move the whole "
     "plate, and other options act on each part.\n\n"
+    "In a grid (--grid, or --wells with the positions of a plate) one part stands in each place, or as many parts as "
+    "there are places, in the order A1, A2, ..., B1. The middle of a part's box comes over the middle of its place.\n\n"
     "Limits: files up to 4 GiB, coordinates up to 10 km, a million layers; below 3 GB of memory for any file below "
     "100 MB. Contours are on a grid of 0.1 um.";
 
@@ -128,12 +131,7 @@ cli::Spec spec(app::slice::Options& o) {
                              "machine profile; a part larger than its bed is refused, and several parts are placed on "
                              "its bed (default: marlin's)"}
                           .not_a_setting());
-    options.push_back(Option{"plate", &o.plate, "N", "plate of a slicer's project, counted from 1"}.within(1, 1000));
-    options.push_back(Option{"copies", &o.copies, "N", "number of copies of each part"}.within(1, 10000));
-    options.push_back(Option{"apart", &o.apart, "MM", "distance between several parts; default: as the head needs"}
-                          .numbers(1)
-                          .within(0.1, 1000)
-                          .a_limit());
+    for (Option& option : app::slice::plate_options(o)) options.push_back(std::move(option));
     return {.name = "slice",
             .synopsis = "cut a mesh into layers of closed contours",
             .description = kDescription,
@@ -148,7 +146,7 @@ cli::Spec spec(app::slice::Options& o) {
                        {"the file, and where the part stands",
                         {"unit", "deflection", "deflection-angle", "scale", "rotate", "translate", "center", "on-bed",
                          "no-on-bed"}},
-                       {"several parts", {"plate", "copies", "apart"}}},
+                       {"several parts", {"plate", "copies", "wells", "grid", "pitch", "in-wells", "apart"}}},
             .examples = {{"slice part.stl > part.layers", "the layers of a part, 0.2 mm each"},
                          {"slice --layer-height 0.3 --rotate 0,0,45 --center 110,110 part.stl > part.layers",
                           "thicker layers of a part that is turned and put on the middle of the bed"},

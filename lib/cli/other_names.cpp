@@ -14,7 +14,6 @@ constexpr OtherName kOtherNames[] = {
     {"least-area", "min-area"},
     {"height", "layer-height"},
     // layers and beads
-    {"nozzle", "bead-width"},
     {"nozzle-diameter", "bead-width", Value::length},
     {"nozzle-size", "bead-width", Value::length},
     {"nozzle-width", "bead-width", Value::length},

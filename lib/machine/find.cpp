@@ -99,13 +99,20 @@ kinematics::Arm load_robot(const std::string& name_or_path, const std::string& b
                                      (known.empty() ? "none" : known) + ", or give a .toml or .urdf file");
 }
 
-Profile load_profile(const std::string& name_or_path, const std::string& set) {
-    if (is_path(name_or_path)) return parse_profile(contents(name_or_path, name_or_path), name_or_path, set);
+namespace {
+
+// The text of a profile, and what messages call its file.
+struct ProfileText {
+    std::string text, file;
+};
+
+ProfileText text_of(const std::string& name_or_path) {
+    if (is_path(name_or_path)) return {contents(name_or_path, name_or_path), name_or_path};
     for (const auto& folder : folders()) {
         const fs::path path = folder / (name_or_path + ".toml");
         std::error_code none;
         if (!name_or_path.empty() && fs::exists(path, none))
-            return parse_profile(contents(path, path.filename().string()), path.filename().string(), set);
+            return {contents(path, path.filename().string()), path.filename().string()};
     }
     std::string known;
     const auto names = profile_names();
@@ -116,6 +123,15 @@ Profile load_profile(const std::string& name_or_path, const std::string& set) {
     if (const auto meant = did_you_mean(name_or_path, names); !meant.empty())
         throw Error(Exit::usage, "unknown machine '" + name_or_path + "'" + meant);
     throw Error(Exit::usage, "unknown machine '" + name_or_path + "'; known are " + known + ", or give a .toml file");
+}
+
+} // namespace
+
+std::string profile_text(const std::string& name_or_path) { return text_of(name_or_path).text; }
+
+Profile load_profile(const std::string& name_or_path, const std::string& set) {
+    const ProfileText found = text_of(name_or_path);
+    return parse_profile(found.text, found.file, set);
 }
 
 } // namespace filum::machine

@@ -80,6 +80,7 @@ void read_extrusion(Document& doc, Extrusion& e) {
     if (e.relative && e.letter != 'E') doc.fail("extrusion.mode", "an axis other than E counts absolutely");
     if (e.feeding == Feeding::plunger || e.feeding == Feeding::filament) doc.require("extrusion.diameter");
     doc.number("extrusion.diameter", e.diameter, {0.1, 200});
+    doc.number("extrusion.nozzle", e.nozzle, {0, 200});
     doc.number("extrusion.flow", e.flow, above_zero(100));
     doc.number("extrusion.density", e.density, {0, 100});
     doc.text("extrusion.on", e.on);
@@ -143,6 +144,7 @@ void read_feeds(Document& doc, Profile& p) {
 void read_limits(Document& doc, Limits& l) {
     doc.number("limits.section", l.section, above_zero(kInf));
     doc.number("limits.flow", l.flow, above_zero(kInf));
+    doc.number("limits.layer_time", l.layer_time, {0, 1e5});
     doc.number("limits.turn_outside", l.turn_outside, {0, kInf});
     doc.pair("limits.width", l.narrowest, l.widest, {0, kInf});
     if (l.narrowest >= l.widest) doc.fail("limits.width", "the first number must be below the second");
@@ -150,6 +152,7 @@ void read_limits(Document& doc, Limits& l) {
 
 void read_travel(Document& doc, Travel& t) {
     doc.number("travel.lift", t.lift, {0, 1000});
+    doc.number("travel.above", t.above, {0, 1e5});
     doc.number("travel.retract", t.retract, {0, 1000});
     doc.number("travel.retract_speed", t.retract_speed, {0.001, 1e5});
     doc.number("travel.retract_acceleration", t.retract_acceleration, above_zero(kInf));
@@ -317,15 +320,6 @@ void read_own_tools(Document& doc, Profile& p) {
 } // namespace
 
 Merging standard_merging() { return {0.01, 0.02, geom::radians(0.5)}; }
-
-void merge_moves(Profile& profile, const Merging& merging) {
-    profile.merging = merging;
-    for (auto& [number, one] : profile.own) {
-        Profile copy = *one;
-        copy.merging = merging;
-        one = std::make_shared<const Profile>(std::move(copy));
-    }
-}
 
 void allow_outside(const Profile& p, double depth, const std::string& where) {
     const double most = p.limits.turn_outside;

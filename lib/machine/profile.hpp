@@ -40,6 +40,7 @@ struct Extrusion {
     char letter = 'E';                    // of the extruder word
     bool relative = true;                 // per move, or counted on from the last reset
     double diameter = 1.75;               // mm, of the filament or of the syringe's bore
+    double nozzle = 0;                    // mm, diameter of the nozzle's hole; 0: unknown
     double flow = 1;                      // factor on all material
     double density = 0;                   // g/cm3; 0: unknown
     std::string on, off;                  // codes before the first and after the last move of a stroke, may be empty
@@ -51,7 +52,8 @@ struct Limits {
     double section = std::numeric_limits<double>::infinity();               // mm2, largest bead cross-section
     double narrowest = 0, widest = std::numeric_limits<double>::infinity(); // mm, of beads that the nozzle lays
     double flow = std::numeric_limits<double>::infinity();                  // mm3/s; feeds are lowered to keep it
-    double turn_outside = std::numeric_limits<double>::infinity();          // mm beyond a part's rims; 0: not at all
+    double layer_time = 0; // s: feeds are lowered so that a layer takes at least so long
+    double turn_outside = std::numeric_limits<double>::infinity(); // mm beyond a part's rims; 0: not at all
 };
 
 // Speeds of the nozzle, mm/s.
@@ -62,6 +64,8 @@ struct Feeds {
 
 // What a break costs.
 struct Travel {
+    // mm: travels, the first approach and the end are at least so high, as over the walls of wells
+    double above = 0;
     double lift = 0.6;                                                     // mm above everything printed so far
     double retract = 0.8;                                                  // extruder units taken back, 0 for none
     double retract_speed = 35;                                             // extruder units per s
@@ -146,6 +150,8 @@ struct Profile {
     Travel travel;
     Motion motion;
     Merging merging; // none of the file's: the user says it
+    // Share of its feed that each layer keeps, so that it takes limits.layer_time; layers behind the last keep all.
+    std::vector<double> pace;
     MultiAxis axes;
     Robot robot; // of tool frames
     Tools tools;
@@ -187,6 +193,12 @@ Profile parse_profile(std::string_view text, const std::string& file, const std:
 
 // Names that load_profile knows, sorted.
 std::vector<std::string> profile_names();
+
+// The text of a profile, found as load_profile does.
+std::string profile_text(const std::string& name_or_path);
+
+// Sets the pace of layers, of the profile and of its own tools.
+void set_pace(Profile& profile, const std::vector<double>& pace);
 
 // Sets the merging of the profile and of its own tools.
 void merge_moves(Profile& profile, const Merging& merging);

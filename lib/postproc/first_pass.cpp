@@ -326,7 +326,7 @@ std::map<std::string, double> placeholders(const FirstPass& s, const machine::Pr
     add("bed_z_max", bed.z_max);
     // A side of the part that is turned up may be higher than the part is while all axes are at rest.
     const double top = profile.axes.active() ? std::max(s.part_high[2], s.high[2].value) : s.part_high[2];
-    add("z_park", std::min(top + 10, bed.z_max));
+    add("z_park", std::min(std::max(top + 10, profile.travel.above), bed.z_max));
     add("percent", 0);
     add("minutes_left", std::ceil(s.seconds / 60));
     add("layer", 0);

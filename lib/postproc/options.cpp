@@ -16,6 +16,8 @@ namespace {
     throw Error(Exit::usage, "cannot use --" + option + ": " + why);
 }
 
+constexpr double kWidestBead = 4; // squares of the nozzle's diameter: the largest section that Klipper takes
+
 // What only programs of codes on three axes, or with their templates, can do.
 void check_fit(const Options& o, const machine::Profile& p) {
     const bool codes = p.format.dialect == machine::Dialect::gcode;
@@ -51,9 +53,43 @@ std::vector<LayerValue> parse_by_layer(const std::string& text, const machine::P
     return out;
 }
 
+namespace {
+
+constexpr double kOverWalls = 2; // mm that travels keep above walls
+
+// The keys of the profile that options of their own change, behind those of --set.
+std::string changed_keys(const Options& o) {
+    std::string out = o.set;
+    const auto put = [&](const std::string& key, double value) {
+        out += (out.empty() ? "" : ",") + key + "=" + shortest_text(value);
+    };
+    if (!o.diameter.empty()) put("extrusion.diameter", o.diameter.front());
+    if (!o.nozzle.empty()) {
+        put("extrusion.nozzle", o.nozzle.front());
+        put("limits.section", kWidestBead * o.nozzle.front() * o.nozzle.front());
+    }
+    if (!o.layer_time.empty()) put("limits.layer_time", o.layer_time.front());
+    if (!o.wall_height.empty()) put("travel.above", o.wall_height.front() + kOverWalls);
+    return out;
+}
+
+void check_sizes(const Options& o, const machine::Profile& p) {
+    const auto feeding = p.extrusion.feeding;
+    if (!o.diameter.empty() && feeding != machine::Feeding::filament && feeding != machine::Feeding::plunger)
+        unfit("diameter", "'" + p.name + "' counts neither filament nor the way of a plunger");
+    if (p.travel.above > 0 && p.axes.active())
+        unfit("wall-height", "'" + p.name + "' has rotary axes; plan its travels with 'route'");
+    if (p.travel.above > p.bed.z_max)
+        unfit("wall-height", "travels would be at " + shortest_text(p.travel.above) + " mm, and '" + p.name +
+                                 "' reaches up to " + shortest_text(p.bed.z_max) + " mm");
+}
+
+} // namespace
+
 machine::Profile profile_for(const Options& o) {
-    auto out = machine::load_profile(o.machine, o.set);
+    auto out = machine::load_profile(o.machine, changed_keys(o));
     check_fit(o, out);
+    check_sizes(o, out);
     if (!o.z_offset.empty()) out.bed.z_offset = o.z_offset.front();
     out.fibre.omit_short = o.short_strokes == Short::drop;
     auto merging = machine::standard_merging();

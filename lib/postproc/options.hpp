@@ -25,6 +25,10 @@ struct Options {
     std::string summary;                // file
     std::string modules;                // folder
     bool flatten = false;               // an upright nozzle may follow a path that leans the tool
+    std::vector<double> diameter;       // mm, of filament or bore; none: the profile's
+    std::vector<double> nozzle;         // mm; none: the profile's
+    std::vector<double> layer_time;     // s, the least of a layer; none: the profile's
+    std::vector<double> wall_height;    // mm, of wells or fixtures about the part; none: the profile's travel.above
     std::vector<double> z_offset;       // mm; none: the profile's
     std::string pause_at;               // see machine::parse_pauses
     std::string by_layer;               // see parse_by_layer

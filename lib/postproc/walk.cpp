@@ -102,6 +102,15 @@ void Walker::lay(const toolpath::Span& span) {
 
 void Walk::end() {
     if (open_) put({.act = Act::close, .layer = static_cast<std::uint32_t>(layer_), .to = at_, .tool = tool_});
+    if (open_ && own().travel.above > at_.z) { // whatever the codes of the end do then
+        at_.z = own().travel.above;
+        put({.act = Act::climb,
+             .role = Role::travel,
+             .layer = static_cast<std::uint32_t>(layer_),
+             .to = at_,
+             .feed = own().feeds.z,
+             .tool = tool_});
+    }
     open_ = false;
     steps_->end();
     efforts_.slowed = steps_->slowed();
@@ -118,8 +127,8 @@ void Walk::leave(const toolpath::Span& span) {
     }
     risen_ = true;
     const bool follows = !span.normals.empty() && span.tool == tool_;
-    const double clear =
-        follows ? at_.z : std::min(std::max(top_, highest(span)) + own().travel.lift, profile_->bed.z_max);
+    const double over = std::max(std::max(top_, highest(span)) + own().travel.lift, own().travel.above);
+    const double clear = follows ? at_.z : std::min(over, profile_->bed.z_max);
     if (clear > at_.z) {
         at_.z = clear;
         put({.act = Act::climb,
@@ -175,7 +184,8 @@ void Walk::begin_stroke(const toolpath::Span& span) {
             retracted_.insert(tool_);
         }
         if (std::exchange(tool_, span.tool) != span.tool) go(Act::tool, to, 0);
-        const double clear = std::min(to.z + std::max(own().travel.lift, kApproach), profile_->bed.z_max);
+        const double over = std::max(to.z + std::max(own().travel.lift, kApproach), own().travel.above);
+        const double clear = std::min(over, profile_->bed.z_max);
         go(Act::climb, {to.x, to.y, clear}, own().feeds.z);
         go(Act::travel, {to.x, to.y, clear}, own().feeds.travel);
     }

@@ -142,11 +142,10 @@ class Throughput;
 // Three axes.  Within a stroke nothing but extruding moves (and layer marks) comes out.  Moves are merged as the
 // profile's Merging allows, of each span by itself: so no end of a stroke, role, tool or layer moves.
 // A travel closes the stroke, retracts, rises above all printed so far and the span's own points (cut at the top of the
-// machine), moves, comes down, primes and opens again; one with normals goes where its points are instead, behind a
-// change of the tool from above the second of them; one shorter
-// than the profile's min_length only moves.
-// Feeds: by role, lowered on layer 0, and so that limits.flow and motion.max_speed_z are kept; a lowered feed is a
-// whole number of mm/s where it is above one; and to motion.moves_per_second (throughput.hpp).
+// machine) and to travel.above, moves, comes down, primes and opens again; one with normals goes where its points are
+// instead, behind a change of the tool from above the second of them; one shorter than the profile's min_length only
+// moves. Feeds: by role, lowered on layer 0, and so that limits.flow and motion.max_speed_z are kept; a lowered feed is
+// a whole number of mm/s where it is above one; and to motion.moves_per_second (throughput.hpp).
 class Walk final : public Walker {
   public:
     Walk(const machine::Profile& profile, Steps out, const Joins* joins = nullptr);

@@ -16,7 +16,7 @@ absent() {
     if grep "$@"; then return 1; fi
 }
 
-machines="marlin klipper reprapfirmware linuxcnc cellink-inkredible bio-x syringe linuxcnc-xyzac linuxcnc-xyzbc linuxcnc-head-table linuxcnc-head-head polar-xzbc open5x-duet klipper-xyzac fibre-marlin fibre-xyzac"
+machines="marlin klipper reprapfirmware linuxcnc cellink-inkredible bio-x syringe clay concrete pellet linuxcnc-xyzac linuxcnc-xyzbc linuxcnc-head-table linuxcnc-head-head polar-xzbc open5x-duet klipper-xyzac fibre-marlin fibre-xyzac"
 
 @test "every machine gives a whole program, silently" {
     for m in $machines; do

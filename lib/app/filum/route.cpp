@@ -2,8 +2,10 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "base/number.hpp"
 #include "cli/needs.hpp"
 #include "cli/other_names.hpp"
+#include "plate/grid.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -84,11 +86,31 @@ void hand_on_machine(const std::vector<Stage>& stages, std::vector<Given>& to) {
             to[s].all.push_back("--head=" + name);
 }
 
-// The wall of a vase is a helix.
-void ask_for_helix(const std::vector<Stage>& stages, std::vector<Given>& to) {
+// Gives each stage that has the option this value, unless it was given one.
+void hand_on(const std::string& name, const std::string& value, const std::vector<Stage>& stages,
+             std::vector<Given>& to) {
+    const std::string start = "--" + name + "=";
     for (std::size_t s = 0; s < stages.size(); ++s)
-        if (find(stages[s], "lift") != nullptr && last(to[s], "--lift=") == nullptr)
-            to[s].all.emplace_back("--lift=helical");
+        if (find(stages[s], name) != nullptr && last(to[s], start) == nullptr) to[s].all.push_back(start + value);
+}
+
+// The value that some stage was given for an option; "" for none.
+std::string value_of(const std::string& name, const std::vector<Given>& to) {
+    const std::string start = "--" + name + "=";
+    for (const Given& given : to)
+        if (const std::string* word = last(given, start)) return word->substr(start.size());
+    return "";
+}
+
+// What one option says of others: the wall of a vase is a helix, but two beads side by side are laid flat, layer by
+// layer, as a helix cannot go there and back.  A bead is as wide as the nozzle.  Wells have walls, and stay in place.
+void hand_on_meant(const Request& request, const std::vector<Stage>& stages, std::vector<Given>& to) {
+    const std::string walls = value_of("walls", to), nozzle = value_of("nozzle", to), wells = value_of("wells", to);
+    if (request.vase) hand_on("lift", walls.empty() || walls == "1" ? "helical" : "ramp", stages, to);
+    if (!nozzle.empty()) hand_on("bead-width", nozzle, stages, to);
+    if (!wells.empty() || !value_of("grid", to).empty()) hand_on("place", "as-is", stages, to);
+    if (!wells.empty() && wells.size() <= 2 && wells.find_first_not_of("0123456789") == std::string::npos)
+        hand_on("wall-height", shortest_text(plate::well_plate(std::stol(wells)).depth), stages, to);
 }
 
 // How an option of the stage stands after the words that it is given.
@@ -214,7 +236,7 @@ Request route(const std::vector<std::string>& words, const std::vector<Stage>& s
         }
     }
     hand_on_machine(stages, given);
-    if (out.vase) ask_for_helix(stages, given);
+    hand_on_meant(out, stages, given);
     keep_effective(stages, given);
     for (Given& g : given) {
         g.all.insert(g.all.end(), g.own.begin(), g.own.end());

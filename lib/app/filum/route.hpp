@@ -32,7 +32,8 @@ const std::string& value_behind(const std::vector<std::string>& words, std::size
 // Gives every option to each stage that has it, so that one --bead-width serves all; --fill.bead-width goes to `fill`
 // alone and wins there.  Where it would do nothing, an option for all is left out, if it does something in another
 // stage.
-// --vase asks link3d for a helix, unless it is given another --lift.  --machine also names the head of each stage that
+// --vase asks link3d for a helix, --nozzle for beads as wide, --wells for travels above the walls, each unless another
+// value is given.  --machine also names the head of each stage that
 // has a --head and is not given one.  Options take their value behind a space or a '='; behind "--" all are names.
 // Throws Error(usage) for options that no stage has, values that are missing.
 Request route(const std::vector<std::string>& words, const std::vector<Stage>& stages);

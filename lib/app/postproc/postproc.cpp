@@ -6,6 +6,7 @@
 #include "base/number.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "machine/feed.hpp"
 #include "postproc/about.hpp"
 #include "postproc/job.hpp"
 #include "postproc/measure.hpp"
@@ -119,7 +120,7 @@ void add_pictures(stream::Spool& spool, const std::vector<PictureSize>& sizes, i
 } // namespace
 
 void run(const filum::postproc::Options& o, const cli::Io& io) {
-    const auto profile = filum::postproc::profile_for(o);
+    auto profile = filum::postproc::profile_for(o);
     const auto sizes = thumbnail_sizes(o.thumbnails);
     if (!profile.fibre.active()) io.idle("short", "'" + profile.name + "' has no section [fibre]");
     if (profile.format.dialect == machine::Dialect::gcode) io.idle("modules", "'" + profile.name + "' is no robot");
@@ -132,12 +133,15 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     Facts facts;
     filum::postproc::Measure measure(profile, o.place, filum::postproc::parse_orient(o.orient), o.flatten,
                                      machine::parse_pauses(o.pause_at));
+    machine::LayerTimes times;
     try {
         while (auto frame = reader.next()) {
             if (frame->tag == stream::Tag::note) notes.push_back(stream::parse_note(frame->body));
             if (frame->tag == stream::Tag::fact) facts.push_back(stream::parse_fact(frame->body));
             if (frame->tag != stream::Tag::span) continue;
-            measure.add(wire::span(*frame));
+            const auto span = wire::span(*frame);
+            measure.add(span);
+            if (profile.limits.layer_time > 0) times.add(profile, span);
             spool.add(std::move(*frame));
             progress.step();
         }
@@ -145,6 +149,8 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
         say(notes, io);
         throw;
     }
+    // Walkers begin behind the first reading, so the feeds of layers can still change.
+    if (profile.limits.layer_time > 0) machine::set_pace(profile, machine::pace(times, profile.limits.layer_time));
     Ahead ahead(profile, *measure.joins(), io.threads);
     for (; measure.again(); spool.rewind())
         ahead.each(spool, [&](auto span, auto* moves) { measure.add(span, moves); });

@@ -1,5 +1,6 @@
 #include "app/slice/plate.hpp"
 
+#include "app/slice/grid.hpp"
 #include "app/slice/sizes.hpp"
 #include "base/number.hpp"
 #include "base/printable.hpp"
@@ -101,8 +102,6 @@ std::vector<std::string> names_of(const std::vector<OnBed>& parts) {
     return told_apart(words);
 }
 
-std::string size_text(Vec2 v) { return fixed_text(v.x, 1) + " x " + fixed_text(v.y, 1) + " mm"; }
-
 // With the first spacing with which all find a place; turned only if they find none as they are, then all alike.
 plate::Packed packed(const std::vector<plate::Thing>& things, const std::vector<plate::Spacing>& tries, Vec2 size,
                      plate::Spacing& taken) {
@@ -143,26 +142,10 @@ void tell_turned(const plate::Packed& packed, Notes& notes) {
     if (turned > 0) notes.push_back({.code = NoteCode::parts_turned, .amount = turned});
 }
 
-} // namespace
-
-std::vector<OnBed> read_parts(const Options& o, cli::Io& self) {
-    const auto inputs = self.inputs.empty() ? std::vector<std::string>{"-"} : self.inputs;
-    const bool several = inputs.size() > 1 || o.copies > 1;
-    std::vector<OnBed> out;
-    std::string crc;
-    out.reserve(inputs.size());
-    for (const std::string& path : inputs) out.push_back(read_part(path, o, self, several, crc));
-    self.settings.push_back({"input_crc32c", crc});
-    for (OnBed& part : out) part.at.assign(static_cast<std::size_t>(o.copies), {});
-    return out;
-}
-
-std::vector<stream::Object> place_on_bed(std::vector<OnBed>& parts, const Options& o, const cli::Io& io, Notes& notes) {
-    if (parts.size() == 1 && parts[0].at.size() == 1) {
-        io.idle("apart", "there is one part");
-        return {};
-    }
-    const machine::Profile profile = machine::load_profile(o.machine.empty() ? "marlin" : o.machine);
+// Places packed on the bed.
+std::vector<plate::Place> packed_places(const std::vector<OnBed>& parts, const Options& o,
+                                        const machine::Profile& profile, const std::vector<std::string>& names,
+                                        Notes& notes) {
     const double wider = std::max(0.0, o.compensation.xy); // at each side
     const Vec2 size{profile.bed.x_max - profile.bed.x_min - 2 * wider,
                     profile.bed.y_max - profile.bed.y_min - 2 * wider};
@@ -177,17 +160,43 @@ std::vector<stream::Object> place_on_bed(std::vector<OnBed>& parts, const Option
         s.y += 2 * wider;
     }
     plate::Spacing taken;
-    const plate::Packed places = packed(things, tries, size, taken);
-    const auto names = names_of(parts);
+    plate::Packed places = packed(things, tries, size, taken);
     if (!places.left.empty()) refuse(places, names, taken, profile.name, size);
     tell_spacing(taken, tries, notes);
     tell_turned(places, notes);
+    return std::move(places.place);
+}
+
+} // namespace
+
+std::vector<OnBed> read_parts(const Options& o, cli::Io& self) {
+    const auto inputs = self.inputs.empty() ? std::vector<std::string>{"-"} : self.inputs;
+    const bool several = inputs.size() > 1 || o.copies > 1 || in_grid(o);
+    std::vector<OnBed> out;
+    std::string crc;
+    out.reserve(inputs.size());
+    for (const std::string& path : inputs) out.push_back(read_part(path, o, self, several, crc));
+    self.settings.push_back({"input_crc32c", crc});
+    const std::size_t each = copies(o, inputs.size());
+    for (OnBed& part : out) part.at.assign(each, {});
+    return out;
+}
+
+std::vector<stream::Object> place_on_bed(std::vector<OnBed>& parts, const Options& o, const cli::Io& io, Notes& notes) {
+    if (parts.size() == 1 && parts[0].at.size() == 1 && !in_grid(o)) {
+        io.idle("apart", "there is one part");
+        return {};
+    }
+    const machine::Profile profile = machine::load_profile(o.machine.empty() ? "marlin" : o.machine);
+    auto names = names_of(parts);
+    if (in_grid(o)) io.idle("apart", "the parts stand in a grid");
+    const auto places = in_grid(o) ? in_places(parts, o, names) : packed_places(parts, o, profile, names, notes);
     Vec2 to = o.place.center.empty() ? profile.bed.centre() : Vec2{o.place.center[0], o.place.center[1]};
     to = to + Vec2{o.place.translate[0], o.place.translate[1]};
     std::vector<stream::Object> out;
     for (OnBed& part : parts)
         for (plate::Place& at : part.at) {
-            at = places.place[out.size()];
+            at = places[out.size()];
             at.move = at.move + to;
             stream::Object object{names[out.size()], {}, {}, part.box.hi.z};
             for (const Vec2& p : part.outline) {

@@ -70,4 +70,6 @@ void check_bed(const mesh::Box3& box, const std::string& machine) {
                                                                          : "; check --unit and --scale"));
 }
 
+std::string size_text(geom::Vec2 v) { return fixed_text(v.x, 1) + " x " + fixed_text(v.y, 1) + " mm"; }
+
 } // namespace filum::app::slice

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/note.hpp"
+#include "geom/vec.hpp"
 #include "mesh/place.hpp"
 
 #include <string>
@@ -20,5 +21,8 @@ void check_precision(const mesh::Mesh& mesh, Notes& notes);
 // machine::load_profile takes it.  Machines that turn the part or the head are not checked: what they reach
 // depends on the path.
 void check_bed(const mesh::Box3& box, const std::string& machine);
+
+// "40.0 x 26.5 mm".
+std::string size_text(geom::Vec2 size);
 
 } // namespace filum::app::slice

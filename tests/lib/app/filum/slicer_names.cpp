@@ -27,7 +27,7 @@ Words ours(const Words& theirs) { return translated(theirs, some_stages()).words
 TEST(SlicerNames, OptionsByTheirNamesWork) {
     EXPECT_EQ(ours({"--fill-density", "15%"}), Words{"--infill=15%"});
     EXPECT_EQ(ours({"--fill_density=20"}), Words{"--infill=20%"});
-    EXPECT_EQ(ours({"--nozzle", "0.6", "p.stl"}), (Words{"--bead-width=0.6", "p.stl"}));
+    EXPECT_EQ(ours({"--nozzle-diameter", "0.6", "p.stl"}), (Words{"--bead-width=0.6", "p.stl"}));
     EXPECT_EQ(ours({"--rotate", "45"}), Words{"--rotate=0,0,45"});
     EXPECT_EQ(ours({"--rotate", "1,2,3"}), Words{"--rotate=1,2,3"});
     EXPECT_EQ(ours({"--rotate-x=90"}), Words{"--rotate=90,0,0"});
