@@ -17,7 +17,7 @@ using cli::Option;
 
 struct Options {
     choose::Options how;
-    std::string algorithm = "best", weights = "coverage=1,load=1,angle=0.5,cuts=0.5,overlap=0.5", report;
+    std::string algorithm = "best", weights = "coverage=1,load=1,angle=0.5,cuts=0.5,overlap=0.5", report, among;
 };
 
 constexpr const char* kDescription =
@@ -51,6 +51,9 @@ cli::Spec spec(Options& o) {
         .options =
             {Option{"algorithm", &o.algorithm, "", "best: try all; or only this one, from the patch's sources"}.one_of(
                  {"best", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral", "field", "hybrid"}),
+             Option{"among", &o.among, "NAME,...", "only candidates of these algorithms; none: of all"}
+                 .when("algorithm=best")
+                 .a_limit(),
              Option{"weights", &o.weights, "NAME=W,...", "how much each criterion counts; see above"},
              Option{"cut-length", &plan.cut_length, "MM", "length of fibre that a cut costs: from cutter to nozzle"}
                  .within(0, 1e5),
@@ -77,16 +80,30 @@ cli::Spec spec(Options& o) {
                  .when("algorithm=best|ortheo")
                  .a_limit(),
              Option{"report", &o.report, "FILE", "writes all candidates with their criteria, as TSV"}.not_a_setting()},
-        .groups = {{"candidates", {"algorithm", "finals", "weights", "cut-length"}},
+        .groups = {{"candidates", {"algorithm", "among", "finals", "weights", "cut-length"}},
                    {"lines", {"spacing", "min-radius", "turn-outside", "turns", "min-length"}}},
         .examples = {{"geodesic part.stl --cut 0,0,1,0.9 | choose --spacing 1 | surfpath --spacing 1 > part.toolpath",
                       "the path that scores best on a surface, here a part without its top"}},
         .see_also = {"partition", "stressfield", "surfpath"}};
 }
 
+std::vector<surfpath::Algorithm> algorithms(const std::string& names) {
+    std::vector<surfpath::Algorithm> out;
+    for (std::size_t from = 0; from < names.size();) {
+        const std::size_t comma = std::min(names.find(',', from), names.size());
+        const std::string name = names.substr(from, comma - from);
+        const auto known = surfpath::algorithm(name);
+        if (!known) throw Error(Exit::usage, "cannot use '" + name + "' for --among: surfpath has no such algorithm");
+        out.push_back(*known);
+        from = comma + 1;
+    }
+    return out;
+}
+
 void run(const Options& o, const cli::Io& io) {
     choose::Options how = o.how;
     how.weights = choose::weights(o.weights);
+    how.among = algorithms(o.among);
     if (const auto asked = surfpath::algorithm(o.algorithm)) {
         how.plan.algorithm = *asked;
         how.by_hand = true;

@@ -30,8 +30,9 @@ cli::Spec spec(Options&) {
             "every stage's stream, and --stage fill=./mine replaces a stage by a program of your own.\n\n"
             "filum check ./mine --as fill runs such a program on a small part and on damaged streams, and reports "
             "which of a "
-            "stage's promises it keeps. filum machines lists the profiles, and filum patterns the patterns of fill and "
-            "surfpath. filum NAME runs filum-NAME if that is on the PATH.\n\n"
+            "stage's promises it keeps. filum machines lists the profiles, makes one of your own (--new) and "
+            "checks it (--check). filum compare covers a surface by all algorithms. filum patterns lists the patterns "
+            "of fill and surfpath. filum NAME runs filum-NAME if that is on the PATH.\n\n"
             "filum env prints shell lines that put the stages on the PATH, with their manual pages and completion: "
             "eval "
             "\"$(filum env)\".",

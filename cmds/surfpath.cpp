@@ -27,6 +27,7 @@ constexpr const char* kDescription =
     "Several surfaces, the patches of one part, are filled in turn. A plan of `choose` travels with its surface and "
     "is followed unless you name an algorithm; without any plan it is geo-fiso. A patch without a plan among others "
     "that have one is left out, with a note. Facts of several patches begin with 'patch.' and their names.\n\n"
+    "`filum compare` lays a path by each algorithm on one surface and shows table and pictures.\n\n"
     "--method kipping2022 follows J. Kipping, Z. Kallai, T. Schueppstuhl, 2022, section 3, for comparison: rows "
     "beside a plane, fina by distance on the surface, fexa by that in space; ortheo, lines across the isocontours of "
     "a seed curve; rings inside the rims, geo-fiso as one path, geo-contour as spirals; geo-spiral around a seed "

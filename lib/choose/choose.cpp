@@ -147,10 +147,21 @@ void finals(std::vector<Trial>& trials, std::vector<std::size_t> left, const Tri
     }
 }
 
-std::vector<Candidate> by_hand(const Options& o) {
-    Seed given;
-    given.kind = Seed::Kind::given;
-    return {{o.plan.algorithm, given}};
+// What is tried: candidates of all algorithms, or of those that are asked for.
+std::vector<Candidate> tried(const Sheet& sheet, const std::vector<Vec3>& pull, const Options& o) {
+    if (o.by_hand) {
+        Seed given;
+        given.kind = Seed::Kind::given;
+        return {{o.plan.algorithm, given}};
+    }
+    auto out = candidates(sheet, pull);
+    if (!o.among.empty())
+        std::erase_if(out, [&](const Candidate& c) {
+            return std::find(o.among.begin(), o.among.end(), c.algorithm) == o.among.end();
+        });
+    if (out.empty())
+        throw Error(Exit::failure, "cannot propose a path: the surface has no candidate of the algorithms asked for");
+    return out;
 }
 
 } // namespace
@@ -162,8 +173,7 @@ Choice choose(Sheet& sheet, const Options& o, int threads, Notes& notes) {
     const bool rings = o.plan.algorithm == Algorithm::geo_fiso || o.plan.algorithm == Algorithm::geo_contour;
     if (o.by_hand && rings && sheet.sources.empty()) sheet.sources = sources(sheet, {}, {});
     const TrialPatch ground{sheet, pulls(sheet), o.plan, kStable[1]};
-    for (const Candidate& c : o.by_hand ? by_hand(o) : candidates(sheet, ground.pull))
-        out.trials.push_back({c, std::nan(""), {}, {}, 0, 0, {}});
+    for (const Candidate& c : tried(sheet, ground.pull, o)) out.trials.push_back({c, std::nan(""), {}, {}, 0, 0, {}});
     const TrialPatch small = o.by_hand ? TrialPatch{} : rough(sheet, o, out.area);
     std::vector<std::size_t> all(out.trials.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
@@ -172,8 +182,8 @@ Choice choose(Sheet& sheet, const Options& o, int threads, Notes& notes) {
         if (t.candidate.seed.kind != Seed::Kind::given) t.estimate = estimate(small.sheet, small.pull, t.candidate);
     });
     const auto some = promising(out.trials);
-    ProgressCounter tried(o, kTrying, some.size());
-    each(out.trials, some, tried, threads, [&](Trial& t) {
+    ProgressCounter laid_roughly(o, kTrying, some.size());
+    each(out.trials, some, laid_roughly, threads, [&](Trial& t) {
         t.rough = plan_and_measure(small, t.candidate);
         t.rough_score = score(*t.rough, o.weights, o.plan.cut_length);
     });

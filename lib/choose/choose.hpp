@@ -13,8 +13,9 @@
 namespace filum::choose {
 
 struct Options {
-    surfpath::Options plan; // spacing, least radius and so on; its algorithm only with `by_hand`
-    bool by_hand = false;   // use that algorithm with the sheet's sources, and try nothing else
+    surfpath::Options plan;                   // spacing, least radius and so on; its algorithm only with `by_hand`
+    bool by_hand = false;                     // use that algorithm with the sheet's sources, and try nothing else
+    std::vector<surfpath::Algorithm> among{}; // without `by_hand`: candidates of these algorithms only; empty: of all
     Weights weights;
     std::int64_t finals = 3;           // number of candidates that are planned as asked
     std::function<void(double)> far{}; // called with the progress, 0 to 1; from any thread, one at a time

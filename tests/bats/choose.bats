@@ -78,3 +78,17 @@ facts() { peek "$1" | sed -n "s/^fact *$2: //p"; }
     [[ $err == *'2 surfaces'* ]]
     expect 3 geodesic both
 }
+
+@test "all algorithms on one surface: a table, pictures, and why one found nothing" {
+    rm -rf paths
+    filum compare "$FILUM_SOURCE/examples/bracket/patch_A.ply" --spacing 4 --among geo-fiso,field,hybrid -o paths > said 2> err
+    [[ $(wc -l < said) == 4 ]]
+    head -n 1 said | grep -q 'coverage  *cuts  *overlap  *tight mm  *length mm'
+    awk -F'\t' 'NR > 1 && !($2 > 0.5 && $2 <= 1 && $6 > 100) { exit 1 }' paths/table.tsv
+    for name in geo-fiso field hybrid; do [[ -s paths/$name.png && -s paths/$name.toolpath ]]; done
+    grep -q hybrid.png paths/index.html
+    [[ $(filum compare face.ply --dry-run -o paths --among fina | wc -l) == 5 ]]
+    expect 2 filum compare face.ply
+    expect 2 filum compare face.ply --among nosuch -o paths
+    expect 5 filum compare nosuch.ply -o paths
+}

@@ -1,15 +1,16 @@
 #include "app/filum/front.hpp"
 
 #include "app/filum/check.hpp"
+#include "app/filum/compare.hpp"
+#include "app/filum/machines.hpp"
 #include "app/filum/print.hpp"
 #include "app/filum/printers.hpp"
 #include "app/filum/process.hpp"
+#include "app/filum/show.hpp"
 #include "app/filum/show_settings.hpp"
 #include "app/filum/stage.hpp"
 #include "base/error.hpp"
-#include "base/number.hpp"
 #include "base/shell.hpp"
-#include "machine/profile.hpp"
 #include "stream/sink.hpp"
 
 #include <algorithm>
@@ -19,18 +20,6 @@
 namespace filum::app::filum {
 
 namespace {
-
-void show(const std::string& text) {
-    stream::Sink out("-", stream::Sink::Content::text);
-    out.write(text);
-    out.commit();
-}
-
-// Left-aligned in a column of that width.
-std::string cell(std::string text, std::size_t width) {
-    text.resize(std::max(text.size() + 2, width), ' ');
-    return text;
-}
 
 void list() {
     std::string out;
@@ -44,18 +33,6 @@ void list() {
         out += cell(s.name, 13) + cell(ports, 24) + s.synopsis + "\n";
     }
     for (const std::string& name : extra_names()) out += cell(name, 13) + "'filum-" + name + "' on the PATH\n";
-    show(out);
-}
-
-void machines() {
-    std::string out;
-    for (const std::string& name : machine::profile_names()) {
-        const machine::Profile p = machine::load_profile(name);
-        const auto size = [](double lo, double hi) { return fixed_text(hi - lo, 1); };
-        const std::string reach = size(p.bed.x_min, p.bed.x_max) + " x " + size(p.bed.y_min, p.bed.y_max) + " x " +
-                                  size(p.bed.z_min, p.bed.z_max) + " mm";
-        out += cell(name, 20) + cell(reach, 26) + p.about + "\n";
-    }
     show(out);
 }
 
@@ -103,12 +80,8 @@ constexpr OwnCommand kOwnCommands[] = {
     {"env", env,
      "usage: eval \"$(filum env)\"\n\nPrints shell lines that put the stages on the PATH, with manual pages and "
      "completion.\n"},
-    {"machines", machines,
-     "usage: filum machines\n\nLists the machines that Filum knows: the name for --machine, the size of the bed and "
-     "the\n"
-     "height, and what kind of machine it is. A machine of your own is a file of settings (TOML):\n\n"
-     "  postproc --machine marlin --set bed.x_max=300   changes a key\n"
-     "  postproc --machine mine.toml                    reads a file; docs/machines.md explains its keys\n"},
+    {"machines", nullptr, kMachinesHelp, machines},
+    {"compare", nullptr, kCompareHelp, compare},
     {"patterns", patterns,
      "usage: filum patterns\n\nLists what fill and surfpath can lay, and the option that asks for it. Sparse infill "
      "has\n"

@@ -28,6 +28,8 @@ Kept::Kept(const Request& request, const std::vector<Stage>& stages) {
     std::error_code failed;
     if (!request.keep.empty() && (fs::create_directories(request.keep, failed), failed))
         throw Error(Exit::io, "cannot make the folder '" + request.keep + "': " + failed.message());
+    for (const auto& words : request.arguments)
+        scaffold_ = scaffold_ || std::find(words.begin(), words.end(), "--pattern=scaffold") != words.end();
     const std::string own = std::to_string(::getpid()) + ".part"; // another print may keep its streams there, too
     for (std::size_t s = 0; s < stages.size(); ++s) {
         const bool stream = stages[s].out.starts_with(kStream);
@@ -84,6 +86,7 @@ void Kept::report(const std::string& input, const std::string& machine, const st
     if (!regions.empty()) words.push_back("--regions=" + regions);
     Command measure{stage_program("metrics"), last("Toolpath"), "--format=tsv", "--output=" + figures};
     measure.insert(measure.end(), words.begin(), words.end());
+    if (scaffold_) measure.emplace_back("--pores");
     if (const Ended ended = run_piped({measure}).front(); ended.code != 0)
         throw Error(Exit::failure,
                     "cannot make the report '" + output + "': metrics ended with " + std::to_string(ended.code));

@@ -34,6 +34,7 @@ class Kept {
 
   private:
     Folder folder_;
+    bool scaffold_ = false; // its pores are measured for the report
     std::vector<std::string> files_, names_, payloads_;
     std::vector<std::string> unfinished_; // as long as the streams may be incomplete
     std::vector<std::unique_ptr<stream::Unfinished>> watched_;

@@ -65,7 +65,7 @@ std::string stage_program(const std::string& name) {
     const fs::path file = fs::path(stage_folder()) / name;
     if (!is_stage(name)) {
         std::vector<std::string> names = stage_names();
-        for (const char* own : {"print", "list", "env", "help", "machines", "patterns", "check", "settings"})
+        for (const char* own : {"print", "list", "env", "help", "machines", "patterns", "check", "settings", "compare"})
             names.emplace_back(own);
         for (const std::string& extra : extra_names()) names.push_back(extra);
         const std::string meant = did_you_mean(name, names);

@@ -1,0 +1,32 @@
+#!/usr/bin/env bats
+# Machines of one's own: copied from a profile, checked.
+# shellcheck disable=SC2154
+
+load common
+
+setup() {
+    cd "$BATS_TEST_TMPDIR" || exit 1
+    boxes disc.stl 3,4,0,9,10,1
+}
+
+@test "a machine of one's own: copied, checked" {
+    filum machines --new mine.toml --from clay > said
+    [[ $(< said) == *"filum machines --check mine.toml"* ]]
+    grep -q '^name = "mine"' mine.toml
+    filum machines --check mine.toml | grep -q 'nothing wrong or surprising'
+    filum print disc.stl --machine ./mine.toml --nozzle 1 --layer-height 0.5 -q -o mine.gcode
+    expect 2 filum machines --new mine.toml --from clay
+    expect 2 filum machines --new other.toml
+    expect 2 filum machines --new other.toml --from nosuch
+    expect 2 filum machines --chek mine.toml
+    sed 's/^G28$/M109 S210/; s/^nozzle = .*//; s/^retract = .*/retract = 0/' mine.toml > hot.toml
+    run filum machines --check hot.toml
+    [[ $status == 1 && $output == *"M109 heats, and the material is cold"* && $output == *"extrusion.nozzle is missing"* &&
+        $output == *"homes nothing"* ]]
+    echo 'nonsense = 1' >> hot.toml
+    expect 3 filum machines --check hot.toml
+    for name in $(filum machines | cut -d ' ' -f 1); do
+        run filum machines --check "$name"
+        [[ $status -le 1 ]]
+    done
+}
