@@ -6,6 +6,7 @@
 
 #include "cli/command.hpp"
 #include "cli/output.hpp"
+#include "polygon/stack.hpp"
 #include "regions/air.hpp"
 #include "wire/planar.hpp"
 
@@ -23,7 +24,8 @@ constexpr const char* kDescription =
     "the part is left out and reported. So are bodies within an outline. A part without a wall above its floor is an "
     "error (3). Walls carry themselves if each turn lies at least with half of its width on the turn below: at layers "
     "half as high as a bead is wide they may lean by 45 degrees. Longer overhangs are reported.\n\n"
-    "With --walls 2 each layer has two beads side by side, there and back, and is still one curve.";
+    "With --walls 2 each layer has two beads side by side, there and back, and is still one curve. Join such layers by "
+    "'link3d --lift ramp': a helix would put the two beads at different heights.";
 
 cli::Spec spec(vase::Options& o) {
     using cli::Option;
@@ -52,6 +54,8 @@ void run(const vase::Options& options, const cli::Io& io) {
     std::vector<polygon::Region> part;
     auto whole = cli::read_all(io.input, stream::Payload::regions,
                                [&](stream::RawFrame frame) { part.push_back(wire::region(frame)); });
+    if (const std::string fault = polygon::fault(part); !fault.empty())
+        throw Error(Exit::bad_input, "cannot use the regions: " + fault);
     Notes notes;
     Facts facts;
     const auto regions = vase::vase(part, options, notes, facts);
