@@ -71,8 +71,8 @@ class Reader {
     T number() {
         T out = 0;
         const auto bytes = take(sizeof(T));
-        for (std::size_t i = sizeof(T); i-- > 0;)
-            out = static_cast<T>((out << 8) | static_cast<unsigned char>(bytes[i]));
+        for (std::size_t i = sizeof(T); i > 0; --i)
+            out = static_cast<T>((out << 8) | static_cast<unsigned char>(bytes[i - 1]));
         return out;
     }
 

@@ -26,7 +26,7 @@ constexpr std::array<std::uint32_t, 256> make_table() {
 constexpr auto kTable = make_table();
 
 std::uint32_t by_table(std::uint32_t crc, const unsigned char* p, std::size_t n) {
-    while (n-- > 0) crc = kTable[(crc ^ *p++) & 255] ^ (crc >> 8);
+    for (; n > 0; --n) crc = kTable[(crc ^ *p++) & 255] ^ (crc >> 8);
     return crc;
 }
 
@@ -34,7 +34,7 @@ std::uint32_t by_table(std::uint32_t crc, const unsigned char* p, std::size_t n)
 
 // a(x) * x^(8 * bytes) modulo the polynomial: what `bytes` zeros after `a` make of it.
 std::uint32_t shift_by_table(std::uint32_t crc, std::size_t bytes) {
-    while (bytes-- > 0) crc = kTable[crc & 255] ^ (crc >> 8);
+    for (; bytes > 0; --bytes) crc = kTable[crc & 255] ^ (crc >> 8);
     return crc;
 }
 

@@ -46,7 +46,7 @@ surface::Surface connected(const proto::Surface& m) {
     std::vector<surface::Triangle> triangles(sides / 3);
     for (std::size_t i = 0; i < sides; ++i) triangles[i / 3][i % 3] = m.corner(static_cast<int>(i));
     std::vector<std::uint32_t> twin(m.across().begin(), m.across().end());
-    for (auto& h : twin) --h; // 0 becomes kNone
+    for (auto& h : twin) h = h == 0 ? kNone : h - 1;
     try {
         return surface::assemble(space_points(m.x(), m.y(), m.z()), std::move(triangles), std::move(twin));
     } catch (const Error& e) {
@@ -169,7 +169,7 @@ stream::RawFrame frame(const surface::Sheet& sheet) {
     put_points(sheet.surface.vertices, *m.mutable_x(), *m.mutable_y(), *m.mutable_z());
     for (const auto& t : sheet.surface.triangles) m.mutable_corner()->Add(t.begin(), t.end());
     m.mutable_across()->Reserve(static_cast<int>(sheet.surface.twin.size()));
-    for (const auto h : sheet.surface.twin) m.mutable_across()->AddAlreadyReserved(h + 1); // kNone becomes 0
+    for (const auto h : sheet.surface.twin) m.mutable_across()->AddAlreadyReserved(h == kNone ? 0 : h + 1);
     for (const auto& f : sheet.fields) {
         auto* to = m.add_fields();
         to->set_name(f.name);
