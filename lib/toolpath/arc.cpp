@@ -9,17 +9,17 @@ namespace filum::toolpath {
 
 namespace {
 
-constexpr double kMostSweep = 1.8 * std::numbers::pi; // rad: a full circle has no direction to its end
-constexpr double kMostRadius = 1000;                  // mm: firmwares count in single precision
+constexpr double kMostSweep = 1.8 * std::numbers::pi; // rad: the end of a full circle is ill-defined
+constexpr double kMostRadius = 1000;                  // mm: firmware computes in single precision
 
-struct Round {
+struct Circle {
     Vec2 centre;
     double radius = 0, sweep = 0;
 };
 
-// The circle through both ends whose greatest distance from the points between, and from the middles of the pieces, is
-// about the least there is.  Its centre is t left of the middle between the ends; each point bounds t.
-std::optional<Round> circle(const Line& line, std::uint32_t from, std::uint32_t to, double most) {
+// The circle through both ends whose greatest distance from the points between, and from the middles of the segments,
+// is almost minimal. Its centre is t to the left of the middle between the ends; each point bounds t.
+std::optional<Circle> circle(const Line& line, std::uint32_t from, std::uint32_t to, double most) {
     const Vec2 a = line.points[from].xy(), b = line.points[to].xy(), middle = 0.5 * (a + b);
     const double half = geom::distance(a, b) / 2;
     if (!(half > 0)) return std::nullopt;
@@ -32,7 +32,7 @@ std::optional<Round> circle(const Line& line, std::uint32_t from, std::uint32_t 
             t = (norm2(p) - half * half) / (2 * v);
         }
     }
-    if (std::abs(highest) < most) return std::nullopt; // a straight move does it
+    if (std::abs(highest) < most) return std::nullopt; // a straight move is sufficient
     const double reach = 2 * most * std::hypot(half, t);
     double low = -std::numeric_limits<double>::infinity(), high = -low;
     const auto bound = [&](Vec2 at) {
@@ -50,19 +50,20 @@ std::optional<Round> circle(const Line& line, std::uint32_t from, std::uint32_t 
     }
     if (low > high) return std::nullopt;
     t = (low + high) / 2;
-    Round out{middle + t * left, std::hypot(half, t), 0};
+    Circle out{middle + t * left, std::hypot(half, t), 0};
     if (out.radius > kMostRadius) return std::nullopt;
     const Vec2 p = a - out.centre, q = b - out.centre;
     out.sweep = std::atan2(geom::cross(p, q), dot(p, q));
-    if (highest > 0 && out.sweep > 0) out.sweep -= 2 * std::numbers::pi; // over the left side: clockwise
+    if (highest > 0 && out.sweep > 0) out.sweep -= 2 * std::numbers::pi; // on the left side: clockwise
     if (highest < 0 && out.sweep < 0) out.sweep += 2 * std::numbers::pi;
     if (std::abs(out.sweep) > kMostSweep) return std::nullopt;
     return out;
 }
 
-// The farthest between the arc and the line, each point abreast of the arc's at its own angle; nothing if it is more
-// than `most`, or if the line goes back.
-std::optional<double> distance_of(const Line& line, std::uint32_t from, std::uint32_t to, const Round& r, double most) {
+// The greatest distance between arc and line, each point compared with the arc at the same angle; nothing if it
+// exceeds `most`, or if the line goes backwards.
+std::optional<double> distance_of(const Line& line, std::uint32_t from, std::uint32_t to, const Circle& r,
+                                  double most) {
     const double turn = r.sweep > 0 ? 1 : -1;
     Vec2 before = line.points[from].xy() - r.centre, direction = before;
     double worst = std::abs(norm(before) - r.radius), swept = 0;
@@ -71,19 +72,19 @@ std::optional<double> distance_of(const Line& line, std::uint32_t from, std::uin
         const double by = turn * std::atan2(geom::cross(direction, p), dot(direction, p));
         if (by < 0) return std::nullopt;
         swept += by;
-        // Between its ends the piece comes nearest to the centre, by no more than the foot of the perpendicular.
+        // Inside a segment the least distance from the centre is at the foot of the perpendicular.
         const Vec2 way = p - before;
         const double l2 = norm2(way), f = l2 > 0 ? std::clamp(-dot(before, way) / l2, 0.0, 1.0) : 0;
         worst = std::max({worst, std::abs(norm(p) - r.radius), r.radius - norm(before + f * way)});
         if (worst > most) return std::nullopt;
         before = direction = p;
     }
-    if (std::abs(swept - std::abs(r.sweep)) > 1e-6) return std::nullopt; // round once more, or not all the way
+    if (std::abs(swept - std::abs(r.sweep)) > 1e-6) return std::nullopt; // one turn too many, or not complete
     return worst;
 }
 
-// How far the chords that the machine makes of an arc lie inside of it.
-double sagitta(const Round& r, double chord) {
+// The greatest distance between an arc and the chords into which the machine divides it.
+double sagitta(const Circle& r, double chord) {
     if (chord == 0) return 0;
     const double sweep = std::abs(r.sweep), pieces = std::max(1.0, std::floor(sweep * r.radius / chord));
     return r.radius * (1 - std::cos(std::min(std::numbers::pi, sweep / pieces / 2)));
@@ -93,7 +94,7 @@ double sagitta(const Round& r, double chord) {
 
 Arc arc_reach(const Line& line, std::uint32_t from, std::uint32_t least, std::uint32_t last, const Tolerance& t,
               double& off) {
-    // Centre and ends are rounded apart.
+    // Centre and ends are rounded independently.
     const double most = t.path - t.grid;
     Arc out{from, {}, 0};
     double worst = 0;
@@ -112,7 +113,7 @@ Arc arc_reach(const Line& line, std::uint32_t from, std::uint32_t least, std::ui
         return true;
     };
     if (!(most > 0) || least >= last) return out;
-    // The first that fits is sought a little way, then the farthest by doubling and halving.
+    // The first that fits is searched among a few, then the farthest by doubling and bisection.
     constexpr std::uint32_t tried = 4;
     std::uint32_t good = least + 1;
     while (good <= last && good < least + 1 + tried && !fits(good)) ++good;

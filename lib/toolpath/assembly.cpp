@@ -10,7 +10,7 @@ namespace {
 
 const Vec3 kUp{0, 0, 1};
 
-// Flat spans stay without axes as long as the tool stays upright.
+// Spans without axes stay so if the tool stays upright.
 void place(Span& span, const geom::Affine& map) {
     geom::Affine turn = map;
     std::fill(std::begin(turn.t), std::end(turn.t), 0);

@@ -45,7 +45,7 @@ double width_at(const Curve& c, const CurvePlace& p) {
 
 void add_stretch(const Curve& c, const CurvePlace& from, const CurvePlace& to, Curve& out) {
     const std::size_t n = c.points.size();
-    const std::size_t vertices = to.i - from.i + (to.along < from.along ? n : 0); // between them
+    const std::size_t vertices = to.i - from.i + (to.along < from.along ? n : 0); // between both places
     add_point(out, from.point, width_at(c, from));
     for (std::size_t k = 1; k <= vertices; ++k)
         add_point(out, c.points[(from.i + k) % n], c.width_at((from.i + k) % n));

@@ -1,17 +1,17 @@
-// The size of a part as it is printed.
+// The size of a printed part.
 #pragma once
 
 #include "toolpath/path.hpp"
 
 namespace filum::toolpath {
 
-// The box around the beads of a part, as wide and high as they are laid.  Supports, skirts, towers and connectors are
-// not of the part, and joins add nothing to it.
+// The bounding box of the beads of a part with their widths and heights. Supports, skirts, towers and connectors do
+// not belong to the part, and joins do not enlarge it.
 struct Extent {
     Vec3 low{kNone, kNone, kNone}, high{-kNone, -kNone, -kNone}; // mm
     void add(const Span& span);
     [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
-    // mm along x, y and z; 0 if it is empty.
+    // mm along x, y and z; 0 if the box is empty.
     [[nodiscard]] Vec3 size() const { return empty() ? Vec3{} : high - low; }
 
   private:

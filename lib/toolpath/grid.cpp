@@ -24,10 +24,11 @@ struct Knot {
     std::optional<std::uint32_t> in, out;
 };
 
-// All segments of the curves, in a grid that still finds them when points moved by kMostMoved.
-class Net {
+// All segments of the curves, in a grid that remains valid if points move by kMostMoved.
+class SegmentIndex {
   public:
-    Net(std::vector<Curve>& curves, double cell) : segments_(segments_of(curves)), grid_(segments_, cell, kMostMoved) {
+    SegmentIndex(std::vector<Curve>& curves, double cell)
+        : segments_(segments_of(curves)), grid_(segments_, cell, kMostMoved) {
         for (Curve& c : curves) add_knots(c);
     }
 
@@ -35,8 +36,8 @@ class Net {
         return geom::cross_properly(segments_[i].a, segments_[i].b, segments_[j].a, segments_[j].b);
     }
 
-    // Moves an end of one of two segments, by as little as it takes for what begins and ends there to be free.
-    void part(std::uint32_t i, std::uint32_t j, const std::vector<Vec2>& offsets, std::optional<Vec2> fixed) {
+    // Moves an end of one of two segments by the least offset that leaves its segments without crossings.
+    void separate(std::uint32_t i, std::uint32_t j, const std::vector<Vec2>& offsets, std::optional<Vec2> fixed) {
         std::vector<std::pair<double, Knot>> knots; // with mm from the other segment
         for (const auto& [s, t] : {std::pair{i, j}, std::pair{j, i}})
             for (const Knot& knot : {begin_[s], end_[s]})
@@ -88,7 +89,7 @@ class Net {
     std::vector<Knot> begin_, end_; // of each segment
 };
 
-// Whole micrometres up to kMostMoved, the shortest first.
+// Offsets of whole micrometres up to kMostMoved, the shortest first.
 std::vector<Vec2> all_offsets() {
     constexpr int kMost = static_cast<int>(kMostMoved * 1e3 + 0.5);
     std::vector<std::pair<int, int>> steps;
@@ -140,12 +141,12 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> part_crossings(std::vector<
     Pairs left = crossing_pairs(curves, cell);
     if (left.empty()) return left;
     const std::vector<Vec2> offsets = all_offsets();
-    // a point that could not be moved may be free when another one was
+    // a point that could not be moved may be free after another one was moved
     for (std::size_t before = left.size() + 1; !left.empty() && left.size() < before;) {
         before = left.size();
-        Net net(curves, cell);
+        SegmentIndex net(curves, cell);
         for (const auto& [i, j] : left)
-            if (net.cross(i, j)) net.part(i, j, offsets, fixed);
+            if (net.cross(i, j)) net.separate(i, j, offsets, fixed);
         left = crossing_pairs(curves, cell);
     }
     return left;

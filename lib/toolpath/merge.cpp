@@ -10,8 +10,9 @@ namespace filum::toolpath {
 
 namespace {
 
-constexpr double kLevel = 1e-9; // mm of z between points of a level stretch
-constexpr int kUntangled = 3;   // times that what crosses is laid as given, before all of it is
+constexpr double kLevel = 1e-9; // mm of z between points of a horizontal part
+// number of attempts to keep only crossing parts as given, before the whole span is kept as given
+constexpr int kUntangled = 3;
 
 Line line_of(const Span& span) {
     Line out;
@@ -47,7 +48,7 @@ Line line_of(const Span& span) {
 
 bool level(const Line& l, std::uint32_t i) { return std::abs(l.points[i + 1].z - l.points[i].z) <= kLevel; }
 
-// The farthest point that a straight move in space reaches from point i, all of it and what lies between by points.
+// The farthest point that a straight move in space reaches from point i; all points between are within the tolerance.
 std::uint32_t spatial_reach(const Line& l, std::uint32_t i, std::uint32_t last, const Tolerance& t, double& off) {
     double worst = 0;
     const auto fits = [&](std::uint32_t to) {
@@ -74,8 +75,8 @@ std::uint32_t spatial_reach(const Line& l, std::uint32_t i, std::uint32_t last, 
     return out;
 }
 
-// Moves, and the point of the line where each begins.
-struct Course {
+// Moves, and for each the point of the line where it begins.
+struct MoveSequence {
     std::vector<Move> moves;
     std::vector<std::uint32_t> begins;
     double off = 0;
@@ -88,7 +89,7 @@ double mean(const Line& l, const std::vector<double>& values, std::uint32_t from
     return length > 0 ? sum / length : values[from];
 }
 
-void put(Course& out, const Line& l, std::uint32_t from, std::uint32_t to, const Arc& arc = {}) {
+void put(MoveSequence& out, const Line& l, std::uint32_t from, std::uint32_t to, const Arc& arc = {}) {
     Move m;
     m.to = l.points[to];
     m.centre = arc.centre;
@@ -103,11 +104,11 @@ void put(Course& out, const Line& l, std::uint32_t from, std::uint32_t to, const
     out.begins.push_back(from);
 }
 
-void level_moves(Course& out, const Line& l, std::uint32_t first, std::uint32_t last, const Tolerance& t) {
+void level_moves(MoveSequence& out, const Line& l, std::uint32_t first, std::uint32_t last, const Tolerance& t) {
     for (std::uint32_t at = first; at < last;) {
         double off = 0, round = 0;
         std::uint32_t to = straight_reach(l, at, last, t, off);
-        // An arc that saves a move, if there is one: two straight ones or more come no farther.
+        // an arc, if it saves a move: if two or more straight ones do not reach farther
         const Arc arc = t.arcs && to < last ? arc_reach(l, at, to, last, t, round) : Arc{at, {}, 0};
         const bool bent = arc.to > at;
         if (bent) to = arc.to;
@@ -117,8 +118,8 @@ void level_moves(Course& out, const Line& l, std::uint32_t first, std::uint32_t 
     }
 }
 
-// A move shorter than any that reaches a machine becomes the end of the one before it, or the start of the next.
-void fold_short(Course& c) {
+// Appends a move that is too short for a program to the one before it, or to the next.
+void fold_short(MoveSequence& c) {
     std::size_t n = 0;
     for (std::size_t i = 0; i < c.moves.size(); ++i) {
         const bool last = i + 1 == c.moves.size(), small = c.moves[i].length < kLeastMove && c.moves.size() > 1;
@@ -138,9 +139,9 @@ void fold_short(Course& c) {
     c.begins.resize(n);
 }
 
-// `given`: segments of the line that stay as they are.
-Course course(const Line& l, const Tolerance& t, const std::vector<std::uint8_t>& given) {
-    Course out;
+// `given`: segments of the line that must not change.
+MoveSequence course(const Line& l, const Tolerance& t, const std::vector<std::uint8_t>& given) {
+    MoveSequence out;
     const std::uint32_t n = l.size();
     for (std::uint32_t i = 0; i + 1 < n;) {
         std::uint32_t last = i + 1;
@@ -166,13 +167,14 @@ Course course(const Line& l, const Tolerance& t, const std::vector<std::uint8_t>
 
 Merged merge(const Span& span, const Tolerance& given, std::span<const geom::Segment> others) {
     Tolerance t = given;
-    t.path = fills(span.role) ? std::max(0.0, t.path - t.grid / std::numbers::sqrt2) : 0; // as rounding is
+    // the diagonal error of rounding
+    t.path = fills(span.role) ? std::max(0.0, t.path - t.grid / std::numbers::sqrt2) : 0;
     const Line l = line_of(span);
     std::vector<std::uint8_t> as_given(l.size(), 0);
-    Course c = course(l, t, as_given);
+    MoveSequence c = course(l, t, as_given);
     for (int k = 0; t.path > 0 && k <= kUntangled; ++k) {
         auto all = tangles(l, c.moves, c.begins, others, t.grid);
-        // what crosses as it was given does so by rounding alone
+        // if the line crosses there as given, only rounding is the cause
         std::erase_if(all, [&](const Tangle& x) {
             return std::find(as_given.begin() + x.first, as_given.begin() + x.last + 1, 0) ==
                    as_given.begin() + x.last + 1;

@@ -11,7 +11,7 @@ namespace {
 
 using geom::Vec2;
 
-// The point `s` mm along the line from vertex i, forwards or backwards.
+// The point `s` mm from vertex i along the line, forwards or backwards.
 Vec2 along(std::span<const Vec2> line, bool closed, std::size_t i, bool forwards, double s) {
     const std::size_t n = line.size();
     for (std::size_t k = 0; k < n; ++k) {
@@ -35,7 +35,7 @@ double radius_at(std::span<const Vec2> line, bool closed, std::size_t i, double 
     const Vec2 a = along(line, closed, i, false, scale), b = line[i], c = along(line, closed, i, true, scale);
     const double twice_area = std::abs(geom::orient(a, b, c));
     if (twice_area <= 1e-9 * geom::norm2(c - a) && dot(b - a, c - b) > 0) return straight;
-    if (twice_area == 0) return 0; // straight back
+    if (twice_area == 0) return 0; // reversal
     return geom::distance(a, b) * geom::distance(b, c) * geom::distance(c, a) / (2 * twice_area);
 }
 

@@ -7,7 +7,7 @@ namespace filum::toolpath {
 
 namespace {
 
-constexpr double kSlack = 1e-9; // of a mean section, for rounding
+constexpr double kSlack = 1e-9; // of a mean section: tolerance of rounding
 
 } // namespace
 
@@ -20,7 +20,7 @@ Section::Section(const Line& line, std::uint32_t from, double share) : line_(&li
 void Section::piece(double a, double b, double width, double length) {
     low_ = std::max(low_, std::max(a, b) * (1 - share_));
     high_ = std::min(high_, std::min(a, b) * (1 + share_));
-    // What is laid so far may be off by the share of what a bead's width holds.  Within the piece it bends off its
+    // The volume so far may differ by a fraction of that of one bead width. Within the segment it deviates from its
     // chord by an eighth of the change.
     const double may = share_ * std::min(a, b) * width - std::abs(b - a) * length / 8;
     if (may < 0) return void(sum_low_ = std::numeric_limits<double>::infinity());

@@ -8,13 +8,14 @@ namespace filum::toolpath {
 
 namespace {
 
-constexpr int kTries = 4; // until a longer one is off by little enough; it never is by more than the tolerance
+constexpr int kTries = 4; // attempts to reach farther with less deviation; the deviation never exceeds the tolerance
 constexpr double kNearly = 1.05, kLess = 0.9;
 
-// The directions from a place in which a straight move meets each of some discs.
+// The directions from a place in which a straight move meets all of some discs.
 class Wedge {
   public:
-    // Narrows it to those that meet the disc around `d` (from the place); false, and as it was, if there is none.
+    // Restricts it to directions that meet the disc around `d` (from the place); false, without a change, if there are
+    // none.
     bool take(Vec2 d, double radius) {
         const double away = geom::norm(d);
         if (away <= radius) return true;
@@ -42,13 +43,14 @@ class Wedge {
     Vec2 left_, right_; // unit
 };
 
-// How far the straight move between both points is from the line: the Fréchet distance, from above; nothing if it is
-// more than `most`.
+// An upper bound of the Fréchet distance between the line and the straight move between both points; nothing if it
+// exceeds `most`.
 std::optional<double> distance_of(const Line& line, std::uint32_t from, std::uint32_t to, double most) {
     const Vec2 begin = line.points[from].xy(), way = line.points[to].xy() - begin;
     const double length = norm(way), most2 = most * most;
     const Vec2 u = length > 0 ? (1 / length) * way : Vec2{1, 0};
-    // Along the move: how far it is at the least, and if each point is abreast of the nearest place that is left.
+    // Along the move: the least possible position, and whether each point is opposite to the nearest remaining
+    // position.
     double least = 0, reached = 0, worst2 = 0;
     for (std::uint32_t k = from + 1; k < to; ++k) {
         const Vec2 p = line.points[k].xy() - begin;
@@ -64,7 +66,7 @@ std::optional<double> distance_of(const Line& line, std::uint32_t from, std::uin
 }
 
 std::uint32_t reach_within(const Line& line, std::uint32_t from, std::uint32_t last, const Tolerance& t, double& off) {
-    const double most = t.path * (1 - 1e-9); // so that rounding leaves it within
+    const double most = t.path * (1 - 1e-9); // leaves room for rounding
     const Vec2 begin = line.points[from].xy();
     Wedge wedge;
     Section section(line, from, t.section);
@@ -76,7 +78,7 @@ std::uint32_t reach_within(const Line& line, std::uint32_t from, std::uint32_t l
     }
     for (; best > from + 1; best = from + 1 + (best - from - 1) / 2) {
         const auto d = distance_of(line, from, best, t.path);
-        // What is laid along a chord that is shorter is thicker.
+        // The same volume on a shorter chord is thicker.
         const double given = line.at[best] - line.at[from];
         if (!d || given > (1 + t.section) * geom::distance(begin, line.points[best].xy())) continue;
         off = *d;
@@ -96,7 +98,8 @@ std::uint32_t straight_reach(const Line& line, std::uint32_t from, std::uint32_t
         to = reach_within(line, from, last, now, off);
         const double may = t.path * full_share(line, from, line.at[to] - line.at[from]);
         if (off <= may * kNearly) break;
-        // Of a circle the length goes with the root of what it may be off, so both with the power 3/2.
+        // On a circle the length is proportional to the root of the deviation, and `may` falls with the length; so
+        // off / may is proportional to the deviation to the power 3/2.
         now.path = std::min(std::pow(may / off, 2.0 / 3), kLess) * now.path;
     }
     return to;

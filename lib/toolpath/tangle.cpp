@@ -8,17 +8,17 @@ namespace filum::toolpath {
 
 namespace {
 
-constexpr double kSagitta = 1e-3;  // mm, of the chords that stand for an arc in the grid
-constexpr double kTouching = 1e-9; // mm; ends that touch do not cross, however they are rounded
-constexpr int kFine = 32;          // pieces of each where two come that near: a thousandth of it
+constexpr double kSagitta = 1e-3;  // mm, of the chords that replace an arc in the grid
+constexpr double kTouching = 1e-9; // mm; ends that touch are not crossings, even after rounding
+constexpr int kFine = 32;          // parts of each chord where two come close: their sagitta is a thousandth
 
-// Moves as segments in the plane; each with the move it belongs to.
+// Moves as segments in the plane, each with the index of its move.
 struct Chords {
     std::vector<geom::Segment> segments;
     std::vector<std::uint32_t> move;
 };
 
-// Both cross, each with its ends off the other by more than kTouching.
+// Whether both cross, each with its ends away from the other by more than kTouching.
 bool cross_clearly(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     if (!geom::cross_properly(a, b, c, d)) return false;
     const double one = kTouching * geom::distance(a, b), other = kTouching * geom::distance(c, d);
@@ -44,7 +44,7 @@ void add_arc(Chords& out, Vec2 from, Vec2 to, const Move& m) {
     }
 }
 
-// The nearest place that a program can name.
+// The nearest place that a program can express.
 Vec2 rounded(Vec2 p, double grid) {
     return grid > 0 ? Vec2{std::round(p.x / grid) * grid, std::round(p.y / grid) * grid} : p;
 }
@@ -64,7 +64,7 @@ Chords chords(Vec2 at, std::span<const Move> moves, double grid) {
     return out;
 }
 
-// A chord as it is: of an arc, in pieces.
+// The exact shape of a chord: of an arc, in parts.
 std::vector<Vec2> piece(const geom::Segment& chord, const Move& m) {
     if (m.sweep == 0) return {chord.a, chord.b};
     const Vec2 arm = chord.a - m.centre, end = chord.b - m.centre;
@@ -107,7 +107,8 @@ std::vector<Tangle> tangles(const Line& line, std::span<const Move> moves, std::
     const Chords all = chords(line.points.front().xy(), moves, grid);
     const auto n = static_cast<std::uint32_t>(all.segments.size());
     if (n < 3 && others.empty()) return out;
-    // A move lays what lies from the point at or before its start to the one at or after its end.
+    // The range of the line that a move replaces: from the point at or before its start to the one at or after its
+    // end.
     const auto range = [&](std::uint32_t m) {
         const std::uint32_t end = m + 1 < begins.size() ? begins[m + 1] : line.size() - 2;
         return Tangle{begins[m], std::min(std::max(end, begins[m]), line.size() - 2)};
