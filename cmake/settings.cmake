@@ -4,3 +4,10 @@ set_source_files_properties(lib/app/filum/slicer_table.cpp PROPERTIES
     SKIP_UNITY_BUILD_INCLUSION ON
     COMPILE_DEFINITIONS "FILUM_SETTINGS=\"${table}\""
     OBJECT_DEPENDS "${table}")
+
+# The types of slicers' settings, lib/preset/keys.tsv, likewise.
+set(keys ${CMAKE_SOURCE_DIR}/lib/preset/keys.tsv)
+set_source_files_properties(lib/preset/table.cpp PROPERTIES
+    SKIP_UNITY_BUILD_INCLUSION ON
+    COMPILE_DEFINITIONS "FILUM_PRESET_KEYS=\"${keys}\""
+    OBJECT_DEPENDS "${keys}")

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace filum::macro {
@@ -80,6 +81,14 @@ int order(const Value& left, const Value& right, bool equality, const Variables&
     mismatch("cannot compare", left, right, at);
 }
 
+// True or false; nothing for any other value.
+std::optional<bool> truth(const Value& value, const Variables& in) {
+    if (const auto* flag = std::get_if<bool>(&value)) return *flag;
+    const auto* number = std::get_if<Whole>(&value);
+    if (in.scope->numbers_hold && number != nullptr && (*number == 0 || *number == 1)) return *number == 1;
+    return {};
+}
+
 Value binary(const Expression& e, const Variables& in) {
     const Value left = evaluate(e.parts[0], in), right = evaluate(e.parts[1], in);
     switch (e.op) {
@@ -97,8 +106,8 @@ Value binary(const Expression& e, const Variables& in) {
         return order(left, right, false, in, e.at) >= 0;
     case Operator::both:
     case Operator::either: {
-        const bool *a = std::get_if<bool>(&left), *b = std::get_if<bool>(&right);
-        if (a == nullptr || b == nullptr) mismatch("'and' and 'or' need conditions, not", left, right, e.at);
+        const auto a = truth(left, in), b = truth(right, in);
+        if (!a || !b) mismatch("'and' and 'or' need conditions, not", left, right, e.at);
         return e.op == Operator::both ? *a && *b : *a || *b;
     }
     default:
@@ -109,8 +118,8 @@ Value binary(const Expression& e, const Variables& in) {
 Value unary(const Expression& e, const Variables& in) {
     const Value part = evaluate(e.parts[0], in);
     if (e.op == Operator::no) {
-        const auto* flag = std::get_if<bool>(&part);
-        if (flag == nullptr) throw FaultAt{std::string("'not' needs a condition, not ") + type_name(part), e.at};
+        const auto flag = truth(part, in);
+        if (!flag) throw FaultAt{std::string("'not' needs a condition, not ") + type_name(part), e.at};
         return !*flag;
     }
     return arithmetic(Operator::subtract, Whole{0}, part, in, e.at);
@@ -152,14 +161,15 @@ std::size_t index_of(const Expression& e, const Variables& variables) {
 }
 
 const Value& item(const Variable& list, std::size_t index, const std::string& name, std::size_t place) {
-    if (!list.list) throw FaultAt{"'" + name + "' is one value, not a list; leave its index out", place};
+    if (!list.list && !list.either)
+        throw FaultAt{"'" + name + "' is one value, not a list; leave its index out", place};
     if (list.items.empty()) throw FaultAt{"'" + name + "' is an empty list", place};
     return list.items[index < list.items.size() ? index : 0];
 }
 
 bool holds(const Expression& e, const Variables& variables) {
     const Value value = evaluate(e, variables);
-    if (const auto* flag = std::get_if<bool>(&value)) return *flag;
+    if (const auto flag = truth(value, variables)) return *flag;
     throw FaultAt{std::string("a condition must be true or false, not ") + type_name(value), e.at};
 }
 
@@ -169,7 +179,7 @@ Value evaluate(const Expression& e, const Variables& variables) {
         return e.value;
     case Kind::variable: {
         const Variable& found = variables.at(e.name, e.at);
-        if (found.list)
+        if (found.list && !(found.either && !found.items.empty()))
             throw FaultAt{"'" + e.name + "' is a list; say which of its values, as " + e.name + "[0]", e.at};
         return found.items.at(0);
     }

@@ -30,7 +30,8 @@ struct Scope {
     std::size_t extruder = 0;                              // the item of a list that [name] means
     NumberFormat numbers{};
     std::map<std::string, Variable, std::less<>> globals{};
-    std::uint64_t random = 1; // state of the generator
+    std::uint64_t random = 1;  // state of the generator
+    bool numbers_hold = false; // 0 and 1 are conditions, too: of settings whose types are unknown
     // Names that a template may give a value, for those after it in the same template.
     std::vector<std::string> writable{"position", "e_position", "e_retracted", "e_restart_extra"};
 };

@@ -28,9 +28,10 @@ struct Variable {
     std::vector<Value> items{}; // one, unless it is a list
     // The same as [name] writes them, where that differs from text_of: 15%, 0 for false.
     std::vector<std::string> written{};
+    bool either = false; // of a setting of unknown type: with an index or without, both are right
 
-    static Variable one(Value value) { return {false, {std::move(value)}, {}}; }
-    static Variable many(std::vector<Value> values) { return {true, std::move(values), {}}; }
+    static Variable one(Value value) { return {false, {std::move(value)}, {}, false}; }
+    static Variable many(std::vector<Value> values) { return {true, std::move(values), {}, false}; }
 };
 
 } // namespace filum::macro

@@ -1,0 +1,182 @@
+#include "preset/start_code.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <numbers>
+#include <utility>
+
+namespace filum::preset {
+
+namespace {
+
+using macro::Value;
+using macro::Variable;
+
+Value whole_value(double value) { return static_cast<std::int64_t>(std::llround(value)); }
+
+Variable point(double x, double y) { return Variable::many({x, y}); }
+
+struct Extent {
+    geom::Vec2 low, high;
+};
+
+Extent extent(const std::vector<geom::Vec2>& points) {
+    if (points.empty()) return {};
+    Extent out{points.front(), points.front()};
+    for (const geom::Vec2& p : points) {
+        out.low = {std::min(out.low.x, p.x), std::min(out.low.y, p.y)};
+        out.high = {std::max(out.high.x, p.x), std::max(out.high.y, p.y)};
+    }
+    return out;
+}
+
+void set_box(const std::string& name, const Extent& box, Settings& to) {
+    to.set(name + "_min", point(box.low.x, box.low.y));
+    to.set(name + "_max", point(box.high.x, box.high.y));
+    to.set(name + "_size", point(box.high.x - box.low.x, box.high.y - box.low.y));
+}
+
+std::string two_digits(int value) { return (value < 10 ? "0" : "") + std::to_string(value); }
+
+// The time at which the program is written: that of SOURCE_DATE_EPOCH where it is set.
+void set_clock(const Job& job, Settings& to) {
+    std::time_t now = std::time(nullptr);
+    if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH")) now = std::strtoll(epoch, nullptr, 10);
+    if (job.clock) now = *job.clock;
+    std::tm local{};
+    if (localtime_r(&now, &local) == nullptr) return;
+    const int year = 1900 + local.tm_year, month = 1 + local.tm_mon;
+    to.set("timestamp", Variable::one(std::to_string(year) + two_digits(month) + two_digits(local.tm_mday) + "-" +
+                                      two_digits(local.tm_hour) + two_digits(local.tm_min) + two_digits(local.tm_sec)));
+    const std::pair<const char*, int> parts[] = {{"year", year},           {"month", month},
+                                                 {"day", local.tm_mday},   {"hour", local.tm_hour},
+                                                 {"minute", local.tm_min}, {"second", local.tm_sec}};
+    for (const auto& [name, value] : parts) to.set(name, Variable::one(whole_value(value)));
+}
+
+// What each extruder gives, and whether it is used at all.
+void set_material(const Job& job, std::size_t extruders, Settings& to) {
+    std::vector<Value> used, volume, weight;
+    double all_volume = 0, all_weight = 0;
+    for (std::uint32_t tool = 0; tool < extruders; ++tool) {
+        used.emplace_back(std::ranges::find(job.tools, tool) != job.tools.end());
+        const auto found = job.volume.find(tool);
+        const double mm3 = found == job.volume.end() ? 0 : found->second;
+        const double grams = mm3 / 1000 * to.number("filament_density", tool);
+        volume.emplace_back(mm3);
+        weight.emplace_back(grams);
+        all_volume += mm3;
+        all_weight += grams;
+    }
+    to.set("is_extruder_used", Variable::many(used));
+    to.set("extruded_volume", Variable::many(volume));
+    to.set("extruded_weight", Variable::many(weight));
+    to.set("extruded_volume_total", Variable::one(all_volume));
+    to.set("extruded_weight_total", Variable::one(all_weight));
+    to.set("total_weight", Variable::one(all_weight));
+    to.set("num_extruders", Variable::one(whole_value(static_cast<double>(extruders))));
+    to.set("num_printing_extruders", Variable::one(whole_value(static_cast<double>(job.tools.size()))));
+}
+
+// mm3/s of the outer wall: a rectangle with round ends, as wide as the setting says or as the nozzle.
+void set_outer_wall(Settings& to) {
+    const double nozzle = to.number("nozzle_diameter", 0, 0.4), height = to.number("layer_height", 0, 0.2);
+    double width = to.number("outer_wall_line_width");
+    if (to.text("outer_wall_line_width").empty() || width <= 0) width = nozzle;
+    if (const Variable* found = to.find("outer_wall_line_width");
+        found != nullptr && !found->written.empty() && found->written[0].ends_with('%'))
+        width = width / 100 * nozzle;
+    const double section = height * (width - height * (1 - std::numbers::pi / 4));
+    const double most = to.number("filament_max_volumetric_speed");
+    double flow = to.number("outer_wall_speed") * section;
+    if (most > 0) flow = flow > 0 ? std::min(flow, most) : most;
+    to.set("outer_wall_volumetric_speed", Variable::one(flow));
+}
+
+// Names that OrcaSlicer and Bambu Studio compute.
+void set_orca(const Job& job, const Extent& box, Settings& to) {
+    const std::string plate = to.text("curr_bed_type");
+    const std::string key = plate == "Cool Plate"          ? "cool_plate_temp"
+                            : plate == "Engineering Plate" ? "eng_plate_temp"
+                            : plate == "High Temp Plate"   ? "hot_plate_temp"
+                            : plate == "Supertack Plate"   ? "supertack_plate_temp"
+                            : plate == "Textured PEI Plate" || to.find("hot_plate_temp") == nullptr
+                                ? "textured_plate_temp"
+                                : "hot_plate_temp";
+    const std::pair<const char*, std::string> temperatures[] = {
+        {"bed_temperature", key}, {"bed_temperature_initial_layer", key + "_initial_layer"}};
+    for (const auto& [name, from] : temperatures) {
+        if (const Variable* found = to.find(from)) {
+            Variable list = *found;
+            list.list = true;
+            to.set(name, std::move(list));
+        }
+        to.set(std::string(name) + "_single", Variable::one(whole_value(to.number(name, job.first_tool))));
+    }
+    if (plate.empty())
+        to.set("curr_bed_type",
+               Variable::one(std::string(key == "textured_plate_temp" ? "Textured PEI Plate" : "High Temp Plate")));
+    set_outer_wall(to);
+    to.set("bed_temperature_initial_layer_vector", Variable::one(std::string()));
+    to.set("overall_chamber_temperature", Variable::one(whole_value(to.number("chamber_temperature"))));
+    to.set("first_layer_center_no_wipe_tower", point((box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2));
+    to.set("initial_no_support_extruder", Variable::one(whole_value(job.first_tool)));
+    to.set("max_layer_z", Variable::one(job.height));
+    to.set("in_head_wrap_detect_zone", Variable::one(whole_value(0)));
+    to.set("plate_name", Variable::one(std::string()));
+    to.set("plate_number", Variable::one(whole_value(1)));
+    for (const char* old : {"first_layer_temperature", "first_layer_bed_temperature", "temperature"}) {
+        const bool bed = std::string(old).find("bed") != std::string::npos;
+        const char* name = bed                                 ? "bed_temperature_initial_layer"
+                           : std::string(old) == "temperature" ? "nozzle_temperature"
+                                                               : "nozzle_temperature_initial_layer";
+        if (const Variable* found = to.find(name)) to.set(old, *found);
+    }
+}
+
+} // namespace
+
+void set_job_values(const Job& job, bool orca, Settings& to) {
+    set_box("print_bed", extent(corners(to.texts(orca ? "printable_area" : "bed_shape"))), to);
+    const Extent box = extent(job.first_layer);
+    set_box("first_layer_print", box, to);
+    Variable hull{true, {}, {}};
+    for (const geom::Vec2& p : job.first_layer) {
+        hull.items.emplace_back("[" + macro::text_of(p.x) + ", " + macro::text_of(p.y) + "]");
+        hull.written.push_back(macro::text_of(p.x) + "x" + macro::text_of(p.y));
+    }
+    to.set("first_layer_print_convex_hull", std::move(hull));
+    const std::pair<const char*, double> numbers[] = {{"initial_tool", job.first_tool},
+                                                      {"initial_extruder", job.first_tool},
+                                                      {"current_extruder", job.first_tool},
+                                                      {"total_layer_count", job.layers},
+                                                      {"current_object_idx", 0},
+                                                      {"total_toolchanges", 0},
+                                                      {"toolchange_count", 0},
+                                                      {"num_objects", job.objects},
+                                                      {"num_instances", job.objects}};
+    for (const auto& [name, value] : numbers) to.set(name, Variable::one(whole_value(value)));
+    for (const char* name : {"has_wipe_tower", "has_single_extruder_multi_material_priming"})
+        to.set(name, Variable::one(false));
+    to.set("position", Variable::many({0.0, 0.0, 0.0}));
+    for (const char* name : {"e_retracted", "e_restart_extra", "e_position"}) to.set(name, Variable::many({0.0}));
+    to.set("zhop", Variable::one(0.0));
+    to.set("input_filename_base", Variable::one(job.input));
+    to.set("input_filename", Variable::one(job.input + ".gcode"));
+    to.set("printer_preset", Variable::one(to.text("printer_settings_id")));
+    to.set("print_preset", Variable::one(to.text("print_settings_id")));
+    std::vector<Value> filaments;
+    for (const std::string& name : to.texts("filament_settings_id")) filaments.emplace_back(name);
+    if (filaments.empty()) filaments.emplace_back(std::string());
+    to.set("filament_preset", Variable::many(filaments));
+    to.set("initial_filament_type", Variable::one(to.text("filament_type", job.first_tool)));
+    const std::size_t extruders = std::max<std::size_t>(1, to.texts("nozzle_diameter").size());
+    set_material(job, extruders, to);
+    to.set("version", Variable::one(std::string("2.9.0")));
+    set_clock(job, to);
+    if (orca) set_orca(job, box, to);
+}
+
+} // namespace filum::preset

@@ -1,0 +1,75 @@
+// The parts of a program that a slicer's profile writes: before the first bead, between layers, after the last bead.
+#pragma once
+
+#include "geom/vec.hpp"
+#include "preset/flavor.hpp"
+#include "preset/settings.hpp"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace filum::preset {
+
+// What is printed, as far as macros may ask.
+struct Job {
+    std::vector<std::uint32_t> tools{0}; // that extrude, in the order of their numbers
+    std::uint32_t first_tool = 0;
+    std::uint32_t layers = 1;
+    std::vector<geom::Vec2> first_layer{};      // corners of the convex hull of its beads, on the bed, mm
+    double height = 0;                          // mm: z of the last layer
+    double seconds = 0;                         // of print
+    std::map<std::uint32_t, double> volume{};   // mm3, by tool
+    std::map<std::uint32_t, double> filament{}; // mm, by tool
+    std::uint32_t objects = 1;
+    std::string input = "part";          // name of the part's file, without folder and ending
+    std::optional<std::int64_t> clock{}; // seconds since 1970; none: that of the machine
+};
+
+class Program {
+  public:
+    // Throws Error(bad_input) for a macro that cannot be read, and for a flavour that Filum does not write.
+    Program(const Preset& preset, Job job);
+    // Uses values of its own for settings: "temperature" 230.
+    void set(const std::string& name, double value);
+
+    // Each throws Error(bad_input) that names the G-code, the line and the column of what cannot be written.
+    std::string start();
+    std::string before_layer(std::uint32_t layer, double z); // counted from 0; z of the part
+    std::string after_layer(std::uint32_t layer, double z);
+    std::string change_tool(std::uint32_t to, std::uint32_t layer, double z);
+    std::string pause(std::uint32_t layer, double z);
+    std::string end(std::uint32_t layer, double z);
+
+    [[nodiscard]] Flavor flavor() const { return flavor_; }
+    [[nodiscard]] std::uint32_t tool() const { return tool_; } // that is in use
+    [[nodiscard]] bool of_orca() const { return orca_; }       // or of Bambu Studio
+    [[nodiscard]] const Settings& settings() const { return settings_; }
+
+  private:
+    std::string temperatures(const std::string& start, bool wait);
+    std::string first_bed_temperature(const std::string& start);
+    std::string later_temperatures();
+    std::string filament_code(const char* key, std::uint32_t tool);
+    std::string code(const char* key, const std::string& text, std::uint32_t tool);
+    [[nodiscard]] std::string code_of(std::initializer_list<const char*> names, std::uint32_t tool = 0) const;
+    int tool_word(std::uint32_t tool) const;
+    void place(std::uint32_t layer, double z);
+    [[nodiscard]] double last_lift(double z) const;
+
+    Settings settings_;
+    bool orca_ = false; // or Bambu Studio: names of their own
+    Flavor flavor_ = Flavor::marlin;
+    macro::Scope scope_;
+    std::map<std::string, macro::Variable, std::less<>> now_; // of the piece that is written
+    std::map<std::string, macro::Template> read_;             // by their text
+    Job job_;
+    std::uint32_t tool_ = 0;
+    double highest_ = 0; // mm: z of the highest layer so far
+    bool warm_ = false;  // the temperatures of the upper layers are set
+    int bed_ = -1;       // the bed's temperature as last set
+};
+
+} // namespace filum::preset

@@ -1,0 +1,71 @@
+#include "preset/table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+// The file between two labels, by the assembler: FILUM_PRESET_KEYS is given by the build.
+__asm__(".section .rodata\n.global filum_preset_keys\nfilum_preset_keys:\n.incbin \"" FILUM_PRESET_KEYS
+        "\"\n.global filum_preset_keys_end\nfilum_preset_keys_end:\n.byte 0\n.previous\n");
+extern "C" const char filum_preset_keys[], filum_preset_keys_end[];
+
+namespace filum::preset {
+
+namespace {
+
+std::string_view cut(std::string_view& from, char at) {
+    const auto end = std::min(from.find(at), from.size());
+    const std::string_view out = from.substr(0, end);
+    from.remove_prefix(std::min(end + 1, from.size()));
+    return out;
+}
+
+// "floats" is a list of "float".
+void set_type(std::string_view word, Key& to) {
+    constexpr std::array<std::pair<std::string_view, Type>, 8> kTypes{{{"flag", Type::flag},
+                                                                       {"int", Type::whole},
+                                                                       {"float", Type::number},
+                                                                       {"percent", Type::percent},
+                                                                       {"share", Type::share},
+                                                                       {"text", Type::text},
+                                                                       {"word", Type::word},
+                                                                       {"point", Type::point}}};
+    to.list = word.ends_with('s');
+    if (to.list) word.remove_suffix(1);
+    for (const auto& [name, type] : kTypes)
+        if (name == word) to.type = type;
+}
+
+std::vector<Key> read() {
+    std::vector<Key> out;
+    std::string_view all(filum_preset_keys, static_cast<std::size_t>(filum_preset_keys_end - filum_preset_keys));
+    while (!all.empty()) {
+        std::string_view line = cut(all, '\n');
+        if (line.empty() || line[0] == '#') continue;
+        Key key;
+        key.name = cut(line, '\t');
+        set_type(cut(line, '\t'), key);
+        key.of = cut(line, '\t');
+        key.usual = line;
+        if (key.of == "-") key.of = {};
+        if (key.usual == "-") key.usual = {};
+        out.push_back(key);
+    }
+    std::ranges::sort(out, {}, &Key::name);
+    return out;
+}
+
+} // namespace
+
+const std::vector<Key>& keys() {
+    static const std::vector<Key> all = read();
+    return all;
+}
+
+const Key* key_of(std::string_view name) {
+    const auto& all = keys();
+    const auto found = std::ranges::lower_bound(all, name, {}, &Key::name);
+    return found != all.end() && found->name == name ? &*found : nullptr;
+}
+
+} // namespace filum::preset
