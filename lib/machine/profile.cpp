@@ -4,6 +4,7 @@
 #include "base/number.hpp"
 #include "geom/angle.hpp"
 #include "machine/read_features.hpp"
+#include "machine/read_preset.hpp"
 #include "machine/reader.hpp"
 #include "machine/template.hpp"
 
@@ -158,6 +159,10 @@ void read_travel(Document& doc, Travel& t) {
     doc.number("travel.retract_acceleration", t.retract_acceleration, above_zero(kInf));
     doc.number("travel.extra", t.extra, {0, 1000});
     doc.number("travel.min_length", t.min_length, {0, 1e5});
+    doc.text("travel.retract_codes", t.retract_codes);
+    doc.text("travel.prime_codes", t.prime_codes);
+    if (t.retract_codes.empty() != t.prime_codes.empty())
+        doc.fail("travel.retract_codes", "retract_codes and prime_codes must be set together");
 }
 
 void read_format(Document& doc, Format& f) {
@@ -374,6 +379,7 @@ Profile parse_profile(std::string_view text, const std::string& file, const std:
     doc.numbers("values", p.values);
     if (const auto found = p.values.find("tolerance"); found != p.values.end()) p.motion.blend = found->second;
     read_templates(doc, p);
+    read_preset(doc, p);
     read_own_tools(doc, p);
     check_fibre(doc, p);
     doc.finish();

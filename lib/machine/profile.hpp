@@ -7,6 +7,7 @@
 #include "machine/head.hpp"
 #include "machine/multi_axis.hpp"
 #include "machine/robot.hpp"
+#include "preset/settings.hpp"
 #include "toolpath/path.hpp"
 
 #include <array>
@@ -23,6 +24,7 @@ namespace filum::machine {
 // What the nozzle tip can reach, mm.
 struct Bed {
     double x_min = 0, x_max = 0, y_min = 0, y_max = 0, z_min = 0, z_max = 0;
+    std::vector<geom::Vec2> outline{}; // of a bed that is no rectangle: convex, counter-clockwise, mm
     double z_offset = 0; // mm that programs say more than the toolpath does, as the end stop is that much off
     [[nodiscard]] geom::Vec2 centre() const { return {(x_min + x_max) / 2, (y_min + y_max) / 2}; }
 };
@@ -70,8 +72,9 @@ struct Travel {
     double retract = 0.8;                                                  // extruder units taken back, 0 for none
     double retract_speed = 35;                                             // extruder units per s
     double retract_acceleration = std::numeric_limits<double>::infinity(); // extruder units per s2
-    double extra = 0;      // extruder units given on top when printing goes on
-    double min_length = 0; // mm; a shorter travel keeps its height and does not retract
+    double extra = 0;                       // extruder units given on top when printing goes on
+    double min_length = 0;                  // mm; a shorter travel keeps its height and does not retract
+    std::string retract_codes, prime_codes; // where the firmware takes material back and gives it: G10, G11
 };
 
 // Whose rules plan the moves; see look_ahead.hpp, parabolic.hpp.
@@ -133,8 +136,7 @@ struct Templates {
     std::string pause;                     // the machine waits for its user
     std::string progress;                  // tells how far the print is, whenever a percent or a minute has passed
 
-    // Whether material stands at the nozzle's tip when the start is over.
-    [[nodiscard]] bool purges() const { return start.find("{purge") != std::string::npos; }
+    bool primed = false; // material stands at the nozzle's tip when the start is over
 };
 
 struct Profile {
@@ -158,7 +160,8 @@ struct Profile {
     Fibre fibre;
     Format format;
     Templates templates;
-    std::map<std::string, double> values; // the user's own placeholders: nozzle_temp, bed_temp, ...
+    std::shared_ptr<const preset::Preset> preset; // of a slicer: its G-code instead of start, layer, end and pause
+    std::map<std::string, double> values;         // the user's own placeholders: nozzle_temp, bed_temp, ...
 
     // Of a tool with a section of its own, [tool.N].
     std::string change; // codes when it takes over; "": tools.change

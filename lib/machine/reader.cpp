@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "base/number.hpp"
+#include "machine/template.hpp"
 #include "machine/toml_text.hpp"
 
 #include <algorithm>
@@ -264,15 +265,36 @@ void Document::numbers(const std::string& section, std::map<std::string, double>
     }
 }
 
+void Document::texts(const std::string& section, std::map<std::string, std::vector<std::string>, std::less<>>& out) {
+    const auto* node = state_->asked_for(section);
+    if (node == nullptr) return;
+    if (!node->is_table()) fail(section, "it must be a table");
+    for (const auto& [name, value] : *node->as_table()) {
+        const std::string key = section + "." + std::string(name.str());
+        std::vector<std::string>& to = out[std::string(name.str())];
+        const auto add = [&](const toml::node& item) {
+            if (!item.is_string()) fail(key, "it must be a text in quotes, or a list of such texts");
+            to.push_back(item.as_string()->get());
+        };
+        if (!value.is_array()) {
+            add(value);
+            continue;
+        }
+        for (const toml::node& item : *value.as_array()) add(item);
+    }
+}
+
+void Document::uses(const std::string& text) const { state_->texts += text; }
+
 void Document::check_names() const {
+    const std::set<std::string> named = words_in_braces(state_->texts);
     for (const std::string& section : state_->named) {
         const auto* table = state_->root.get_as<toml::table>(section);
         std::vector<std::string> used;
         std::vector<std::string> idle;
         for (const auto& [name, node] : *table) {
             const std::string key(name.str());
-            const bool in_use = state_->texts.find("{" + key + "}") != std::string::npos;
-            (in_use ? used : idle).push_back(key);
+            (named.contains(key) ? used : idle).push_back(key);
         }
         // Templates that --set replaces need not name what the profile's own ones named.
         const bool replaced = std::any_of(state_->set.begin(), state_->set.end(),

@@ -34,6 +34,9 @@ class Document {
     void pair(const std::string& key, double& a, double& b, Range range);         // [a, b]
     bool list(const std::string& key, std::span<double> out, Range range);        // as many as `out` has; is it there?
     void numbers(const std::string& section, std::map<std::string, double>& out); // a table of any names
+    // A table of any names, each with a text or a list of texts.
+    void texts(const std::string& section, std::map<std::string, std::vector<std::string>, std::less<>>& out);
+    void uses(const std::string& text) const; // names in braces there count as used, see finish()
 
     // The names of the sections within a section, in the order of their names; none: it is missing.
     [[nodiscard]] std::vector<std::string> tables(const std::string& section) const;

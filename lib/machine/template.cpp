@@ -1,39 +1,32 @@
 #include "machine/template.hpp"
 
-#include "base/error.hpp"
-#include "base/number.hpp"
+#include "macro/macro.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <utility>
 
 namespace filum::machine {
 
 namespace {
 
-// One piece of a template: plain text, or the name between two braces.
-struct Piece {
-    enum class Kind { text, name, fault } kind;
-    std::string_view text;
-};
+// A number of a template as a variable of the macro language.
+class NumberVariables {
+  public:
+    explicit NumberVariables(const Values& values) : values_(values) {}
 
-// Cuts the next piece off `rest`, which is not empty.
-Piece next_piece(std::string_view& rest) {
-    const auto take = [&rest](std::size_t n) {
-        const auto head = rest.substr(0, n);
-        rest.remove_prefix(n);
-        return head;
-    };
-    const std::size_t brace = rest.find_first_of("{}");
-    if (brace != 0) return {Piece::Kind::text, take(std::min(brace, rest.size()))};
-    if (rest.size() > 1 && rest[1] == rest[0]) {
-        const auto pair = take(2);
-        return {Piece::Kind::text, pair.substr(0, 1)};
+    const macro::Variable* find(std::string_view name) {
+        const auto known = made_.find(name);
+        if (known != made_.end()) return &known->second;
+        const auto value = values_.find(std::string(name));
+        if (value == values_.end()) return nullptr;
+        return &made_.emplace(std::string(name), macro::Variable::one(value->second)).first->second;
     }
-    const std::size_t close = rest.find_first_of("{}\n", 1);
-    if (rest[0] == '}' || close == std::string_view::npos || rest[close] != '}')
-        return {Piece::Kind::fault, take(rest.size())};
-    const auto whole = take(close + 1);
-    return {Piece::Kind::name, whole.substr(1, whole.size() - 2)};
-}
+
+  private:
+    const Values& values_;
+    std::map<std::string, macro::Variable, std::less<>> made_;
+};
 
 } // namespace
 
@@ -89,40 +82,39 @@ const std::vector<std::string>& known_placeholders() {
 
 TemplateFault check_template(std::string_view text, const Values& own) {
     const auto& known = known_placeholders();
-    std::string_view rest = text;
-    while (!rest.empty()) {
-        const auto at = text.size() - rest.size();
-        const Piece p = next_piece(rest);
-        if (p.kind == Piece::Kind::text) continue;
-        const auto line =
-            static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
-        if (p.kind == Piece::Kind::fault) return {"a brace has no partner; write {{ or }} for a plain one", line};
-        const std::string name(p.text);
-        if (own.count(name) == 0 && std::find(known.begin(), known.end(), name) == known.end())
-            return {std::string("unknown placeholder '{")
-                        .append(name)
-                        .append("}'; add '")
-                        .append(name)
-                        .append("' to [values] or see postproc --help"),
-                    line};
+    std::string unknown;
+    const auto fault = macro::fault(text, macro::Style::own, [&](std::string_view name) {
+        if (own.contains(std::string(name)) || std::find(known.begin(), known.end(), name) != known.end()) return true;
+        unknown = name;
+        return false;
+    });
+    if (!fault) return {};
+    if (unknown.empty()) return {fault->why + "; write {{ or }} for a plain brace", fault->line - 1};
+    return {"unknown placeholder '{" + unknown + "}'; add '" + unknown + "' to [values] or see postproc --help",
+            fault->line - 1};
+}
+
+std::set<std::string> words_in_braces(std::string_view text) {
+    std::set<std::string> out;
+    std::string word;
+    bool within = false;
+    for (const char c : text) {
+        const bool letter = c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0;
+        if (within && letter) word += c;
+        if (!letter && !word.empty()) out.insert(std::exchange(word, {}));
+        if (c == '{') within = true;
+        if (c == '}') within = false;
     }
-    return {};
+    return out;
 }
 
 std::string expand(std::string_view text, const Values& values, int decimals) {
-    std::string out;
-    while (!text.empty()) {
-        const Piece p = next_piece(text);
-        if (p.kind == Piece::Kind::text) {
-            out += p.text;
-            continue;
-        }
-        const auto it = values.find(std::string(p.text));
-        if (p.kind == Piece::Kind::fault || it == values.end())
-            throw Error(Exit::bad_input, "cannot fill in a template: nothing known for '" + std::string(p.text) + "'");
-        append_fixed(out, it->second, decimals);
-    }
-    return out;
+    if (text.find_first_of("{}") == std::string_view::npos) return std::string(text);
+    NumberVariables numbers(values);
+    macro::Scope scope;
+    scope.find = [&](std::string_view name) { return numbers.find(name); };
+    scope.numbers.decimals = decimals;
+    return macro::expand(macro::parsed("a template", std::string(text), macro::Style::own), scope);
 }
 
 } // namespace filum::machine

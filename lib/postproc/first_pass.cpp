@@ -1,5 +1,7 @@
 #include "postproc/first_pass.hpp"
 
+#include "postproc/preset_job.hpp"
+
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "geom/angle.hpp"
@@ -73,6 +75,9 @@ void Surveyor::visit(const Step& step, bool extruding) {
         first_pass_.part_low[k] = std::min(first_pass_.part_low[k], c[k]);
         first_pass_.part_high[k] = std::max(first_pass_.part_high[k], c[k]);
     }
+    if (!extruding || profile_->preset == nullptr) return;
+    if (step.layer == 0) first_pass_.first_layer.add(step.to.xy(), step.width / 2);
+    first_pass_.footprint.add(step.to.xy(), step.width / 2);
 }
 
 // Charges the tool in use with the time since the last charge: for printing within a stroke, else for travel.
@@ -164,7 +169,10 @@ void Surveyor::add(std::span<const Step> steps) {
             reach_layer(step);
             break;
         case Act::open:
-            if (first_pass_.strokes++ == 0) first_pass_.start = step.to;
+            if (first_pass_.strokes++ == 0) {
+                first_pass_.start = step.to;
+                first_pass_.first_tool = step.tool;
+            }
             ++first_pass_.tools[step.tool].strokes;
             visit(step, true);
             spend();
@@ -287,6 +295,7 @@ void check_limits(const FirstPass& first_pass, const machine::Profile& profile, 
         if (first_pass.low[k].value + moved[k] < lo[k] - 5e-4) refuse(first_pass.low[k], k);
         if (first_pass.high[k].value + moved[k] > hi[k] + 5e-4) refuse(first_pass.high[k], k);
     }
+    check_outline(profile, first_pass, shift);
     if (!(used(profile, first_pass).units * std::pow(10.0, profile.format.e_decimals) < 4e18))
         throw Error(Exit::failure, "cannot count the material: " + fixed_text(first_pass.volume, 0) +
                                        " mm3 is more than the extruder's numbers hold; are the bead widths right?");

@@ -4,6 +4,7 @@
 #include "machine/motion.hpp"
 #include "machine/pauses.hpp"
 #include "machine/profile.hpp"
+#include "postproc/footprint.hpp"
 #include "postproc/labels.hpp"
 #include "postproc/options.hpp"
 #include "postproc/timeline.hpp"
@@ -69,6 +70,9 @@ struct FirstPass {
     std::vector<LayerValue> by_layer; // likewise
     std::vector<Labelled> parts;      // on the bed, if they are several
     Timeline timeline;
+    // Only of machines with a slicer's profile:
+    Footprint first_layer, footprint; // of its first layer, and of all
+    std::uint32_t first_tool = 0;     // that extrudes
 };
 
 // Reads steps as they come.  Throws Error(failure) with the place for a bead whose cross-section (flow included) is

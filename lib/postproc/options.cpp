@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "geom/angle.hpp"
+#include "machine/template.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ void check_fit(const Options& o, const machine::Profile& p) {
     const bool codes = p.format.dialect == machine::Dialect::gcode;
     if (!o.z_offset.empty() && p.axes.active())
         unfit("z-offset", "'" + p.name + "' has rotary axes, on which z is no height; move its work offset");
-    if (!o.pause_at.empty() && (!codes || p.templates.pause.empty()))
+    if (!o.pause_at.empty() && (!codes || (p.templates.pause.empty() && p.preset == nullptr)))
         unfit("pause-at", "'" + p.name + "' has no templates.pause; add the codes that wait there");
     if (!o.thumbnails.empty() && p.format.comments != machine::CommentStyle::semicolon)
         unfit("thumbnails", "hosts find them in comments behind semicolons, and '" + p.name + "' writes none");
@@ -44,8 +45,8 @@ std::vector<LayerValue> parse_by_layer(const std::string& text, const machine::P
             unfit("by-layer", "'" + word.substr(0, colon) + "' is no layer");
         const std::string name = word.substr(colon + 1, equal - colon - 1), braced = "{" + name + "}";
         if (profile.values.count(name) == 0) unfit("by-layer", "'" + name + "' is none of [values] of the profile");
-        if (profile.templates.upper_layers.find(braced) == std::string::npos &&
-            profile.templates.layer.find(braced) == std::string::npos)
+        if (!machine::words_in_braces(profile.templates.upper_layers).contains(name) &&
+            !machine::words_in_braces(profile.templates.layer).contains(name))
             unfit("by-layer", "the codes of the profile's layers do not name " + braced);
         out.push_back({static_cast<std::uint32_t>(layer), name, parse_number(word.substr(equal + 1), "--by-layer")});
     }

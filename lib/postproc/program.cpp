@@ -52,18 +52,24 @@ Program::Program(const machine::Profile& profile, const FirstPass& first_pass, V
       xyz_scale_(power_of_ten(profile.format.xyz_decimals)),
       degrees_scale_(180 / std::numbers::pi * power_of_ten(profile.axes.angle_decimals)),
       e_scale_(power_of_ten(profile.format.e_decimals)), f_scale_(power_of_ten(profile.format.f_decimals)),
-      planned_(&first_pass), parts_(with_plain_names(first_pass.parts)), named_(parts_.size()) {
+      planned_(&first_pass), preset_(preset_program(profile, first_pass, shift)),
+      parts_(with_plain_names(first_pass.parts)), named_(parts_.size()) {
     at_.fill(kUnknown);
 }
 
 void Program::begin(const std::vector<std::string>& about) {
     for (const auto& line : about) comment(line);
-    code(profile_->templates.start);
-    // what every later line relies on, whatever the template did
-    text_ += "G90";
-    end_line();
-    begin_axes();
-    begin_counting();
+    if (preset_ != nullptr) {
+        preset_code(preset_->start());
+        counted_ = true; // its start says how extruder words count
+    } else {
+        code(profile_->templates.start);
+        // what every later line relies on, whatever the template did
+        text_ += "G90";
+        end_line();
+        begin_axes();
+        begin_counting();
+    }
     if (profile_->format.objects != machine::Objects::none && !parts_.empty())
         for (const auto& text : define_parts(profile_->format.objects, parts_, shift_)) line(text);
 }
@@ -108,32 +114,15 @@ void Program::end(const std::vector<std::string>& history) {
         values_["minutes_left"] = 0;
         code(profile_->templates.progress);
     }
-    code(profile_->templates.end);
+    if (preset_ != nullptr) {
+        retract();
+        preset_code(preset_->end(layer_.layer, layer_.to.z));
+    } else {
+        code(profile_->templates.end);
+    }
     for (const auto& line : history) comment(line);
     comment("end of program, " + std::to_string(lines_) + " moves");
     flush();
-}
-
-void Program::layer(const Step& step) {
-    values_["layer"] = step.layer;
-    values_["z"] = step.to.z;
-    values_["height"] = step.height;
-    if (profile_->format.viewer_comments) {
-        comment("LAYER_CHANGE");
-        comment("LAYER:" + std::to_string(step.layer));
-        comment("Z:" + fixed_text(step.to.z, profile_->format.xyz_decimals));
-        comment("HEIGHT:" + fixed_text(step.height, 3));
-        height_ = step.height;
-    }
-    const bool upper = step.layer > 0;
-    if (upper_ != upper) fan_ = -1; // the codes of the layers set it
-    wait(step);
-    const bool crossed = std::exchange(upper_, upper) != upper;
-    if (layer_values(step) || crossed) code(upper ? profile_->templates.upper_layers : profile_->templates.first_layer);
-    code(profile_->templates.layer);
-    // A firmware that counts in single precision needs short numbers.  Not so an axis of a machine tool, where a new
-    // offset could halt the stroke.
-    if (counts() && !profile_->extrusion.relative && profile_->extrusion.letter == 'E') reset_extruder();
 }
 
 void Program::line(const std::string& text) {
@@ -141,53 +130,11 @@ void Program::line(const std::string& text) {
     end_line();
 }
 
-// The pauses that come before the layer.
-void Program::wait(const Step& step) {
-    const std::uint64_t due = planned_->pauses.before(step.layer, step.to.z, step.height);
-    for (; waited_ < due; ++waited_) code(profile_->templates.pause);
-}
-
-// Sets what holds from this layer on; whether something changed.
-bool Program::layer_values(const Step& step) {
-    machine::Values now;
-    for (const LayerValue& v : planned_->by_layer) now.emplace(v.name, profile_->values.at(v.name));
-    for (const LayerValue& v : planned_->by_layer)
-        if (v.layer <= step.layer) now[v.name] = v.value;
-    bool changed = false;
-    for (const auto& [name, value] : now) changed = std::exchange(values_[name], value) != value || changed;
-    if (changed) fan_ = -1; // the codes of the layers set it
-    return changed;
-}
-
-// Tells the part that the step goes to.
-void Program::name_part(const Step& step) {
-    const machine::Objects how = profile_->format.objects;
-    if (how == machine::Objects::none || parts_.empty()) return;
-    const auto to = static_cast<std::int64_t>(part_at(parts_, step.to.xy()));
-    if (to == part_) return;
-    if (part_ >= 0) line(end_part(how, parts_, static_cast<std::size_t>(part_)));
-    part_ = to;
-    const auto which = static_cast<std::size_t>(to);
-    for (const auto& text : begin_part(how, parts_, which, std::exchange(named_[which], 1) == 0)) line(text);
-}
-
-void Program::tell_progress(const Step& step) {
-    const double nominal = nominal_.add(step);
-    if (profile_->templates.progress.empty() || !(planned_->seconds > 0)) return;
-    const double share = std::min(1.0, planned_->timeline.seconds_at(nominal) / planned_->seconds);
-    const auto percent = static_cast<std::int64_t>(100 * share);
-    const auto minutes = static_cast<std::int64_t>(std::ceil(planned_->seconds * (1 - share) / 60));
-    if (percent == percent_ && minutes == minutes_) return;
-    percent_ = percent;
-    minutes_ = minutes;
-    values_["percent"] = static_cast<double>(percent);
-    values_["minutes_left"] = static_cast<double>(minutes);
-    code(profile_->templates.progress);
-}
-
 // Between tools the controller works with its own axes and feeds; where it stands then, nobody knows.
 void Program::change_tool(const Step& step) {
     end_axes();
+    if (preset_ != nullptr && preset_->tool() != step.tool)
+        preset_code(preset_->change_tool(step.tool, layer_.layer, layer_.to.z));
     tool(step);
     begin_axes();
     nominal_.add(step);
@@ -384,10 +331,17 @@ void Program::close(const Step& step) {
     role_ = Role::travel;
 }
 
-void Program::retract() { extruder_only(-units(own().travel.retract, e_scale_), own().travel.retract_speed); }
+void Program::retract() {
+    const auto& t = own().travel;
+    if (t.retract_codes.empty())
+        extruder_only(-units(t.retract, e_scale_), t.retract_speed);
+    else
+        code(t.retract_codes);
+}
 
 void Program::prime() {
     const auto& t = own().travel;
+    if (!t.prime_codes.empty()) return code(t.prime_codes);
     extruder_only(units(t.retract, e_scale_) + units(t.extra, e_scale_), t.retract_speed);
 }
 

@@ -1,6 +1,7 @@
 // The text of a machine program.
 #pragma once
 
+#include "postproc/preset_job.hpp"
 #include "postproc/writer.hpp"
 
 #include <string>
@@ -68,11 +69,15 @@ class Program final : public Writer {
     double acceleration_ = -1, fan_ = -1; // as last told to the machine for a feature; -1: not yet
     double width_ = 0, height_ = 0;       // as last told to viewers
     std::uint64_t lines_ = 0;             // moves written
+    void preset_code(const std::string& text);
+
     const FirstPass* planned_;
-    std::vector<Labelled> parts_; // on the bed, under names that a program can hold
-    std::uint64_t waited_ = 0;    // pauses written
-    std::int64_t part_ = -1;      // that the machine was told
-    std::vector<char> named_;     // parts that were told by name
+    std::unique_ptr<preset::Program> preset_; // null: the profile's own templates
+    Step layer_;                              // that began the layer
+    std::vector<Labelled> parts_;             // on the bed, under names that a program can hold
+    std::uint64_t waited_ = 0;                // pauses written
+    std::int64_t part_ = -1;                  // that the machine was told
+    std::vector<char> named_;                 // parts that were told by name
     Nominal nominal_;
     std::int64_t percent_ = -1, minutes_ = -1; // as last told
 };

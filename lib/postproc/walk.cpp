@@ -179,7 +179,7 @@ void Walk::begin_stroke(const toolpath::Span& span) {
         put({.act = act, .role = Role::travel, .layer = span.layer, .to = where, .feed = feed, .tool = tool_});
     };
     if (layer_ < 0) { // the first of all: from above, wherever the start template left the nozzle
-        if (profile_->templates.purges() && tool_ == span.tool && !profile_->fibre.lays(tool_)) {
+        if (profile_->templates.primed && tool_ == span.tool && !profile_->fibre.lays(tool_)) {
             go(Act::retract, to, 0); // on the way from the purge line the nozzle would ooze
             retracted_.insert(tool_);
         }

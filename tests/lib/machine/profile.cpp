@@ -104,7 +104,7 @@ TEST(Profile, MistakesAreNamedWithFileLineAndKey) {
         {kLeast + "on = \"\\u0001\"\n", "it holds a control character"},
         {kLeast + "[templates]\nstart = \"\"\"\nG28\nM104 S{temp}\n\"\"\"\n",
          head + "12, key 'templates.start': unknown placeholder '{temp}'"},
-        {kLeast + "[templates]\nend = \"M104 S{\"\n", "a brace has no partner"},
+        {kLeast + "[templates]\nend = \"M104 S{\"\n", "'{' has no '}' behind it"},
         {kLeast + "[values]\nlayer = 4\n", "key 'values.layer': the name is taken"},
         {kLeast + "[values]\ntemp = \"hot\"\n", "key 'values.temp': it must be a number"},
         {kLeast + "[head]\ncarriage = [40]\n", "key 'head.carriage': it must be two numbers in brackets"},
@@ -189,8 +189,10 @@ TEST(Profile, AnUnknownNameListsTheKnown) {
 TEST(Template, BracesAndNames) {
     const machine::Values v{{"a", 1.5}, {"b", -1e-9}, {"c", 1e15}};
     EXPECT_EQ(machine::expand("x{a}{a} {{a}} {b} {c}", v), "x1.51.5 {a} 0 1000000000000000");
+    EXPECT_EQ(machine::expand("{if a > 1}G1 X{min(a * 2, 2)}{else}G28{endif} [x]", v), "G1 X2 [x]");
+    EXPECT_EQ(machine::words_in_braces("x {a + b_2} c {{d}}"), (std::set<std::string>{"a", "b_2", "d"}));
     EXPECT_THROW((void)machine::expand("{d}", v), Error);
     EXPECT_EQ(machine::check_template("G1 Z{z_park}\nX{nope}", {}).line, 1u);
-    for (const char* wrong : {"{", "}", "a{b", "{a\n}", "{{a}", "{}"})
+    for (const char* wrong : {"{", "}", "a{b", "{a\n", "{{a}", "{}"})
         EXPECT_NE(machine::check_template(wrong, v).why, "");
 }
