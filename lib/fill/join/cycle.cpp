@@ -141,18 +141,21 @@ class Joiner {
     // Places, evenly spread over every ring that still stands apart, where another ring is near.
     std::vector<Candidate> candidates(bool all) {
         std::vector<Candidate> out;
+        if (all && !near_) near_ = graph_.near_others(kNeighbourReach * width_);
         const std::uint32_t largest = largest_group();
         for (std::uint32_t r = 0; r < graph_.size(); ++r) {
             if (groups_.root(r) == largest && all) continue;
             const double l = graph_.length(r);
             const auto n = static_cast<int>(all ? std::max(kPlaces, l / (kLink * width_)) : kPlaces);
+            const auto apart = [&](std::uint32_t other) { return groups_.root(other) != groups_.root(r); };
+            std::size_t stretch = 0;
             for (int k = 0; k < n; ++k) {
+                if (all) k += places_without(r, l * (k + 0.5) / n, l / n, stretch);
+                if (k >= n) break;
                 const double s = l * (k + 0.5) / n;
                 const Vec2 here = graph_.at(r, s);
                 if (*hung_ && (*hung_)(here) > may_hang_) continue;
-                const auto there = graph_.nearest(here, kNeighbourReach * width_, [&](std::uint32_t other) {
-                    return groups_.root(other) != groups_.root(r);
-                });
+                const auto there = graph_.nearest(here, kNeighbourReach * width_, apart);
                 if (!there || there->distance == 0) continue;
                 const Vec2 across = (1 / there->distance) * (there->point - here);
                 const double bead = std::min(graph_.width(r, s), graph_.width(there->ring, there->s));
@@ -164,6 +167,15 @@ class Joiner {
         std::stable_sort(out.begin(), out.end(),
                          [](const Candidate& a, const Candidate& b) { return a.faults < b.faults; });
         return out;
+    }
+
+    // The first place at or after the one at s that may have a neighbour, of places `step` mm apart along ring r: how
+    // many places further it is.  `stretch` counts up through the ring's stretches.
+    [[nodiscard]] int places_without(std::uint32_t r, double s, double step, std::size_t& stretch) const {
+        const auto& near = (*near_)[r];
+        while (stretch < near.size() && near[stretch].to < s) ++stretch;
+        const double next = stretch < near.size() ? near[stretch].from : graph_.length(r);
+        return std::max(0, static_cast<int>(std::ceil((next - s) / step)));
     }
 
     std::uint32_t largest_group() {
@@ -238,6 +250,8 @@ class Joiner {
     int may_hang_ = 0;          // links, as hung_ says
     geom::DisjointSets groups_; // of rings
     Splices splices_;
+    std::optional<std::vector<std::vector<Stretch>>>
+        near_; // per ring, where others are; as soon as all places are tried
     const Hanging* hung_;
     std::vector<char> over_air_; // per ring; none if nothing hangs
 };

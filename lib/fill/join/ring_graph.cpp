@@ -1,5 +1,11 @@
 #include "fill/join/ring_graph.hpp"
 
+#include "base/none.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 namespace filum::fill::join {
 
 namespace {
@@ -15,10 +21,38 @@ std::vector<geom::Segment> segments_of(const rings::Rings& rings) {
     return out;
 }
 
+// Where along the axis u (unit, from the origin) a point may lie that is within `reach` of the segment.
+std::optional<Stretch> shadow(const geom::Segment& s, Vec2 u, double reach) {
+    const double h0 = geom::cross(u, s.a), h1 = geom::cross(u, s.b);
+    double lo = 0, hi = 1; // the part of the segment that is within reach of the axis
+    if (h0 == h1) {
+        if (std::abs(h0) > reach) return std::nullopt;
+    } else {
+        const double p = (-reach - h0) / (h1 - h0), q = (reach - h0) / (h1 - h0);
+        lo = std::max(lo, std::min(p, q));
+        hi = std::min(hi, std::max(p, q));
+        if (lo > hi) return std::nullopt;
+    }
+    const double t0 = geom::dot(u, geom::lerp(s.a, s.b, lo)), t1 = geom::dot(u, geom::lerp(s.a, s.b, hi));
+    return Stretch{std::min(t0, t1) - reach, std::max(t0, t1) + reach};
+}
+
+// Sorts the stretches, and joins those that overlap.
+void merge(std::vector<Stretch>& v) {
+    std::sort(v.begin(), v.end(), [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
+    std::size_t n = 0;
+    for (const Stretch& s : v)
+        if (n > 0 && s.from <= v[n - 1].to)
+            v[n - 1].to = std::max(v[n - 1].to, s.to);
+        else
+            v[n++] = s;
+    v.resize(n);
+}
+
 } // namespace
 
 RingGraph::RingGraph(const rings::Rings& rings, double cell)
-    : rings_(&rings), segments_(segments_of(rings)), grid_(segments_, cell) {
+    : rings_(&rings), segments_(segments_of(rings)), grid_(segments_, geom::cell_for(segments_, cell)) {
     ring_of_.reserve(segments_.size());
     s_.reserve(segments_.size());
     for (std::uint32_t r = 0; r < rings.size(); ++r) {
@@ -30,6 +64,32 @@ RingGraph::RingGraph(const rings::Rings& rings, double cell)
         }
         length_.push_back(s);
     }
+}
+
+std::vector<std::vector<Stretch>> RingGraph::near_others(double reach) const {
+    constexpr double kSlack = 1e-6; // mm, more than what rounding can change
+    reach += kSlack;
+    const geom::SegmentGrid grid(segments_, geom::cell_for(segments_, reach), reach);
+    std::vector<std::vector<Stretch>> out(size());
+    std::vector<std::uint32_t> seen(segments_.size(), kNone); // from which segment
+    for (std::uint32_t i = 0; i < segments_.size(); ++i) {
+        const std::uint32_t ring = ring_of_[i];
+        const auto& [a, b] = segments_[i];
+        const double length = geom::distance(a, b);
+        if (length < 2 * reach) { // not worth while
+            out[ring].push_back({s_[i], s_[i] + length});
+            continue;
+        }
+        const Vec2 u = (1 / length) * (b - a);
+        grid.along(a, b, [&](std::uint32_t j) {
+            if (ring_of_[j] == ring || std::exchange(seen[j], i) == i) return;
+            const auto part = shadow({segments_[j].a - a, segments_[j].b - a}, u, reach);
+            if (part && part->to > 0 && part->from < length)
+                out[ring].push_back({s_[i] + std::max(0.0, part->from), s_[i] + std::min(length, part->to)});
+        });
+    }
+    for (auto& stretches : out) merge(stretches);
+    return out;
 }
 
 double RingGraph::wrapped(std::uint32_t ring, double s) const {

@@ -22,9 +22,15 @@ struct Place {
     double distance = 0; // from where it was asked for
 };
 
+// A stretch of a ring, in arc lengths.
+struct Stretch {
+    double from = 0, to = 0;
+};
+
 // Of rings that outlive it.
 class RingGraph {
   public:
+    // `cell`: mm, the least size of the cells in which neighbours are looked for.
     RingGraph(const rings::Rings& rings, double cell);
 
     [[nodiscard]] std::size_t size() const { return length_.size(); }
@@ -69,6 +75,10 @@ class RingGraph {
                    });
         return best;
     }
+
+    // For each ring the stretches on which another ring may lie within `reach`, ascending: all such places, and some
+    // others.  Costs what the number of segments and of neighbours costs; long rows far apart cost little.
+    [[nodiscard]] std::vector<std::vector<Stretch>> near_others(double reach) const;
 
     // True if the open segment p-q crosses any ring.
     [[nodiscard]] bool crosses(Vec2 p, Vec2 q) const {
