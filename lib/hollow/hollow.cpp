@@ -11,6 +11,7 @@
 #include "hollow/pieces.hpp"
 #include "infill/infill.hpp"
 #include "polygon/clip.hpp"
+#include "polygon/inside_test.hpp"
 #include "polygon/segments.hpp"
 #include "polygon/stretches.hpp"
 #include "polygon/strips.hpp"
@@ -202,15 +203,25 @@ Loose closed_curves(const Region& r, double w, double tolerance) {
     return out;
 }
 
-bool is_top(const Region& r, Vec2 p) {
-    return std::any_of(r.areas.begin(), r.areas.end(),
-                       [&](const Area& a) { return a.kind == AreaKind::skin_top && polygon::contains(a.loops, p); });
-}
+// Tells which points of a region are seen from above.
+class TopSkin {
+  public:
+    explicit TopSkin(const Region& r) {
+        for (const Area& a : r.areas)
+            if (a.kind == AreaKind::skin_top) inside_.emplace_back(a.loops);
+    }
+    [[nodiscard]] bool holds(Vec2 p) const {
+        return std::any_of(inside_.begin(), inside_.end(), [&](const auto& inside) { return inside(p); });
+    }
+
+  private:
+    std::vector<polygon::InsideTest> inside_; // of each area
+};
 
 // Of a region that is no part.
-Feature feature_beside(const Region& r, Vec2 p) {
+Feature feature_beside(const Region& r, const TopSkin& top, Vec2 p) {
     if (r.is == polygon::RegionClass::rim) return Feature::skirt;
-    return is_top(r, p) ? Feature::interface : Feature::support;
+    return top.holds(p) ? Feature::interface : Feature::support;
 }
 
 // Every segment of the curves gets the feature of the loop nearest to its middle.
@@ -219,11 +230,12 @@ void tell_features(const Region& r, const Loose& from, double w, std::vector<too
     std::vector<std::uint32_t> loop_of;
     for (std::uint32_t l = 0; l < from.rings.size(); ++l) loop_of.resize(from.rings.start[l + 1], l);
     const geom::SegmentGrid grid(segments, geom::cell_for(segments, 1.5 * w));
+    const TopSkin top(r);
     for (auto& c : curves)
         for (std::size_t i = 0; i < c.points.size(); ++i) {
             const Vec2 p = geom::lerp(c.points[i], c.points[(i + 1) % c.points.size()], 0.5);
             if (r.is != polygon::RegionClass::part) {
-                c.feature.push_back(feature_beside(r, p));
+                c.feature.push_back(feature_beside(r, top, p));
                 continue;
             }
             double best = 2 * w;
@@ -235,7 +247,7 @@ void tell_features(const Region& r, const Loose& from, double w, std::vector<too
                     feature = from.feature[loop_of[k]];
                 }
             });
-            c.feature.push_back(feature == Feature::solid && is_top(r, p) ? Feature::top : feature);
+            c.feature.push_back(feature == Feature::solid && top.holds(p) ? Feature::top : feature);
         }
 }
 
@@ -246,10 +258,8 @@ fill::join::Hanging hanging(const Region& r, double w) {
     for (const Area& a : r.areas)
         if (a.kind == AreaKind::bridge) all.add(a.loops);
     if (all.empty()) return {};
-    return [all, deep = polygon::offset(all, -2 * w, kTolerance)](Vec2 p) {
-        if (!polygon::contains(all, p)) return 0;
-        return polygon::contains(deep, p) ? fill::join::kHangsMost : 1;
-    };
+    const polygon::InsideTest inside(all), deep(polygon::offset(all, -2 * w, kTolerance));
+    return [inside, deep](Vec2 p) { return !inside(p) ? 0 : deep(p) ? fill::join::kHangsMost : 1; };
 }
 
 // Refuses areas whose lines would be too many, or would lie one on the other.

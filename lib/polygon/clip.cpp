@@ -141,12 +141,13 @@ Parts parts_of_simple(const Loops& area, const std::vector<int>& within) {
     return out;
 }
 
-// The same of any loops.  Loops that touch each other in points are left to Clipper: quadratic, and rare.
+// The same of any loops.  What a union does not mend is left to Clipper: quadratic, and rare.
 Parts parts_of_any(const Loops& a) {
     cl::PolyTree tree;
     try {
         const Loops parted = unite(a);
         if (const auto within = nesting(parted)) return parts_of_simple(parted, *within);
+        if (const auto within = nesting_of_touching(parted)) return parts_of_simple(parted, *within);
         cl::Clipper clipper;
         clipper.StrictlySimple(true);
         clipper.AddPaths(to_clipper(parted), cl::ptSubject, true);

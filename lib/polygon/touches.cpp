@@ -1,11 +1,13 @@
 #include "polygon/touches.hpp"
 
 #include "geom/segment_grid.hpp"
+#include "polygon/inside_test.hpp"
 #include "polygon/segments.hpp"
 #include "polygon/simple.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 namespace filum::polygon {
@@ -108,6 +110,52 @@ Loops parted_at_touches(const Loops& a) {
         add_parted(loop, out);
     }
     return out;
+}
+
+std::optional<std::vector<int>> nesting_of_touching(const Loops& a) {
+    constexpr double kSomewhere = 0.381966; // golden section: rows and squares touch edges at simple fractions
+    struct Outline {
+        Box2 box;
+        double area;
+        Vec2 point; // of the longest edge, at a place where hardly another loop touches it
+        std::optional<InsideTest> inside;
+    };
+    std::vector<Outline> all;
+    for (std::size_t l = 0; l < a.size(); ++l) {
+        const auto loop = a[l];
+        Outline o{bounds(loop), signed_area(loop), {}, {}};
+        double longest = -1;
+        for (std::size_t j = 0, k = loop.size() - 1; j < loop.size(); k = j++)
+            if (const double length = geom::norm2(loop[j] - loop[k]); length > longest) {
+                longest = length;
+                o.point = geom::lerp(loop[k], loop[j], kSomewhere);
+            }
+        all.push_back(std::move(o));
+    }
+    std::vector<int> within(a.size(), -1);
+    for (std::size_t l = 0; l < a.size(); ++l) {
+        double smallest = std::numeric_limits<double>::infinity();
+        for (std::size_t m = 0; m < a.size(); ++m) {
+            const double area = std::abs(all[m].area);
+            const Vec2 p = all[l].point;
+            const Box2& box = all[m].box;
+            if (m == l || area >= smallest || area <= std::abs(all[l].area) || p.x < box.lo.x || p.x > box.hi.x ||
+                p.y < box.lo.y || p.y > box.hi.y)
+                continue;
+            if (!all[m].inside) {
+                Loops one;
+                one.add(a[m]);
+                all[m].inside.emplace(one);
+            }
+            if (!(*all[m].inside)(p)) continue;
+            smallest = area;
+            within[l] = static_cast<int>(m);
+        }
+    }
+    for (std::size_t l = 0; l < a.size(); ++l)
+        if ((all[l].area > 0) == (within[l] >= 0 && all[static_cast<std::size_t>(within[l])].area > 0))
+            return std::nullopt;
+    return within;
 }
 
 } // namespace filum::polygon
