@@ -13,6 +13,7 @@ import time
 
 PEERS = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(os.path.dirname(PEERS))
+BIN = os.path.join(TOP, "build", "bin")
 
 
 class Failed(Exception):
