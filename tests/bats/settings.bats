@@ -31,10 +31,10 @@ cm3() { sed -n 's/^; filament used \[cm3\] = //p' "$1"; }
 }
 
 @test "settings are shown in their groups, each key of PrusaSlicer in one" {
-    printf 'perimeters = 3\nstart_gcode = G28\\nG1 Z5\nwipe = 1\nnotes = mine\nnew_key = 1\n' > x.ini
+    printf 'perimeters = 3\nstart_gcode = G28\\nG1 Z5\npost_process = mine\nwipe = 1\nnotes = mine\nnew_key = 1\n' > x.ini
     run filum settings x.ini
     [ "$status" -eq 0 ]
-    [[ "$output" == *"used (1)"*"--walls=3"*"go wrong (1)"*"start_gcode"*"not used yet (1)"*"not known (1)"*"meaning here (1)"* ]]
+    [[ "$output" == *"used (2)"*"--walls=3"*"go wrong (1)"*"post_process"*"not used yet (1)"*"not known (1)"*"meaning here (1)"* ]]
     command -v prusa-slicer > /dev/null || skip "PrusaSlicer is not installed"
     prusa-slicer --save full.ini > /dev/null 2>&1
     filum settings full.ini > groups

@@ -92,8 +92,10 @@ constexpr OwnCommand kOwnCommands[] = {
      "streams, and says which of\na stage's promises it keeps. Exit code 0: all of them.\n",
      check_foreign},
     {"settings", nullptr,
-     "usage: filum settings FILE...\n\nShows what Filum makes of each setting of a slicer's file or project: the "
-     "option for it, or why\nthere is none.\n",
+     "usage: filum settings FILE...\n       filum settings --machine FILE... > mine.toml\n\n"
+     "Shows what Filum makes of each setting of a slicer's file or project: the option for it, or why\nthere is "
+     "none. --machine writes the printer that the files describe as a machine profile: its bed,\nfirmware and "
+     "G-code, to keep, to edit and to print with --machine ./mine.toml.\n",
      show_settings},
     {"printers", nullptr, kPrintersHelp, show_printers},
 };

@@ -87,7 +87,8 @@ std::string print_help(const std::vector<Stage>& stages) {
         "  --load FILE         settings of PrusaSlicer, OrcaSlicer or Bambu Studio (.ini, .json, or a project, .3mf);\n"
         "                      of a bundle the presets that stand behind it: "
         "FILE:printer=NAME,print=NAME,filament=NAME.\n"
-        "                      Filum applies the settings it knows and lists those it ignores.\n"
+        "                      Filum applies the settings it knows and lists those it ignores. A printer in it is\n"
+        "                      the machine: its bed, firmware, and G-code with its macros (docs/slicer-profiles.md).\n"
         "                      Options win over it. Options by slicers' names are taken, too: --fill-density 15%,\n"
         "                      --temperature 210, --rotate 45, --scale 150%\n"
         "  --keep FOLDER       keep the stream of every stage there: 1-slice.layers, 2-regions.regions, ...\n"
@@ -157,6 +158,17 @@ std::string pipeline(const std::vector<Command>& commands, const std::vector<Sta
         for (std::size_t w = 1; w < commands[i].size(); ++w) line += " " + shell_word(commands[i][w]);
     }
     return line + "\n";
+}
+
+// The same, with the profile of a slicer's printer as a file that the reader can make.
+std::string shown_pipeline(std::vector<Command> commands, const std::vector<Stage>& stages,
+                           const SlicerMachine* machine) {
+    if (machine == nullptr) return pipeline(commands, stages);
+    for (Command& command : commands)
+        for (std::string& word : command)
+            if (word.ends_with("=" + machine->path()))
+                word.replace(word.size() - machine->path().size(), std::string::npos, SlicerMachine::kShownName);
+    return machine->command() + pipeline(commands, stages);
 }
 
 // What of files of settings is not used; first what can do harm.
@@ -272,9 +284,10 @@ int print_part(const std::vector<std::string>& typed) {
         cli::check_output_name(request.picture, "--picture", "a PNG picture, SVG, VTP or an HTML page");
     if (!request.quiet) tell_left(ours);
     if (!request.quiet && !idle.empty()) tell_idle(idle);
+    if (ours.machine != nullptr && !request.inputs.empty()) ours.machine->name_input(request.inputs.front());
     check_profiles(request, stages);
     std::vector<Command> commands = commands_of(request, stages);
-    if (request.dry_run) return tell(pipeline(commands, stages));
+    if (request.dry_run) return tell(shown_pipeline(commands, stages, ours.machine.get()));
     if (request.output == "-" && ::isatty(STDOUT_FILENO) != 0)
         throw Error(Exit::usage,
                     "cannot write machine code to a terminal; add -o FILE, as in -o part.gcode, or pipe it on");

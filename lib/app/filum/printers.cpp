@@ -124,6 +124,25 @@ bool is_own(const std::string& name) {
 
 } // namespace
 
+std::vector<std::string> PrinterNames::words() const {
+    std::vector<std::string> out;
+    if (!printer.empty()) out.push_back("--printer=" + printer);
+    if (!print.empty()) out.push_back("--print-profile=" + print);
+    if (!filament.empty()) out.push_back("--filament=" + filament);
+    return out;
+}
+
+bool PrinterNames::take(const std::string& word) {
+    const std::pair<const char*, std::string*> options[] = {
+        {"--printer=", &printer}, {"--print-profile=", &print}, {"--filament=", &filament}};
+    for (const auto& [option, value] : options) {
+        if (!word.starts_with(option)) continue;
+        *value = word.substr(std::string(option).size());
+        return true;
+    }
+    return false;
+}
+
 ChosenPrinter chosen_printer(const PrinterNames& names) {
     ChosenPrinter out;
     PresetShelf shelf("");

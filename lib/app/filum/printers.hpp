@@ -12,6 +12,8 @@ namespace filum::app::filum {
 struct PrinterNames {
     std::string printer, print, filament; // --printer, --print-profile, --filament
     [[nodiscard]] bool any() const { return !printer.empty() || !print.empty() || !filament.empty(); }
+    [[nodiscard]] std::vector<std::string> words() const; // the options that give them
+    bool take(const std::string& word);                   // such an option; false: it is none
 };
 
 struct ChosenPrinter {

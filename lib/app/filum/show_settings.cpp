@@ -1,5 +1,7 @@
 #include "app/filum/show_settings.hpp"
 
+#include "app/filum/printers.hpp"
+#include "app/filum/slicer_machine.hpp"
 #include "app/filum/slicer_settings.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
@@ -47,10 +49,29 @@ std::string report(const std::string& file) {
     return out + (all.remarks.empty() ? "" : "\n");
 }
 
+// The machine profile of the printer that files describe.
+int show_machine(const std::vector<std::string>& files) {
+    PrinterNames names;
+    std::vector<SlicerFile> read;
+    for (const std::string& file : files)
+        if (!names.take(file)) read.push_back(slicer_file(file));
+    std::vector<SlicerFile> all = chosen_printer(names).settings;
+    all.insert(all.end(), read.begin(), read.end());
+    const std::string text = SlicerMachine(std::move(all), files).text();
+    if (text.empty())
+        throw Error(Exit::bad_input, "cannot make a machine profile: the settings describe no printer; they hold "
+                                     "neither G-code for its start nor the shape of its bed");
+    stream::Sink to("-", stream::Sink::Content::text);
+    to.write(text);
+    to.commit();
+    return 0;
+}
+
 } // namespace
 
 int show_settings(const std::vector<std::string>& files) {
     if (files.empty()) throw Error(Exit::usage, "cannot show settings without a file; as in 'filum settings my.ini'");
+    if (files.front() == "--machine") return show_machine({files.begin() + 1, files.end()});
     std::string out;
     for (const std::string& file : files) out += (out.empty() ? "" : "\n") + report(file);
     stream::Sink to("-", stream::Sink::Content::text);

@@ -110,9 +110,34 @@ void limit_speeds(SlicerWishes& all, double most) {
         }
 }
 
+// The printer that the files describe becomes the machine, unless the user names another one.
+void use_machine(const std::vector<SlicerFile>& read, std::vector<std::string> sources,
+                 const std::vector<std::string>& words, Translated& out) {
+    auto machine = std::make_shared<SlicerMachine>(read, std::move(sources));
+    if (!machine->any()) return;
+    if (!last_value(words, "--machine").empty()) {
+        out.remarks.push_back("the printer of --load (its G-code, bed and firmware) is not used: --machine is " +
+                              last_value(words, "--machine"));
+        return;
+    }
+    out.words.push_back(option_of("machine", machine->path()));
+    out.machine = std::move(machine);
+}
+
+// Leaves out what the G-code of the files' own printer does itself: it heats.
+void leave_to_machine(SlicerWishes& all) {
+    std::erase_if(all.words, [](const std::string& word) {
+        for (const char* name : {"nozzle_temp=", "first_nozzle_temp=", "bed_temp=", "first_bed_temp="})
+            if (word.starts_with(std::string("--set=") + name)) return true;
+        return false;
+    });
+    std::erase_if(all.remarks, [](const std::string& remark) { return remark.ends_with("its machine profile says"); });
+}
+
 // What of settings has a meaning here; `most`: mm/s.  Returns whether they ask for supports.
 bool use_settings(const SlicerFile& file, double most, const std::vector<Stage>& stages, Translated& out) {
     SlicerWishes all = wishes(file, [&](std::string_view name) { return has(stages, name); });
+    if (out.machine != nullptr) leave_to_machine(all);
     limit_speeds(all, most);
     out.words.insert(out.words.end(), all.words.begin(), all.words.end());
     std::ranges::move(all.remarks, std::back_inserter(out.remarks));
@@ -136,6 +161,10 @@ void load(const PrinterNames& printer, const std::vector<std::string>& files, co
     for (const std::string& file : files) read.push_back(slicer_file(file));
     std::vector<std::string> all = out.words;
     all.insert(all.end(), words.begin(), words.end());
+    std::vector<std::string> sources = printer.words();
+    sources.insert(sources.end(), files.begin(), files.end());
+    use_machine(read, std::move(sources), all, out);
+    if (out.machine != nullptr) all.insert(all.begin(), out.words.back());
     const double most = fastest(all, stages);
     bool supports = false;
     for (const SlicerFile& file : merged(std::move(read))) supports = use_settings(file, most, stages, out) || supports;

@@ -2,8 +2,10 @@
 // and their files of settings.
 #pragma once
 
+#include "app/filum/slicer_machine.hpp"
 #include "app/filum/stage.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,8 @@ struct Translated {
     // print can go wrong: "start_gcode", ...
     std::vector<std::string> harmful, left;
     std::vector<std::string> remarks; // on what else of files is left out
+    // Where the files describe a printer, and no --machine names another one: its profile, which `words` name.
+    std::shared_ptr<SlicerMachine> machine{};
 };
 
 // The words with each --load FILE replaced by what of its settings has a meaning here, before all others, so that these

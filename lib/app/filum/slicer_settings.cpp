@@ -53,7 +53,7 @@ class Reader {
             return supports() && !values_.percent(key) && values_.number(key) > 0
                        ? Words{option(row.target, values_.number(key))}
                        : Words{};
-        if (row.reading == "base") return {};
+        if (row.reading == "base" || row.reading == "machine") return {}; // machine_of reads those
         return by_name(key, row, value);
     }
 

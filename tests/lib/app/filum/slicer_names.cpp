@@ -2,6 +2,7 @@
 
 #include "../files.hpp"
 #include "base/error.hpp"
+#include "machine/profile.hpp"
 
 namespace filum::app::filum {
 namespace {
@@ -185,8 +186,29 @@ TEST(SlicerSettings, WhatCanDoHarmIsNamedApart) {
         translated({"--load", at.write("x.ini", "start_gcode = G28\\nG1 Z5\nend_gcode = ; nothing\\n\nspiral_vase = 1\n"
                                                 "complete_objects = 0\nthreads = 4\nwipe = 1\nnew_key = 3\n")},
                    some_stages());
-    EXPECT_EQ(t.harmful, (Words{"start_gcode", "spiral_vase"}));
+    EXPECT_EQ(t.harmful, (Words{"spiral_vase"}));
     EXPECT_EQ(t.left, (Words{"wipe", "new_key"}));
+}
+
+TEST(SlicerMachine, ThePrinterOfAFileIsTheMachine) {
+    const test::Folder at;
+    const std::string file = at.write("x.ini", "start_gcode = G28\\nM104 S[temperature]\ntemperature = 215\n"
+                                               "bed_shape = -90x-80,90x-80,90x80,-90x80\nmax_print_height = 120\n");
+    const Translated t = translated({"--load", file, "--temperature", "230"}, some_stages());
+    ASSERT_NE(t.machine, nullptr);
+    EXPECT_EQ(t.words.front(), "--machine=" + t.machine->path());
+    EXPECT_EQ(t.words.back(), "--set=nozzle_temp=230"); // not that of the file: its G-code heats
+    EXPECT_EQ(t.machine->command(), "filum settings --machine " + file + " > ./slicer-machine.toml\n");
+    const auto profile = machine::parse_profile(t.machine->text(), "x.toml");
+    EXPECT_EQ(profile.bed.x_min, -90);
+    EXPECT_EQ(profile.bed.y_max, 80);
+    EXPECT_EQ(profile.bed.z_max, 120);
+    EXPECT_FALSE(profile.extrusion.relative);
+    ASSERT_NE(profile.preset, nullptr);
+    EXPECT_EQ(profile.preset->settings.at("start_gcode"), Words{"G28\nM104 S[temperature]"});
+    EXPECT_EQ(translated({"--load", file, "--machine", "klipper"}, some_stages()).machine, nullptr);
+    const std::string wrong = at.write("y.ini", "start_gcode = G28\\n{if 1}\n");
+    EXPECT_THROW(translated({"--load", wrong}, some_stages()), Error);
 }
 
 } // namespace
