@@ -8,17 +8,17 @@ namespace filum::stressfield {
 
 namespace {
 
-constexpr std::size_t kNear = 12; // samples that speak for a vertex
-constexpr double kSteep = 0.7;    // off a vertex's plane per mm along it: 35 degrees
+constexpr std::size_t kNear = 12; // number of samples that determine a vertex
+constexpr double kSteep = 0.7;    // slope between a sample and the plane of a vertex: 35 degrees
 constexpr double kAlike = 0.5;    // least cosine between normals of one side: 60 degrees
-constexpr double kHole = 2;       // spacings without a sample that are a hole in the data
-constexpr double kRound = 1e-9;   // of a triangle: rounding
-constexpr double kRidge = 1e-6;   // keeps slopes along which no samples lie at 0
+constexpr double kHole = 2;       // spacings without a sample: a hole in the data
+constexpr double kRound = 1e-9;   // of a triangle: tolerance of rounding
+constexpr double kRidge = 1e-6;   // regularisation: slopes are 0 in directions without samples
 
-struct Near {
+struct Neighbour {
     double distance;
     std::uint32_t index;
-    friend bool operator<(const Near& a, const Near& b) {
+    friend bool operator<(const Neighbour& a, const Neighbour& b) {
         return a.distance < b.distance || (a.distance == b.distance && a.index < b.index);
     }
 };
@@ -31,11 +31,11 @@ geom::Bvh tree_of(const std::vector<Vec3>& points) {
 
 // The `count` nearest to `p` of those that pass, nearest first.
 template <class Pass>
-std::vector<Near> nearest(const geom::Bvh& tree, const std::vector<Vec3>& points, const Vec3& p, std::size_t count,
-                          const Pass& pass) {
-    std::vector<Near> heap;
+std::vector<Neighbour> nearest(const geom::Bvh& tree, const std::vector<Vec3>& points, const Vec3& p, std::size_t count,
+                               const Pass& pass) {
+    std::vector<Neighbour> heap;
     tree.near(p, kInfinity, [&](std::uint32_t i) {
-        const Near n{distance(p, points[i]), i};
+        const Neighbour n{distance(p, points[i]), i};
         const bool full = heap.size() == count;
         if (pass(i) && (!full || n < heap.front())) {
             if (full) {
@@ -51,12 +51,12 @@ std::vector<Near> nearest(const geom::Bvh& tree, const std::vector<Vec3>& points
     return heap;
 }
 
-// A sample as the surface sees it.
+// A sample relative to the surface.
 struct Foot {
     bool used = false;
-    Vec3 normal;        // of the surface where it is nearest
-    double off = 0;     // how far from the plane there
-    double reach = 0;   // how far it may be
+    Vec3 normal;        // of the surface at the nearest place
+    double off = 0;     // distance from the plane there
+    double reach = 0;   // greatest accepted distance
     double spacing = 0; // to the sixth neighbour
 };
 
@@ -82,8 +82,8 @@ std::vector<Foot> feet(const Surface& s, const std::vector<Vec3>& points, const 
     return out;
 }
 
-// Weights of the corners of the triangle of `flat` that the origin lies in and whose circle holds no other of them
-// (Delaunay), the first of equals; empty if the origin lies in none.
+// Weights of the corners of the triangle of `flat` that contains the origin and whose circumcircle contains no other
+// point (Delaunay); ties: the first; empty if no triangle contains the origin.
 std::vector<double> in_triangle(const std::vector<geom::Vec2>& flat) {
     const std::size_t n = flat.size();
     const geom::Vec2 o{0, 0};
@@ -112,9 +112,9 @@ std::vector<double> in_triangle(const std::vector<geom::Vec2>& flat) {
     return {};
 }
 
-// Weights of `found` at `p`: linear in the triangle of them about it; beyond all of them, by the affine function that
-// fits them best with weights that are infinite at distance 0 and 0 from the farthest on.
-std::vector<double> weights(const std::vector<Near>& found, const std::vector<Vec3>& points, const Vec3& p,
+// Weights of `found` at `p`: linear in their triangle around it; outside of all, by the affine function that fits them
+// best with weights that are infinite at distance 0 and 0 from the farthest on.
+std::vector<double> weights(const std::vector<Neighbour>& found, const std::vector<Vec3>& points, const Vec3& p,
                             const Vec3& normal) {
     std::vector<double> out(found.size(), 0);
     const double radius = 1.01 * found.back().distance;
@@ -124,7 +124,7 @@ std::vector<double> weights(const std::vector<Near>& found, const std::vector<Ve
     }
     const Vec3 u = across(normal), v = cross(normal, u);
     std::vector<geom::Vec2> flat;
-    for (const Near& f : found) {
+    for (const Neighbour& f : found) {
         const Vec3 e = (1 / radius) * (points[f.index] - p);
         flat.push_back({dot(e, u), dot(e, v)});
     }
@@ -152,7 +152,7 @@ Stencils in_cloud(const Surface& s, const std::vector<Vec3>& points, double reac
     const auto foot = feet(s, points, tree, reach, threads);
     const auto normal = normals(s);
     const std::size_t n = s.vertices.size();
-    std::vector<std::vector<Near>> found(n);
+    std::vector<std::vector<Neighbour>> found(n);
     std::vector<std::vector<double>> weight(n);
     Stencils out;
     out.gap.assign(n, kInfinity);
@@ -174,7 +174,7 @@ Stencils in_cloud(const Surface& s, const std::vector<Vec3>& points, double reac
     });
     for (std::size_t v = 0; v < n; ++v) {
         out.start.push_back(static_cast<std::uint32_t>(out.sample.size()));
-        for (const Near& f : found[v]) out.sample.push_back(f.index);
+        for (const Neighbour& f : found[v]) out.sample.push_back(f.index);
         out.weight.insert(out.weight.end(), weight[v].begin(), weight[v].end());
     }
     out.start.push_back(static_cast<std::uint32_t>(out.sample.size()));

@@ -19,7 +19,7 @@ struct GreekLetter {
 constexpr GreekLetter kGreek[] = {
     {"\xcf\x83", "sigma"}, {"\xcf\x84", "tau"}, {"\xce\xb5", "epsilon"}, {"\xce\xb3", "gamma"}};
 
-// True of a bracket that holds indices, as in "S(XX)", "S[0,1]".
+// Whether a bracket contains indices, as in "S(XX)", "S[0,1]".
 bool holds_indices(std::string_view inside) {
     std::string only;
     for (const char c : inside)
@@ -29,7 +29,7 @@ bool holds_indices(std::string_view inside) {
     return only.size() == 2 && (letters || digits);
 }
 
-// The name without brackets that hold no indices, and without what explains it: "SX: X Normal Stress".
+// The name without brackets that do not contain indices, and without an explanation: "SX: X Normal Stress".
 std::string without_brackets(std::string_view name) {
     name = name.substr(0, name.find(": "));
     std::string out;
@@ -41,8 +41,7 @@ std::string without_brackets(std::string_view name) {
             continue;
         }
         const std::size_t end = name.find(close, i);
-        if (!holds_indices(name.substr(i + 1, std::min(end, name.size()) - i - 1)))
-            return out; // what follows is a unit
+        if (!holds_indices(name.substr(i + 1, std::min(end, name.size()) - i - 1))) return out; // the rest is a unit
         out += name.substr(i + 1, end - i - 1);
         if (end == name.npos) return out;
         i = end;
@@ -66,7 +65,7 @@ bool contains_any(const std::string& text, std::initializer_list<std::string_vie
     return std::any_of(parts.begin(), parts.end(), [&](auto p) { return text.find(p) != text.npos; });
 }
 
-// Words of one meaning wherever they stand.  Code_Aster has SIGM, SIEF, EPSI; Ansys EPEL, EPTO; CalculiX TOSTRAIN.
+// Parts of words with a unique meaning. Code_Aster has SIGM, SIEF, EPSI; Ansys EPEL, EPTO; CalculiX TOSTRAIN.
 Quantity by_part(const std::string& text) {
     if (contains_any(text, {"strain", "epsi", "epel", "eppl", "epto", "epth", "epcr", "deform", "dehnung", "gamma",
                             "lagrange", "almansi", "hencky", "displacement"}))
@@ -77,7 +76,7 @@ Quantity by_part(const std::string& text) {
     return Quantity::unknown;
 }
 
-// Short words that count only by themselves.  Abaqus has S, and E, LE, EE, PE, NE, IE, THE, CE, ER.
+// Short words that only count as whole words. Abaqus has S, and E, LE, EE, PE, NE, IE, THE, CE, ER.
 Quantity by_word(const std::string& word) {
     static const std::set<std::string, std::less<>> stress = {"s", "ss", "si", "sg", "sig", "t", "tau", "solids"};
     static const std::set<std::string, std::less<>> strain = {
@@ -130,7 +129,8 @@ std::optional<Component> component_of(std::string_view name) {
     if (axis(1, "xyz") >= 0 && one_letter.contains(text.substr(0, text.size() - 1)))
         return part(1, axis(1, "xyz"), axis(1, "xyz"));
     if (axis(1, "0123") < 0 || axis(2, "0123") < 0) return {};
-    Component out = part(2, axis(2, "0123"), axis(1, "0123")); // as they stand; from 0 or from 1, the set says
+    // unchanged; the set of names determines whether digits start at 0 or 1
+    Component out = part(2, axis(2, "0123"), axis(1, "0123"));
     out.digits = true;
     out.has_zero = out.row == 0 || out.column == 0;
     return out;

@@ -1,5 +1,5 @@
-// Tables with a line per point; '#' and '%' begin comments.  A header names the columns: the first line whose names
-// make up positions and stresses, or the last one before numbers, which may stand in a comment.
+// Tables with one line per point; '#' and '%' begin comments. A header names the columns: the first line whose names
+// include positions and stresses, or the last one before numbers, which may be in a comment.
 #include "stressfield/csv_columns.hpp"
 #include "stressfield/csv_text.hpp"
 #include "stressfield/formats.hpp"
@@ -14,9 +14,9 @@ namespace filum::stressfield {
 
 namespace {
 
-class Table {
+class CsvReader {
   public:
-    Table(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes)
+    CsvReader(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes)
         : bytes_(bytes), name_(name), options_(options), notes_(notes), given_(!options.columns.empty()), lines_("") {
         if (bytes_.starts_with("\xef\xbb\xbf")) bytes_.remove_prefix(3); // byte order mark
         if (given_) columns_ = columns_of_option(options.columns);
@@ -37,7 +37,7 @@ class Table {
     }
 
   private:
-    // The next line that is neither empty nor a comment; comments are kept for a header.
+    // The next line that is not empty and not a comment; the last comment is kept as a possible header.
     bool next_line(std::string_view& line) {
         while (lines_.next(line)) {
             const std::size_t mark = line.find_first_of("#%");
@@ -51,11 +51,11 @@ class Table {
         return false;
     }
 
-    // Reads up to the first row, and decides what columns mean.
+    // Reads up to the first row, and determines the columns.
     void find_header() {
         std::string_view line, last_words;
         while (next_line(line)) {
-            if (lines_.number() == 1 && line.size() == 5 && line.starts_with("sep=")) continue; // spreadsheets'
+            if (lines_.number() == 1 && line.size() == 5 && line.starts_with("sep=")) continue; // of spreadsheets
             mark_ = separator(line);
             split(line, mark_, cells_);
             std::string doubt;
@@ -76,7 +76,7 @@ class Table {
         bad(name_, "it is no table of numbers, FRD or VTU file");
     }
 
-    // Whether all cells are numbers, or those of --columns.
+    // Whether all cells, or those of --columns, are numbers.
     [[nodiscard]] bool is_row() const {
         const auto number = [&](std::string_view cell) {
             return cell_value(cell, Decimal::point) || cell_value(cell, Decimal::comma);
@@ -97,7 +97,7 @@ class Table {
         first_row_ = header_line_ + 1;
     }
 
-    // A row of numbers came before any header that names all there must be.
+    // Handles a row of numbers before a complete header.
     void begin_with_row(std::string_view words) {
         width_ = cells_.size();
         const Cells row = cells_;
@@ -126,7 +126,7 @@ class Table {
         if (header_.size() != width_) header_.clear();
     }
 
-    // Calls `use` for every row, its cells in cells_.
+    // Calls `use` for every row, with its cells in cells_.
     template <class Use>
     void for_rows(const Use& use) {
         lines_ = TextLines(bytes_);
@@ -134,7 +134,7 @@ class Table {
         while (next_line(line)) {
             if (lines_.number() < first_row_) continue;
             split(line, mark_, cells_);
-            if (is_units_row() || cells_ == header_) continue; // a header may come again, before each part
+            if (is_units_row() || cells_ == header_) continue; // the header may be repeated before each part
             if (cells_.size() != width_) {
                 if (!lines_.ended() && cells_.size() < width_) cut_inside();
                 wrong_width(lines_.number(), cells_.size(), width_);
@@ -143,7 +143,7 @@ class Table {
         }
     }
 
-    // A line below the header with units instead of numbers.
+    // Whether the line is below the header and has units instead of numbers.
     bool is_units_row() {
         if (header_line_ == 0 || lines_.number() != header_line_ + 1 || cells_.size() != width_) return false;
         bool any = false;
@@ -167,7 +167,7 @@ class Table {
 
     [[noreturn]] void cut_inside() const { cut(name_, "it ends inside line " + std::to_string(lines_.number())); }
 
-    // What all used cells show about their decimal mark, and whether rows are of one load case.
+    // Determines the decimal mark from all used cells, and checks that rows belong to one load case.
     void decide_decimal() {
         DecimalEvidence evidence;
         std::vector<std::size_t> tellers;
@@ -198,14 +198,14 @@ class Table {
         decimal_ = evidence.comma() || semicolons ? Decimal::comma : Decimal::point;
     }
 
-    // A header of --columns may be units alone.
+    // With --columns the header may consist of units only.
     static std::string unit_of(Dimension dimension, std::string_view name) {
         return factor_of(dimension, name) ? std::string(name) : unit_in(dimension, name);
     }
 
     static Dimension dimension_of(std::size_t role) { return role <= kZ ? Dimension::length : Dimension::stress; }
 
-    // Factors of all used columns, by --unit and --stress-unit, else by the header, else 1.
+    // Sets the factors of all used columns, from --unit and --stress-unit, otherwise from the header, otherwise 1.
     void find_units() {
         for (const auto dimension : {Dimension::length, Dimension::stress}) find_units(dimension);
     }
@@ -247,7 +247,7 @@ class Table {
         if (common.empty()) common = length ? "mm" : "MPa";
     }
 
-    // What is read, for the history of the stream.
+    // The description of the input for the history of the stream.
     [[nodiscard]] std::string origin() const {
         std::string names;
         for (std::size_t r = 0; r < kRoles; ++r) {
@@ -270,7 +270,7 @@ class Table {
         return *v * factor_[role];
     }
 
-    // False if it is not finite.
+    // Adds the row; false if it is not finite.
     bool add() {
         std::array<double, kRoles> v{};
         for (std::size_t r = 0; r < kRoles; ++r)
@@ -296,16 +296,17 @@ class Table {
         return true;
     }
 
-    // s1 is the greatest; a file that counts the other way would give the direction of the least.
+    // s1 is the greatest; with the opposite order the vector would be the direction of the least.
     void check_order(const Principal& s) const {
-        constexpr double kRounding = 1e-3; // share of the largest: more than four digits of text lose
+        // fraction of the largest: more than the rounding error of four digits of text
+        constexpr double kRounding = 1e-3;
         for (std::size_t k = 1; k < 3; ++k)
             if (std::isfinite(s[k]) && s[k] - s[0] > kRounding * std::max(std::abs(s[k]), std::abs(s[0])))
                 bad(name_, "line " + std::to_string(lines_.number()) + ": s" + std::to_string(k + 1) +
                                " is greater than s1, which should be the greatest; name columns by --columns");
     }
 
-    // Samples at one place, as of a node in several elements, become their mean.
+    // Averages samples at the same place, as of a node in several elements.
     void finish() {
         std::vector<std::uint32_t> order(out_.points.size());
         for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -350,12 +351,12 @@ class Table {
     bool given_, mixed_ = false;
     Columns columns_{};
     TextLines lines_;
-    std::string_view comment_; // the last one before numbers
+    std::string_view comment_; // the last comment before numbers
     Cells header_, cells_;
     char mark_ = ' ';
     std::size_t width_ = 0, header_line_ = 0, first_row_ = 0;
     Decimal decimal_ = Decimal::point;
-    std::array<std::string, kRoles> unit_texts_; // of a line of units
+    std::array<std::string, kRoles> unit_texts_; // from a line of units
     std::array<double, kRoles> factor_ = [] {
         std::array<double, kRoles> out{};
         out.fill(1);
@@ -368,7 +369,7 @@ class Table {
 } // namespace
 
 Samples read_csv(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes) {
-    return Table(bytes, name, options, notes).read();
+    return CsvReader(bytes, name, options, notes).read();
 }
 
 } // namespace filum::stressfield

@@ -10,7 +10,7 @@ namespace filum::stressfield {
 
 namespace {
 
-// What a role is called, the option's word first.  Entries of a tensor have further names, see component_of.
+// Names of roles, the option's word first. Entries of a tensor have further names, see component_of.
 const std::array<std::vector<std::string_view>, kRoles> kNames = {{
     {"x", "posx", "xpos", "coordx", "coorx", "xcoord", "xcoordinate", "xlocation", "points0", "pointsx", "nodex"},
     {"y", "posy", "ypos", "coordy", "coory", "ycoord", "ycoordinate", "ylocation", "points1", "pointsy", "nodey"},
@@ -29,7 +29,7 @@ const std::array<std::vector<std::string_view>, kRoles> kNames = {{
     {"szx"},
 }};
 
-// The option's word or another name of the role.
+// The role with this name.
 std::size_t role_of(std::string_view name) {
     name = without_unit(name);
     const std::string word = plain(name);

@@ -1,4 +1,4 @@
-// What the columns of a table of stresses mean; private to lib/stressfield.
+// The meaning of the columns of a table of stresses; private to lib/stressfield.
 #pragma once
 
 #include <array>
@@ -15,26 +15,28 @@ inline constexpr std::size_t kNoColumn = ~std::size_t{0};
 
 using Columns = std::array<std::size_t, kRoles>; // per role its column, or kNoColumn
 
-// By the names of a header, whatever their case, units and marks: "X [mm]", "S-S11", "Points:0".  `doubt` is "", or
-// says which two columns have one role that is used.
+// From the names of a header, independent of case, units and punctuation: "X [mm]", "S-S11", "Points:0". `doubt` is
+// set to "", or to a text that names two columns with the same role if that role is used.
 Columns columns_of_header(const std::vector<std::string_view>& names, std::string& doubt);
 
-// By the words of --columns, a role each, "-" for a column of no use.  Throws Error(usage) naming what is no role.
+// From the words of --columns, one role each; "-" for an unused column. Throws Error(usage) that names an unknown
+// role.
 Columns columns_of_option(const std::string& words);
 
-// Without either: position and vector if there are six, and its s1 if seven.  All kNoColumn for any other number.
+// Without a header and --columns: position and vector if there are six columns, also s1 if seven. All kNoColumn for
+// other counts.
 Columns columns_of_count(std::size_t count);
 
 bool has_position(const Columns& columns);
 bool has_tensor(const Columns& columns);
 
-// The roles that are read: those of the position, and the tensor or else vector and principal stresses.
+// Whether the role is read: the position, and the tensor or else vector and principal stresses.
 bool is_used(const Columns& columns, std::size_t role);
 
-// "" if they make up positions and either vectors or tensors; else what is missing.
+// "" if the columns are positions and either vectors or tensors; otherwise the missing ones.
 std::string missing(const Columns& columns);
 
-// Whether a column of this name tells load cases apart: "Step", "Frame", "Time", "Section Point".
+// Whether a column of this name distinguishes load cases: "Step", "Frame", "Time", "Section Point".
 bool tells_cases(std::string_view name);
 
 } // namespace filum::stressfield

@@ -28,7 +28,7 @@ std::string_view mantissa(std::string_view cell) {
     return cell.substr(0, cell.find_first_not_of("0123456789.,"));
 }
 
-// Whether `mark` splits the digits before the decimal mark into groups of three.
+// Whether `mark` divides the digits before the decimal mark into groups of three.
 bool grouped(std::string_view whole, char mark) {
     std::size_t at = whole.find(mark);
     if (at == 0 || at > 3 || at == whole.npos || whole.front() == '0') return false;
@@ -102,7 +102,7 @@ void DecimalEvidence::add(std::string_view cell) {
     }
     const char mark = commas > 0 ? ',' : '.';
     const bool may_group = grouped(digits, mark) && digits.size() == cell.substr(cell.find(digits)).size();
-    if (commas + points > 1) { // groups, or no number at all
+    if (commas + points > 1) { // groups, or not a number
         if (may_group) (mark == ',' ? point_ : comma_) = true;
         return;
     }

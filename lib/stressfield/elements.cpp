@@ -8,17 +8,17 @@ namespace {
 
 using Face = std::vector<std::uint8_t>; // corners, then the middles of its sides if it has any
 
-struct Form {
+struct ElementForm {
     std::size_t corners = 0, nodes = 0;
     bool solid = true;
     std::vector<Face> faces;
-    double corner = 0, edge = 0, upright = 0; // weights in the middle; `upright` of the last three edges of a wedge
+    double corner = 0, edge = 0, upright = 0; // weights of the middle; `upright`: of the last three edges of a wedge
 };
 
 using Edges = std::vector<std::array<std::uint8_t, 2>>;
 
-// Of a shape with nodes in the middle of edges, its faces get them.
-Form with_middles(Form form, const Edges& edges) {
+// Adds the midpoints of edges to a shape and its faces.
+ElementForm with_middles(ElementForm form, const Edges& edges) {
     form.nodes = form.corners + edges.size();
     for (Face& face : form.faces) {
         const std::size_t n = face.size();
@@ -32,21 +32,21 @@ Form with_middles(Form form, const Edges& edges) {
     return form;
 }
 
-// By Shape.  In the middle, the shape functions of the serendipity elements (Zienkiewicz & Taylor).
-const std::vector<Form>& forms() {
-    static const std::vector<Form> all = [] {
-        const Form tet{4, 4, true, {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, 0.25};
-        const Form hex{
+// By Shape. Weights of the middle are the shape functions of serendipity elements (Zienkiewicz & Taylor).
+const std::vector<ElementForm>& forms() {
+    static const std::vector<ElementForm> all = [] {
+        const ElementForm tet{4, 4, true, {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, 0.25};
+        const ElementForm hex{
             8, 8, true, {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}, 0.125};
-        const Form wedge{6, 6, true, {{0, 1, 2}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}, 1.0 / 6};
-        const Form pyramid{5, 5, true, {{0, 1, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}, 0.2};
-        const Form triangle{3, 3, false, {{0, 1, 2}}}, quad{4, 4, false, {{0, 1, 2, 3}}};
+        const ElementForm wedge{6, 6, true, {{0, 1, 2}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}, 1.0 / 6};
+        const ElementForm pyramid{5, 5, true, {{0, 1, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}, 0.2};
+        const ElementForm triangle{3, 3, false, {{0, 1, 2}}}, quad{4, 4, false, {{0, 1, 2, 3}}};
         const Edges of_tet = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
         const Edges of_hex = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
                               {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
         const Edges of_wedge = {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}};
-        Form tet10 = with_middles(tet, of_tet), hex20 = with_middles(hex, of_hex);
-        Form wedge15 = with_middles(wedge, of_wedge);
+        ElementForm tet10 = with_middles(tet, of_tet), hex20 = with_middles(hex, of_hex);
+        ElementForm wedge15 = with_middles(wedge, of_wedge);
         tet10.corner = -1.0 / 8;
         tet10.edge = 1.0 / 4;
         hex20.corner = -1.0 / 4;
@@ -54,24 +54,24 @@ const std::vector<Form>& forms() {
         wedge15.corner = -2.0 / 9;
         wedge15.edge = 2.0 / 9;
         wedge15.upright = 1.0 / 3;
-        return std::vector<Form>{tet,
-                                 tet10,
-                                 hex,
-                                 hex20,
-                                 wedge,
-                                 wedge15,
-                                 pyramid,
-                                 triangle,
-                                 with_middles(triangle, {{0, 1}, {1, 2}, {2, 0}}),
-                                 quad,
-                                 with_middles(quad, {{0, 1}, {1, 2}, {2, 3}, {3, 0}})};
+        return std::vector<ElementForm>{tet,
+                                        tet10,
+                                        hex,
+                                        hex20,
+                                        wedge,
+                                        wedge15,
+                                        pyramid,
+                                        triangle,
+                                        with_middles(triangle, {{0, 1}, {1, 2}, {2, 0}}),
+                                        quad,
+                                        with_middles(quad, {{0, 1}, {1, 2}, {2, 3}, {3, 0}})};
     }();
     return all;
 }
 
-const Form& form_of(Shape shape) { return forms()[static_cast<std::size_t>(shape)]; }
+const ElementForm& form_of(Shape shape) { return forms()[static_cast<std::size_t>(shape)]; }
 
-// Two triangles, cut from the corner of least index.
+// Two triangles, divided at the corner of least index.
 void add_quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::vector<Triangle>& out) {
     if (std::min(a, c) < std::min(b, d)) {
         out.push_back({a, b, c});
@@ -94,7 +94,7 @@ void add_face(std::span<const std::uint32_t> n, const Face& face, bool middles, 
     if (sides == 3 && !middles) out.push_back({corner(0), corner(1), corner(2)});
 }
 
-// A face of a solid element: its corners, sorted, the last one kept out of a three-sided one.
+// A face of a solid element: its corners, sorted; a three-sided one has a placeholder last.
 struct Side {
     std::array<std::uint32_t, 4> corners;
     std::uint32_t element;
@@ -114,7 +114,7 @@ std::array<std::uint32_t, 4> corners_of(std::span<const std::uint32_t> n, const 
 template <class Visit>
 void each_side(const Samples& samples, const Visit& visit) {
     for (std::uint32_t e = 0; e < samples.elements.size(); ++e) {
-        const Form& form = form_of(samples.elements[e].shape);
+        const ElementForm& form = form_of(samples.elements[e].shape);
         if (!form.solid) continue;
         const auto n = nodes_of(samples, samples.elements[e]);
         for (std::uint8_t f = 0; f < form.faces.size(); ++f)
@@ -122,7 +122,7 @@ void each_side(const Samples& samples, const Visit& visit) {
     }
 }
 
-// The faces, in groups by their first corner: of node i those in [start[i], start[i + 1]).
+// Groups the faces by their first corner: those of node i are in [start[i], start[i + 1]).
 void group(const Samples& samples, std::vector<Side>& sides, std::vector<std::uint32_t>& start) {
     start.assign(samples.points.size() + 1, 0);
     each_side(samples, [&](const Side& s) { ++start[s.corners[0] + 1]; });
@@ -140,7 +140,7 @@ Vec3 mean(const Samples& s, std::span<const std::uint32_t> nodes) {
 
 void add_outer(const Samples& s, const Side& side, Skin& out) {
     const Element& element = s.elements[side.element];
-    const Form& form = form_of(element.shape);
+    const ElementForm& form = form_of(element.shape);
     const auto n = nodes_of(s, element);
     const std::size_t first = out.triangles.size();
     add_face(n, form.faces[side.face], form.nodes > form.corners, out.triangles);
@@ -159,12 +159,12 @@ std::size_t node_count(Shape shape) { return form_of(shape).nodes; }
 bool is_solid(Shape shape) { return form_of(shape).solid; }
 
 void triangles_of(const Samples& samples, const Element& element, std::vector<Triangle>& out) {
-    const Form& form = form_of(element.shape);
+    const ElementForm& form = form_of(element.shape);
     for (const Face& face : form.faces) add_face(nodes_of(samples, element), face, form.nodes > form.corners, out);
 }
 
 void middle_weights(Shape shape, std::vector<double>& out) {
-    const Form& form = form_of(shape);
+    const ElementForm& form = form_of(shape);
     out.assign(form.nodes, form.edge);
     std::fill_n(out.begin(), form.corners, form.corner);
     if (form.upright != 0) std::fill(out.end() - 3, out.end(), form.upright);

@@ -1,4 +1,4 @@
-// One reader per file format; private to lib/stressfield.  All throw Error as stressfield::read says; positions are in
+// One reader per file format; private to lib/stressfield. All throw the errors of stressfield::read; positions are in
 // mm, stresses in MPa.
 #pragma once
 
@@ -18,7 +18,7 @@ Samples read_vtu(std::string_view bytes, const std::string& name, const ReadOpti
     throw Error(Exit::truncated, "cannot read " + name + ": " + why + "; copy or export it again");
 }
 
-// A note of this library; the stage's name is set by the command.
+// A note of this library; the command adds the name of the stage.
 inline Note note(NoteCode code, std::uint64_t count, std::string detail = {}) {
     return {.code = code, .count = count, .detail = std::move(detail)};
 }

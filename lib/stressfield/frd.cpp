@@ -1,5 +1,5 @@
-// The result file of CalculiX (CalculiX GraphiX manual, "Result Format"): records of fixed columns, their kind in the
-// first three or five.  Blocks of nodes (2C), elements (3C) and results (100C), each ended by -3; 9999 ends the file.
+// The result file of CalculiX (CalculiX GraphiX manual, "Result Format"): records with fixed columns, the kind in the
+// first three or five. Blocks of nodes (2C), elements (3C) and results (100C), each ended by -3; 9999 ends the file.
 #include "stressfield/formats.hpp"
 #include "stressfield/frd_text.hpp"
 
@@ -17,21 +17,21 @@ namespace {
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 const double kNan = std::nan("");
 
-// How an element of the file becomes one of ours.
-struct Kind {
+// The shape of an element type of the file.
+struct ElementKind {
     Shape shape;
-    std::vector<std::uint8_t> order; // which of its nodes comes next
+    std::vector<std::uint8_t> order; // indices of its nodes in the order of Shape
 };
 
-// By the file's number.  It lists the upright edges of bricks and wedges before the upper ones.
-const std::vector<Kind>& kinds() {
-    static const std::vector<Kind> all = [] {
+// By the file's number. The file lists the upright edges of bricks and wedges before the upper ones.
+const std::vector<ElementKind>& kinds() {
+    static const std::vector<ElementKind> all = [] {
         const auto plain = [](Shape shape, std::uint8_t count) {
-            Kind out{shape, {}};
+            ElementKind out{shape, {}};
             for (std::uint8_t k = 0; k < count; ++k) out.order.push_back(k);
             return out;
         };
-        return std::vector<Kind>{
+        return std::vector<ElementKind>{
             {},
             plain(Shape::hex8, 8),
             plain(Shape::wedge6, 6),
@@ -43,21 +43,21 @@ const std::vector<Kind>& kinds() {
             plain(Shape::triangle6, 6),
             plain(Shape::quad4, 4),
             plain(Shape::quad8, 8),
-            {Shape::tet4, {}}, // beams: of no use, nodes unread
+            {Shape::tet4, {}}, // beams: unused, nodes are not read
             {Shape::tet4, {}},
         };
     }();
     return all;
 }
 
-// Numbers of nodes to indices.
+// Maps numbers of nodes to indices.
 class Numbering {
   public:
     void add(long long number) {
         if (number < 0 || (!numbers_.empty() && number <= numbers_.back())) sorted_ = false;
         numbers_.push_back(number);
     }
-    // False if a number comes twice.
+    // Sorts the numbers; false if one occurs twice.
     bool close() {
         order_.resize(numbers_.size());
         for (std::uint32_t i = 0; i < order_.size(); ++i) order_[i] = i;
@@ -90,11 +90,11 @@ class Numbering {
     bool sorted_ = true;
 };
 
-// A result of stresses.  Its name is STEP-INCREMENT, of a mode STEP-modeNUMBER.
-struct Result {
+// A result with stresses. Its name is STEP-INCREMENT, or STEP-modeNUMBER for a mode.
+struct StressResult {
     long long step = -1, increment = -1, mode = -1;
     double value = kNan;            // time, or frequency of a mode
-    std::unique_ptr<Case> stresses; // none: read over
+    std::unique_ptr<Case> stresses; // null: skipped
 
     [[nodiscard]] std::string name() const {
         const std::string of = std::to_string(step);
@@ -106,9 +106,9 @@ struct Result {
     }
 };
 
-class Frd {
+class FrdReader {
   public:
-    Frd(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes)
+    FrdReader(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes)
         : lines_(bytes), name_(name), notes_(notes), step_(options.step) {}
 
     Samples read() {
@@ -138,13 +138,13 @@ class Frd {
     }
 
   private:
-    // Empty lines, headers and blocks of other kinds.
+    // Whether the line is empty, a header, or of a block of another kind.
     bool known_to_be_of_no_use(std::string_view key) {
         long long number = 0;
         return line_.empty() || (key.size() == 5 && whole(key, number)) || line_.starts_with(" -");
     }
 
-    // In the short form, numbers of nodes have five columns, else ten; in the binary ones none.
+    // In the short form, numbers of nodes have five columns, otherwise ten; binary files are rejected.
     void use_format(std::string_view field) {
         long long format = 1;
         if (!field.empty() && !whole(field, format)) fail("its format is no number");
@@ -154,7 +154,7 @@ class Frd {
         id_ = format == 0 ? 5 : 10;
     }
 
-    // The next line of the block, false at its end.
+    // Reads the next line of the block; false at its end.
     bool in_block(const char* what) {
         if (!lines_.next(line_)) cut(name_, std::string("it ends inside the ") + what);
         return !line_.starts_with(" -3");
@@ -176,7 +176,7 @@ class Frd {
         if (!out_.points.empty()) fail("it begins a second block of nodes");
         const std::string_view header = line_;
         use_format(columns(header, 73, 2));
-        out_.points.reserve(lines_.left() / 150); // of the whole file, results and all
+        out_.points.reserve(lines_.left() / 150); // estimated from the size of the file including results
         while (in_block("nodes")) {
             numbering_.add(id());
             double p[3];
@@ -199,7 +199,7 @@ class Frd {
             if (!whole(columns(line_, 3 + id_, 5), type)) fail("an element has no type");
             if (type < 1 || static_cast<std::size_t>(type) >= kinds().size())
                 fail("an element is of the unknown type " + std::to_string(type));
-            const Kind& kind = kinds()[static_cast<std::size_t>(type)];
+            const ElementKind& kind = kinds()[static_cast<std::size_t>(type)];
             found_.clear();
             while ((more = in_block("elements")) && line_.starts_with(" -2"))
                 for (std::size_t at = 3; at < line_.size(); at += id_) add_node(columns(line_, at, id_));
@@ -215,7 +215,7 @@ class Frd {
         if (found_.back() == kNone) fail("an element has the node " + std::to_string(number) + ", which is not there");
     }
 
-    void add_element(const Kind& kind) {
+    void add_element(const ElementKind& kind) {
         if (found_.size() != kind.order.size())
             fail("the element before has " + std::to_string(found_.size()) + " nodes, not " +
                  std::to_string(kind.order.size()));
@@ -223,23 +223,23 @@ class Frd {
         for (const auto k : kind.order) out_.nodes.push_back(found_[k]);
     }
 
-    // "1PSTEP", a running number, the increment, the step.
+    // Reads "1PSTEP", a running number, the increment, the step.
     void note_step() {
         long long n = 0;
         if (whole(columns(line_, 48, 12), n)) next_.step = n;
         if (whole(columns(line_, 36, 12), n)) next_.increment = n;
     }
 
-    // "1PMODE", the number of a mode.
+    // Reads "1PMODE", the number of a mode.
     void note_mode() {
         long long n = 0;
         if (whole(columns(line_, 24, 12), n)) next_.mode = n;
     }
 
-    // Its header: a time, or the frequency of a mode.
+    // Reads a result; its header has a time, or the frequency of a mode.
     void read_result() {
         use_format(columns(line_, 73, 2));
-        Result own = std::exchange(next_, {});
+        StressResult own = std::exchange(next_, {});
         if (own.step < 0) whole(columns(line_, 58, 5), own.step);
         own.step = std::max(0LL, own.step);
         double value = 0;
@@ -258,13 +258,13 @@ class Frd {
         if (what == "STRESS") add(std::move(own));
     }
 
-    [[nodiscard]] bool may_be_wanted(const Result& r) const {
+    [[nodiscard]] bool may_be_wanted(const StressResult& r) const {
         return step_ == "all" || step_ == r.name() || step_ == std::to_string(r.step);
     }
 
-    // Of the increments of a step only the last one is kept, unless one is asked for.
-    void add(Result r) {
-        for (Result& other : results_) {
+    // Of the increments of a step only the last one is kept, unless --step names one.
+    void add(StressResult r) {
+        for (StressResult& other : results_) {
             const bool replaced = other.name() == r.name() || (other.step == r.step && other.mode < 0 && r.mode < 0 &&
                                                                other.name() != step_ && r.name() != step_);
             if (replaced) other.stresses.reset();
@@ -272,12 +272,13 @@ class Frd {
         results_.push_back(std::move(r));
     }
 
-    // Makes cases of the results that --step asks for: a step's last increment and each of its modes, or one result.
+    // Makes load cases of the results that --step selects: the last increment of a step and each of its modes, or one
+    // result.
     void take_wanted() {
         if (results_.empty()) bad(name_, "it holds no STRESS; ask for S on *EL FILE");
         std::vector<std::string> unused;
         std::vector<long long> modes;
-        for (Result& r : results_) {
+        for (StressResult& r : results_) {
             const bool by_step = step_ == std::to_string(r.step);
             if (!may_be_wanted(r)) continue;
             if (!r.stresses) {
@@ -295,7 +296,7 @@ class Frd {
     }
 
     static std::string joined(const std::vector<std::string>& names) {
-        constexpr std::size_t kShown = 12; // of more, how many there are says enough
+        constexpr std::size_t kShown = 12; // of longer lists only the count is shown
         std::string out;
         for (std::size_t k = 0; k < names.size() && k < kShown; ++k) out += (k == 0 ? "" : ", ") + names[k];
         return names.size() > kShown ? out + " ... " + names.back() : out;
@@ -303,8 +304,8 @@ class Frd {
 
     [[nodiscard]] std::string list() const {
         std::vector<std::string> names;
-        for (const Result& r : results_) {
-            const bool alone = r.mode < 0 && std::ranges::count(results_, r.step, &Result::step) == 1;
+        for (const StressResult& r : results_) {
+            const bool alone = r.mode < 0 && std::ranges::count(results_, r.step, &StressResult::step) == 1;
             names.push_back(alone ? std::to_string(r.step) : r.text());
         }
         return joined(names);
@@ -345,10 +346,10 @@ class Frd {
     std::string step_;
     std::string_view line_;
     Numbering numbering_;
-    std::size_t id_ = 10;              // columns of a node's number
-    Result next_;                      // what records before it say of the next result
-    std::vector<std::uint32_t> found_; // nodes of an element
-    std::vector<Result> results_;      // of stresses, in the order of the file
+    std::size_t id_ = 10;               // columns of node numbers
+    StressResult next_;                 // properties of the next result from the records before it
+    std::vector<std::uint32_t> found_;  // nodes of the current element
+    std::vector<StressResult> results_; // with stresses, in the order of the file
     std::size_t lost_ = 0;
     Samples out_;
 };
@@ -356,7 +357,7 @@ class Frd {
 } // namespace
 
 Samples read_frd(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes) {
-    return Frd(bytes, name, options, notes).read();
+    return FrdReader(bytes, name, options, notes).read();
 }
 
 } // namespace filum::stressfield

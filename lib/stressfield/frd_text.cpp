@@ -22,7 +22,7 @@ std::string_view without_blanks(std::string_view t) {
     return t;
 }
 
-// The usual form " d.dddddE+dd", where the result of one product or quotient of exact numbers is the nearest one.
+// The usual form " d.dddddE+dd", for which one product or quotient of exact numbers gives the nearest value.
 bool usual(const char* f, double& value) {
     static constexpr std::array<double, 23> kPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                        1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
@@ -42,7 +42,7 @@ bool usual(const char* f, double& value) {
     return true;
 }
 
-// Takes a number of the form described off the front of `text`.
+// Removes a number of the described form from the front of `text`.
 bool take(std::string_view& text, double& value) {
     while (text.starts_with(' ')) text.remove_prefix(1);
     std::size_t at = text.starts_with('-') ? 1 : 0;
@@ -51,7 +51,7 @@ bool take(std::string_view& text, double& value) {
     at = exponent + (text[exponent] == 'E' ? 1 : 0);
     if (text[at] == '+' || text[at] == '-') ++at;
     while (at < text.size() && digit(text[at])) ++at;
-    if (at < text.size() && text[at] == '.') --at; // the digit begins the next number
+    if (at < text.size() && text[at] == '.') --at; // the digit belongs to the next number
     const std::string_view own = text.substr(0, at);
     text.remove_prefix(at);
     return number(own, value);
@@ -76,7 +76,7 @@ bool number(std::string_view field, double& value) {
     }
     const auto [stop, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     if (error == std::errc::result_out_of_range)
-        value = field.find("E-") != std::string_view::npos ? 0 : std::nan(""); // it would round to 0, or to no number
+        value = field.find("E-") != std::string_view::npos ? 0 : std::nan(""); // underflow gives 0, overflow nan
     else if (error != std::errc())
         return false;
     return stop == field.data() + field.size();

@@ -1,4 +1,4 @@
-// Lines of fixed columns, as FORTRAN writes them; private to lib/stressfield.
+// Lines with fixed columns, as FORTRAN writes them; private to lib/stressfield.
 #pragma once
 
 #include <cstddef>
@@ -6,27 +6,28 @@
 
 namespace filum::stressfield {
 
-// The columns [from, from + width) of a line, as far as it reaches.
+// The columns [from, from + width) of a line, or fewer at its end.
 inline std::string_view columns(std::string_view line, std::size_t from, std::size_t width) {
     return from < line.size() ? line.substr(from, width) : std::string_view{};
 }
 
-// The whole number in `field`, between blanks; false if it is none.
+// The whole number in `field`, between blanks; false if there is none.
 bool whole(std::string_view field, long long& value);
 
-// The number in `field`, between blanks: also without an E before an exponent of three digits, and "nan" and "inf".
+// The number in `field`, between blanks; the E before an exponent of three digits may be missing; "nan" and "inf" are
+// accepted.
 bool number(std::string_view field, double& value);
 
-// `count` numbers of twelve columns each from column `from` on, without anything between.  A negative number with three
-// digits of exponent needs thirteen columns and moves what follows; then they are told apart by their form: one digit,
-// a point, five digits, an exponent.  False if they are not there.
+// `count` numbers of twelve columns each from column `from`, without separators. A negative number with three digits
+// of exponent needs thirteen columns and shifts the rest; then numbers are separated by their form: one digit, a
+// point, five digits, an exponent. False if they are missing.
 bool numbers(std::string_view line, std::size_t from, std::size_t count, double* values);
 
-// A cursor over lines; a line ends at "\n" or "\r\n".
+// A cursor over lines, which end with "\n" or "\r\n".
 class Lines {
   public:
     explicit Lines(std::string_view text) : text_(text) {}
-    // The next line without its end and blanks before that; false if there is none.
+    // The next line without line end and blanks before it; false if there is none.
     bool next(std::string_view& line) {
         if (at_ == text_.size()) return false;
         std::size_t end = text_.find('\n', at_);
@@ -38,7 +39,7 @@ class Lines {
         line = text_.substr(last_, end - last_);
         return true;
     }
-    // To before the next line that begins with `word`; false, and to the end, if there is none.
+    // Moves before the next line that begins with `word`; if there is none, to the end, and returns false.
     bool seek(std::string_view word);
     [[nodiscard]] bool ended() const { return ended_; } // the last line had an end
     [[nodiscard]] std::size_t left() const { return text_.size() - at_; }

@@ -6,7 +6,7 @@ namespace filum::stressfield {
 
 namespace {
 
-constexpr double kEdge = 1e-9; // share of a tetrahedron by which a point may lie outside
+constexpr double kEdge = 1e-9; // fraction of a tetrahedron: tolerance of being inside
 
 using Weights = std::vector<std::pair<std::uint32_t, double>>; // of samples
 
@@ -20,11 +20,11 @@ void add_weight(Weights& out, std::uint32_t sample, double weight) {
 }
 
 // Solid elements near a surface.
-class Solids {
+class SolidElements {
   public:
-    Solids(const Samples& samples, const Surface& s) : samples_(samples), tree_(choose(s)) {}
+    SolidElements(const Samples& samples, const Surface& s) : samples_(samples), tree_(choose(s)) {}
 
-    // What the value at `p` is made of; nothing if no element holds it.  The first of several counts.
+    // The weights of nodes at `p`; nothing if no element contains it. Ties: the first element.
     Weights at(const Vec3& p) const {
         std::uint32_t best = ~std::uint32_t{0};
         Weights out;
@@ -83,15 +83,15 @@ class Solids {
     geom::Bvh tree_;
 };
 
-class Outside {
+class OuterFaces {
   public:
-    Outside(const Samples& samples, const Surface& s, const std::vector<Vec3>& normals, int threads)
+    OuterFaces(const Samples& samples, const Surface& s, const std::vector<Vec3>& normals, int threads)
         : samples_(samples), skin_(skin(samples)), tree_(samples.points, skin_.triangles) {
-        // A surface may be turned inside out; most of its vertices know.
+        // The surface may be inside out: its majority of vertices decides.
         std::vector<double> with(s.vertices.size(), 0);
         parallel::for_chunks(with.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
             for (std::size_t v = begin; v < end; ++v) {
-                const Hit hit = tree_.nearest(s.vertices[v], kInfinity, [](std::uint32_t) { return true; });
+                const TriangleHit hit = tree_.nearest(s.vertices[v], kInfinity, [](std::uint32_t) { return true; });
                 if (hit.triangle == surface::kNone || skin_.shell[hit.triangle]) continue;
                 const Vec3 n = normal(hit.triangle);
                 if (norm(n) > 0) with[v] = dot(n, normals[v]) / norm(n);
@@ -102,12 +102,12 @@ class Outside {
         facing_ = sum < 0 ? -1 : 1;
     }
 
-    [[nodiscard]] Hit nearest(const Vec3& p, const Vec3& n) const {
+    [[nodiscard]] TriangleHit nearest(const Vec3& p, const Vec3& n) const {
         return tree_.nearest(p, kInfinity,
                              [&](std::uint32_t t) { return skin_.shell[t] || facing_ * dot(normal(t), n) > 0; });
     }
-    [[nodiscard]] const Triangle& triangle(const Hit& hit) const { return skin_.triangles[hit.triangle]; }
-    [[nodiscard]] double mean_side(const Hit& hit) const {
+    [[nodiscard]] const Triangle& triangle(const TriangleHit& hit) const { return skin_.triangles[hit.triangle]; }
+    [[nodiscard]] double mean_side(const TriangleHit& hit) const {
         const auto& [a, b, c] = triangle(hit);
         const auto& p = samples_.points;
         return (distance(p[a], p[b]) + distance(p[b], p[c]) + distance(p[c], p[a])) / 3;
@@ -130,8 +130,8 @@ class Outside {
 
 Stencils in_mesh(const Surface& s, const Samples& samples, double reach, int threads) {
     const auto normal = normals(s);
-    const Solids solids(samples, s);
-    const Outside outside(samples, s, normal, threads);
+    const SolidElements solids(samples, s);
+    const OuterFaces outside(samples, s, normal, threads);
     const std::size_t n = s.vertices.size();
     std::vector<Weights> found(n);
     Stencils out;
@@ -143,7 +143,7 @@ Stencils in_mesh(const Surface& s, const Samples& samples, double reach, int thr
                 out.gap[v] = 0;
                 continue;
             }
-            const Hit hit = outside.nearest(s.vertices[v], normal[v]);
+            const TriangleHit hit = outside.nearest(s.vertices[v], normal[v]);
             out.gap[v] = hit.distance;
             if (hit.triangle == surface::kNone || hit.distance > (reach > 0 ? reach : outside.mean_side(hit) / 2))
                 continue;

@@ -18,12 +18,12 @@ Vec3 times(const Tensor& t, const Vec3& d) {
 
 } // namespace
 
-Axes principal_axes(const Tensor& t) {
+PrincipalAxes principal_axes(const Tensor& t) {
     Eigen::Matrix3d m;
     m << t[0], t[3], t[5], t[3], t[1], t[4], t[5], t[4], t[2];
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(m);
     const auto& w = solver.eigenvalues(); // ascending
-    Axes out{{w[2], w[1], w[0]}, {}};
+    PrincipalAxes out{{w[2], w[1], w[0]}, {}};
     const Eigen::Vector3d d = solver.eigenvectors().col(2);
     if (w[2] - w[1] > kEqual * std::max(std::abs(w[2]), std::abs(w[0]))) out.first = Vec3{d[0], d[1], d[2]};
     return out;

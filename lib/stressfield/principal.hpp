@@ -7,20 +7,21 @@
 
 namespace filum::stressfield {
 
-struct Axes {
-    Principal values{};        // greatest first
-    std::optional<Vec3> first; // unit, of the greatest; none where that is no direction: the next is equal to 1e-6 of
-                               // the largest in size
+struct PrincipalAxes {
+    Principal values{}; // greatest first
+    // unit, of the greatest; none if it is not unique: the next value equals it within 1e-6 of the one of the largest
+    // magnitude
+    std::optional<Vec3> first;
 };
 
 // Eigenvalues and the first eigenvector.
-Axes principal_axes(const Tensor& t);
+PrincipalAxes principal_axes(const Tensor& t);
 
-// The direction in the plane across the unit vector `n` along which normal stress is greatest, if one is.
+// The direction in the plane perpendicular to the unit vector `n` with the greatest normal stress, if it is unique.
 std::optional<Vec3> in_plane_axis(const Tensor& t, const Vec3& n);
 
-// Of a direction and its opposite, the one whose component of largest size is positive; of components equal in size to
-// 1e-9, the first counts.
+// Of a direction and its opposite, the one with a positive component of largest magnitude; ties within 1e-9: the first
+// component counts.
 Vec3 signed_direction(const Vec3& d);
 
 } // namespace filum::stressfield

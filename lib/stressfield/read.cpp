@@ -12,10 +12,10 @@ namespace filum::stressfield {
 
 namespace {
 
-constexpr std::size_t kMaxFile = std::size_t{1} << 33; // unpacked: a small file can hold terabytes
-constexpr std::size_t kPiece = std::size_t{1} << 30;   // at once
+constexpr std::size_t kMaxFile = std::size_t{1} << 33; // unpacked size: a small file can contain terabytes
+constexpr std::size_t kPiece = std::size_t{1} << 30;   // bytes per call
 
-// A file as gzip packs it; may be several, one behind the other.
+// Unpacks gzip; several members may follow each other.
 std::string gunzip(std::string_view bytes, const std::string& name) {
     std::string out;
     z_stream z{};
@@ -43,7 +43,7 @@ std::string gunzip(std::string_view bytes, const std::string& name) {
     return out;
 }
 
-// The units of a format that has none.
+// Applies the units of options to a format without units.
 void scale(Samples& samples, const ReadOptions& options) {
     const double length = options.unit == "auto" ? 1 : *factor_of(Dimension::length, options.unit);
     const double stress = options.stress_unit == "auto" ? 1 : *factor_of(Dimension::stress, options.stress_unit);

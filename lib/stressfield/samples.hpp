@@ -1,4 +1,4 @@
-// Stresses as a finite-element program gives them: at points, which may be the nodes of elements.
+// Stresses of a finite-element program: at points, which may be the nodes of elements.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -15,7 +15,7 @@ using geom::Vec3;
 using Tensor = std::array<double, 6>;    // xx yy zz xy yz zx, MPa
 using Principal = std::array<double, 3>; // s1 >= s2 >= s3, MPa; infinite where unknown
 
-// Nodes in the order of Abaqus and VTK: corners, then the middles of edges.
+// Nodes in the order of Abaqus and VTK: corners, then midpoints of edges.
 enum class Shape : std::uint8_t {
     tet4,
     tet10,
@@ -32,16 +32,16 @@ enum class Shape : std::uint8_t {
 
 struct Element {
     Shape shape = Shape::tet4;
-    std::uint32_t first = 0; // its nodes in Samples::nodes begin here
+    std::uint32_t first = 0; // index in Samples::nodes of its first node
 };
 
-// Tensors, or else directions and principal stresses.
+// A load case: either tensors, or directions and principal stresses.
 struct Case {
     std::string name;
-    std::vector<Tensor> tensors;       // per point; nan where there is none
-    std::vector<Vec3> directions;      // per point: of the greatest principal stress, of any length; 0: to all sides
+    std::vector<Tensor> tensors;       // per point; nan if unknown
+    std::vector<Vec3> directions;      // per point: of the greatest principal stress, of any length; 0: isotropic
     std::vector<Principal> principals; // per point
-    std::string origin = {};           // what of the file it is, in which order and unit
+    std::string origin = {};           // arrays or results of the file, order and unit
 };
 
 struct Samples {
@@ -51,9 +51,9 @@ struct Samples {
     std::vector<Case> cases;
 };
 
-// A tensor whose greatest principal stress is principal[0] along `direction` (any length; 0: to all sides); across it,
-// the same stress all round: the mean of the other two if they are known, else as much below the greatest as that is
-// from 0.  So averages of such tensors do not depend on the signs of the directions, and strong ones count most.
+// A tensor with the greatest principal stress principal[0] along `direction` (of any length; 0: isotropic), and equal
+// stresses in all directions perpendicular to it: the mean of the other two if they are known, otherwise s1 - |s1|.
+// Averages of such tensors do not depend on the signs of the directions, and large stresses have the greatest weight.
 Tensor about(const Vec3& direction, const Principal& principal);
 
 } // namespace filum::stressfield

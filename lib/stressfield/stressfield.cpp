@@ -12,10 +12,10 @@ namespace {
 
 const double kOut = std::sqrt(0.5); // sine of 45 degrees
 
-// What is known at a vertex.
-struct Place {
+// The stress at a vertex.
+struct VertexStress {
     bool known = false;
-    Axes axes;
+    PrincipalAxes axes;
     std::optional<Vec3> tangent;
 };
 
@@ -29,8 +29,8 @@ std::vector<double> areas(const Surface& s) {
     return out;
 }
 
-Place place(const Stencils& stencils, std::size_t v, const Case& c, const Vec3& normal, bool tangent) {
-    Place out;
+VertexStress place(const Stencils& stencils, std::size_t v, const Case& c, const Vec3& normal, bool tangent) {
+    VertexStress out;
     const std::uint32_t begin = stencils.start[v], end = stencils.start[v + 1];
     if (begin == end) return out;
     Tensor t{};
@@ -61,7 +61,7 @@ struct Fields {
     surface::Field s[3], d;
 };
 
-Fields fields_of(const std::string& name, const std::vector<Place>& places, double least, bool tangent) {
+Fields fields_of(const std::string& name, const std::vector<VertexStress>& places, double least, bool tangent) {
     const std::size_t n = places.size();
     Fields out;
     for (int j = 0; j < 3; ++j) {
@@ -81,7 +81,7 @@ Fields fields_of(const std::string& name, const std::vector<Place>& places, doub
     return out;
 }
 
-// Counts vertices and their area; where the worst is.
+// Number and area of vertices; the place of the worst.
 struct Tally {
     std::uint64_t count = 0;
     double area = 0, worst = -1;
@@ -99,8 +99,8 @@ struct Tally {
     }
 };
 
-// Where the greatest principal stress, if its direction is of use, is nearer to the normal than to the surface.
-Tally leaning(const Surface& s, const std::vector<double>& area, const std::vector<Place>& places,
+// Vertices where the greatest principal stress has a direction that is nearer to the normal than to the surface.
+Tally leaning(const Surface& s, const std::vector<double>& area, const std::vector<VertexStress>& places,
               const surface::Field& directions, const std::vector<Vec3>& normal) {
     Tally out;
     for (std::size_t v = 0; v < places.size(); ++v) {
@@ -114,7 +114,7 @@ Tally leaning(const Surface& s, const std::vector<double>& area, const std::vect
 void add_case(surface::Sheet& sheet, const Case& c, const Stencils& stencils, const std::vector<Vec3>& normal,
               const Options& options, int threads, Notes& notes, Facts& facts) {
     const Surface& s = sheet.surface;
-    std::vector<Place> places(s.vertices.size());
+    std::vector<VertexStress> places(s.vertices.size());
     parallel::for_chunks(places.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) places[v] = place(stencils, v, c, normal[v], options.tangent);
     });

@@ -45,7 +45,7 @@ std::array<double, 3> nearest_weights(const Vec3& a, const Vec3& b, const Vec3& 
 TriangleTree::TriangleTree(std::span<const Vec3> points, std::span<const Triangle> triangles)
     : points_(points), triangles_(triangles), tree_(boxes_of(points, triangles)) {}
 
-void TriangleTree::improve(Hit& hit, std::uint32_t triangle, const Vec3& p) const {
+void TriangleTree::improve(TriangleHit& hit, std::uint32_t triangle, const Vec3& p) const {
     const auto& [i, j, k] = triangles_[triangle];
     const Vec3 a = points_[i], b = points_[j], c = points_[k];
     const auto w = nearest_weights(a, b, c, p);

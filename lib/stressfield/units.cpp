@@ -51,11 +51,11 @@ constexpr Unit kStresses[] = {{"pa", 1e-6},
                               {"kgf/cm2", kStandardGravity / 100},
                               {"dyn/cm2", 1e-7}};
 
-// Lower case without blanks, '^', '*'; raised digits as plain ones, "N m^-2" as "n/m2".
+// Lower case without blanks, '^', '*'; superscript digits become plain ones: "N m^-2" becomes "n/m2".
 std::string canonical(std::string_view unit) {
     std::string out;
     for (std::size_t i = 0; i < unit.size(); ++i) {
-        if (unit.substr(i).starts_with("\xc2\xb2")) { // raised 2
+        if (unit.substr(i).starts_with("\xc2\xb2")) { // superscript 2
             out += '2';
             ++i;
         } else if (unit.substr(i).starts_with("^-2") || unit.substr(i).starts_with("**-2")) {
@@ -76,7 +76,7 @@ std::string_view trimmed(std::string_view text) {
     return from == text.npos ? std::string_view() : text.substr(from, text.find_last_not_of(" \t") + 1 - from);
 }
 
-// What stands in the last brackets, with those inside of them.
+// The text in the last brackets, including nested ones.
 std::string_view last_brackets(std::string_view name) {
     const std::size_t close = name.find_last_of("])}"), open = name.find_last_of("[({");
     if (close == name.npos) return open == name.npos ? std::string_view() : name.substr(open + 1);
@@ -117,7 +117,7 @@ std::string_view without_unit(std::string_view name) {
 
 std::string unit_in(Dimension dimension, std::string_view name) {
     if (const std::string_view rest = without_unit(name); rest.size() < name.size())
-        return std::string(name.substr(rest.size() + 1)); // of either dimension: a wrong one is refused
+        return std::string(name.substr(rest.size() + 1)); // of either dimension: a wrong one is rejected
     const std::string_view inside = trimmed(last_brackets(name));
     if (factor_of(dimension, inside)) return std::string(inside);
     if (inside.find_first_not_of("0123456789xyzXYZ, ") == inside.npos) return ""; // indices: "Points[0]", "S(XX)"

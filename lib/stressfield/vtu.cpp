@@ -13,7 +13,7 @@ namespace filum::stressfield {
 
 namespace {
 
-// The shape of VTK's cell type; nodes come in our order, but for those of two kinds.
+// The shape of VTK's cell type. The order of nodes is that of Shape, except for two types.
 std::optional<Shape> shape_of(int type) {
     switch (type) {
     case 5:
@@ -47,9 +47,9 @@ std::optional<Shape> shape_of(int type) {
 
 bool is_of_no_use(int type) { return type <= 4 || type == 21; } // points and lines
 
-class Vtu {
+class VtuReader {
   public:
-    Vtu(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes)
+    VtuReader(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes)
         : name_(name), options_(options), notes_(notes) {
         parse(bytes);
     }
@@ -64,7 +64,7 @@ class Vtu {
     }
 
   private:
-    // Appended data comes last and may be no XML.
+    // Appended data comes last and need not be XML.
     void parse(std::string_view bytes) {
         std::string_view text = bytes;
         const std::size_t appended = bytes.find("<AppendedData");
@@ -96,7 +96,7 @@ class Vtu {
         encoding_.wide = std::strcmp(root_.attribute("header_type").value(), "UInt64") == 0;
     }
 
-    // The values of an array of `count` numbers; of any number of them if that is not known.
+    // The values of an array of `count` numbers; of any number if that is unknown.
     std::vector<double> array(const pugi::xml_node& node, const std::string& what, std::optional<std::size_t> count) {
         if (!node) bad(name_, "it has no " + what);
         const Array a{node.attribute("Name").as_string(what.c_str()), node.attribute("type").value(),
@@ -161,7 +161,7 @@ class Vtu {
                 bad(name_, "a cell has a node that is no point");
             out_.nodes.push_back(first + static_cast<std::uint32_t>(n));
         }
-        // Pixels and voxels go row by row, not round.
+        // Nodes of pixels and voxels are in rows, not around the face.
         if (type == 8 || type == 11) std::swap(out_.nodes[begin + 2], out_.nodes[begin + 3]);
         if (type == 11) std::swap(out_.nodes[begin + 6], out_.nodes[begin + 7]);
     }
@@ -190,7 +190,7 @@ class Vtu {
         for (std::size_t k = 0; k < sources_.size(); ++k) add_values(piece, k, count);
     }
 
-    // All numbers of a load case, those of a point side by side.
+    // All numbers of a load case, point by point.
     std::vector<double> numbers_of(const pugi::xml_node& piece, const CaseSource& source, std::size_t count) {
         const auto point_data = piece.child("PointData");
         const auto all = [&](const std::string& name) {
@@ -234,7 +234,7 @@ class Vtu {
         }
     }
 
-    // Of nine numbers, xy must be yx: else they are in another order, or no Cauchy stress.
+    // Of nine numbers, xy must equal yx: otherwise their order is different, or they are not a Cauchy stress.
     void check_symmetry(const CaseSource& source, const std::vector<double>& v) const {
         if (source.both_halves) return;
         const std::size_t n = source.order.size();
@@ -284,13 +284,14 @@ class Vtu {
         bad(name_, "it has no array of 6 or 9 numbers per point that holds stresses; name one of vectors by --columns");
     }
 
-    static constexpr std::size_t kMostComponents = 64; // per point: of arrays of more, no names are read
-    static constexpr double kAsymmetry = 1e-3; // share of the largest component: more than four digits of text lose
+    static constexpr std::size_t kMostComponents = 64; // per point: names of larger arrays are not read
+    // fraction of the largest component: more than the rounding error of four digits of text
+    static constexpr double kAsymmetry = 1e-3;
 
     const std::string& name_;
     const ReadOptions& options_;
     Notes& notes_;
-    std::string writer_; // a program that keeps any order of components; "": none is known
+    std::string writer_; // a program that keeps any order of components; "": unknown
     std::vector<ArrayHead> heads_;
     std::vector<CaseSource> sources_;
     pugi::xml_document xml_;
@@ -303,7 +304,7 @@ class Vtu {
 } // namespace
 
 Samples read_vtu(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes) {
-    return Vtu(bytes, name, options, notes).read();
+    return VtuReader(bytes, name, options, notes).read();
 }
 
 } // namespace filum::stressfield

@@ -1,6 +1,6 @@
-// Data in binary: a count of bytes, then the bytes; packed: how many blocks, the size of a block and of the last one if
-// that is shorter (else 0), the packed size of each, then the blocks.  As base64, the counts may be encoded by
-// themselves, padded, or together with the data ("VTK XML Formats", wiki of Kitware).
+// Binary data: the number of bytes, then the bytes. Compressed: the number of blocks, the size of a block and of the
+// last one if that is shorter (otherwise 0), the compressed size of each, then the blocks. In base64 the counts may be
+// encoded separately, padded, or together with the data ("VTK XML Formats", wiki of Kitware).
 #include "stressfield/vtu_array.hpp"
 
 #include "stressfield/formats.hpp"
@@ -14,7 +14,7 @@ namespace filum::stressfield {
 
 namespace {
 
-constexpr std::uint64_t kMostPacked = 1100; // zlib makes nothing smaller than this share
+constexpr std::uint64_t kMostPacked = 1100; // the greatest compression ratio of zlib
 
 class Reader {
   public:
@@ -57,7 +57,7 @@ class Reader {
     }
 
     std::string take(std::uint64_t n) {
-        if (n > text_.size() - at_ + decoded_.size()) too_short(); // base64 is larger still
+        if (n > text_.size() - at_ + decoded_.size()) too_short(); // base64 is larger
         if (raw_) {
             at_ += n;
             return std::string(text_.substr(at_ - n, n));
@@ -67,7 +67,7 @@ class Reader {
         return decoded_.substr(used_ - n, n);
     }
 
-    // Until n bytes are ready.
+    // Decodes until n bytes are ready.
     void decode(std::uint64_t n) {
         if (used_ == decoded_.size()) {
             decoded_.clear();

@@ -1,4 +1,4 @@
-// The arrays of a VTK XML file in all their encodings; private to lib/stressfield.
+// Arrays of a VTK XML file in all encodings; private to lib/stressfield.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 namespace filum::stressfield {
 
-// What the file says of all its arrays.
+// Properties common to all arrays of a file.
 struct Encoding {
     bool big_endian = false;
-    bool wide = false;         // counts in front of data have 64 bits
-    bool packed = false;       // by zlib, in blocks
+    bool wide = false;         // counts before data have 64 bits
+    bool packed = false;       // compressed by zlib, in blocks
     bool raw = false;          // appended data is not base64
-    std::string_view appended; // data behind the mark '_'
+    std::string_view appended; // data after the mark '_'
 };
 
 struct Array {
@@ -22,10 +22,11 @@ struct Array {
     std::string type;      // "Float32"
     std::string format;    // "ascii", "binary" or "appended"
     std::string_view text; // between its tags
-    std::string offset;    // where it begins in the appended data
+    std::string offset;    // its position in the appended data
 };
 
-// Its numbers; `file` is for messages.  Throws Error: truncated if data ends too early, bad_input if it is malformed.
+// The numbers of an array; `file` is for messages. Throws Error: truncated if data ends too early, bad_input if it is
+// malformed.
 std::vector<double> values(const Array& array, const Encoding& encoding, const std::string& file);
 
 } // namespace filum::stressfield

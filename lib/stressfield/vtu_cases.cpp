@@ -10,7 +10,7 @@ namespace filum::stressfield {
 
 namespace {
 
-// The name without its unit, in letters that a case may have.
+// The name without its unit, in the characters that names of cases may have.
 std::string case_name(std::string name) {
     const std::size_t bracket = name.find_first_of("[({");
     if (bracket != name.npos && bracket > 0) name.resize(bracket);
@@ -26,7 +26,7 @@ std::string quoted(const std::vector<std::string>& names) {
     return out;
 }
 
-// What the prefixes of component names say: "SXX" or "EPXX".
+// The quantity that the prefixes of component names state: "SXX" or "EPXX".
 Quantity quantity_of_components(const ArrayHead& head) {
     Quantity out = Quantity::unknown;
     for (const auto& name : head.components) {
@@ -38,9 +38,9 @@ Quantity quantity_of_components(const ArrayHead& head) {
     return out;
 }
 
-class Chooser {
+class CaseSelector {
   public:
-    Chooser(const ReadOptions& options, const std::string& writer, const std::string& file, Notes& notes)
+    CaseSelector(const ReadOptions& options, const std::string& writer, const std::string& file, Notes& notes)
         : options_(options), writer_(writer), file_(file), notes_(notes) {}
 
     std::vector<CaseSource> all(const std::vector<ArrayHead>& heads) {
@@ -80,7 +80,7 @@ class Chooser {
     }
 
   private:
-    // By the array's name and by its components'.
+    // From the names of the array and of its components.
     Quantity quantity(const ArrayHead& h) const {
         const Quantity by_name = quantity_of(h.name), by_components = quantity_of_components(h);
         if (by_name != Quantity::unknown && by_components != Quantity::unknown && by_name != by_components)
@@ -126,7 +126,7 @@ class Chooser {
                                "' have no names, and its own name points to an order other than VTK's; give --order");
         if (h.width == 6 && !writer_.empty())
             bad(file_, "the components of its array '" + h.name + "' have no names, and " + writer_ +
-                           " keeps the order of whatever program they come from; give --order, as vtk (xx yy zz xy yz "
+                           " keeps the order of the program that wrote them; give --order, as vtk (xx yy zz xy yz "
                            "xz) or abaqus (xx yy zz xy xz yz)");
         out.order = vtk_order(h.width);
         out.assumed = h.width == 6;
@@ -150,7 +150,7 @@ class Chooser {
         return source(h.name, 3);
     }
 
-    // Arrays of one number that together name a tensor of stresses: "stress_xx", "stress_xy" ...
+    // Adds groups of arrays of one number that form a tensor of stresses: "stress_xx", "stress_xy" ...
     void add_groups(const std::vector<ArrayHead>& heads) {
         std::vector<std::string> prefixes; // in the order of the file
         std::map<std::string, std::vector<std::string>> groups;
@@ -199,7 +199,7 @@ class Chooser {
 
 std::vector<CaseSource> cases_of(const std::vector<ArrayHead>& heads, const ReadOptions& options,
                                  const std::string& writer, const std::string& file, Notes& notes) {
-    Chooser chooser(options, writer, file, notes);
+    CaseSelector chooser(options, writer, file, notes);
     if (options.columns.empty()) return chooser.all(heads);
     std::vector<std::string> wanted;
     for (std::size_t from = 0; from <= options.columns.size();) {

@@ -1,4 +1,4 @@
-// Which arrays of a VTK file hold stresses, and in what order; private to lib/stressfield.
+// Selection of the arrays of a VTK file with stresses, and the order of their components; private to lib/stressfield.
 #pragma once
 
 #include "base/note.hpp"
@@ -10,11 +10,11 @@
 
 namespace filum::stressfield {
 
-// What a file says of an array of points before its numbers.
+// The properties of an array of point data.
 struct ArrayHead {
     std::string name;
     std::size_t width = 1;               // numbers per point
-    std::vector<std::string> components; // their names; empty: none has one
+    std::vector<std::string> components; // their names; empty: none has a name
 
     friend bool operator==(const ArrayHead&, const ArrayHead&) = default;
 };
@@ -24,17 +24,17 @@ struct CaseSource {
     std::string name; // letters, digits, '-' and '_'
     std::vector<std::string> arrays;
     std::size_t width = 0;    // numbers per point of an array
-    Order order;              // of the numbers of all arrays; empty: they are a vector
-    bool assumed = false;     // nothing in the file says this order: it is VTK's
-    bool both_halves = false; // xy and yx are averaged whatever they are, as --order asks for
+    Order order;              // of the numbers of all arrays; empty: the array is a vector
+    bool assumed = false;     // nothing in the file states the order; VTK's is used
+    bool both_halves = false; // xy and yx are averaged even if they differ, as --order requests
     double factor = 1;        // to MPa
     std::string unit;
 };
 
-// The load cases of a grid whose points have `heads`.  Without --columns these are all arrays that hold stresses by
-// their name or by those of their components, also six arrays of a number each.  Noted: an order that is assumed,
-// arrays of 6 or 9 numbers that are left out.  Throws Error: bad_input where names leave a doubt, naming the option
-// that decides it; usage if --columns or --order does not fit.  Empty if there is none.
+// The load cases of a grid with the arrays `heads`. Without --columns these are all arrays with stresses by their name
+// or by those of their components, and groups of six arrays of one number. Notes: an assumed order, ignored arrays of
+// 6 or 9 numbers. Throws Error: bad_input if names are ambiguous, naming the option that decides; usage if --columns
+// or --order does not suit the file. Empty if there are none.
 std::vector<CaseSource> cases_of(const std::vector<ArrayHead>& heads, const ReadOptions& options,
                                  const std::string& writer, const std::string& file, Notes& notes);
 

@@ -34,7 +34,7 @@ Samples even(const Tensor& t) {
 }
 
 TEST(Principal, ValuesAndFirstAxis) {
-    const Axes a = principal_axes(known());
+    const PrincipalAxes a = principal_axes(known());
     EXPECT_NEAR(a.values[0], 5, 1e-12);
     EXPECT_NEAR(a.values[1], 2, 1e-12);
     EXPECT_NEAR(a.values[2], -1, 1e-12);
@@ -60,11 +60,11 @@ TEST(Principal, OneSignOfTwo) {
 }
 
 TEST(Principal, AboutADirection) {
-    const Axes a = principal_axes(about({0, 3, 4}, {2, 1, -5}));
+    const PrincipalAxes a = principal_axes(about({0, 3, 4}, {2, 1, -5}));
     EXPECT_NEAR(a.values[0], 2, 1e-12);
     EXPECT_NEAR(a.values[1], -2, 1e-12);
     EXPECT_NEAR(std::abs(dot(*a.first, {0, 0.6, 0.8})), 1, 1e-12);
-    const Axes pressed = principal_axes(about({0, 0, 1}, {-2, kInfinity, kInfinity}));
+    const PrincipalAxes pressed = principal_axes(about({0, 0, 1}, {-2, kInfinity, kInfinity}));
     EXPECT_NEAR(pressed.values[0], -2, 1e-12);
     EXPECT_NEAR(std::abs(pressed.first->z), 1, 1e-12);
 }
