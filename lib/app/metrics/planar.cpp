@@ -47,7 +47,7 @@ filum::metrics::figures::Figures planar(const filum::metrics::planar::Options& g
             const auto span = wire::span(*f);
             if (!span.normals.empty()) level = false;
             filum::metrics::planar::add(beads, span);
-            filum::metrics::planar::follow(input.course, span);
+            filum::metrics::planar::follow(input.statistics, span);
             pace.add(span);
         }
     }

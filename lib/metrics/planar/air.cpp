@@ -12,24 +12,24 @@ namespace filum::metrics::planar {
 namespace {
 
 constexpr double kRowsPerBead = 4;
-constexpr double kFaint = 1e-3; // mm of bead, or mm2: less is rounding
+constexpr double kFaint = 1e-3; // mm of bead, or mm2: less is rounding error
 
-// The beads of a layer one after the other.
+// The beads of a layer in printing order.
 struct Track {
     std::vector<Bead> beads;
-    std::vector<char> follows; // goes on, without a stop, where the bead before it ended
+    std::vector<char> follows; // continues, without a stop, at the end of the bead before
     double mean = 0;           // mm, of their widths
 };
 
 Track track(const LayerBeads* from) {
     Track out;
     double length = 0, area = 0;
-    for (std::size_t k = 0; from != nullptr && k < from->pieces.size(); ++k) {
-        const Piece& p = from->pieces[k];
+    for (std::size_t k = 0; from != nullptr && k < from->runs.size(); ++k) {
+        const BeadRun& p = from->runs[k];
         if (p.role == toolpath::Role::connector) continue;
         for (std::size_t i = p.first; i + 1 < from->end(k); ++i) {
             const Bead b{from->points[i], from->points[i + 1], from->width[i], 0, 0};
-            const bool after_bead = k > 0 && from->pieces[k - 1].role != toolpath::Role::connector;
+            const bool after_bead = k > 0 && from->runs[k - 1].role != toolpath::Role::connector;
             out.follows.push_back(i > p.first || (p.continues && after_bead) ? 1 : 0);
             const double l = geom::distance(b.a, b.b);
             length += l;
@@ -41,14 +41,14 @@ Track track(const LayerBeads* from) {
     return out;
 }
 
-// What carries: the beads of the layer below, wider by half a bead on each side.
+// The supporting beads: those of the layer below, wider by half a bead on each side.
 std::vector<Bead> carriers(const Track& below, double half) {
     std::vector<Bead> out = below.beads;
     for (Bead& b : out) b.width += 2 * half;
     return out;
 }
 
-// The lanes of a sweep that a row meets, joined.
+// The union of the lanes at a row.
 struct Sweep {
     const std::vector<Lane>& lane;
     std::size_t next = 0;
@@ -90,13 +90,13 @@ double uncovered(std::span<const Bead> beads, std::span<const Bead> below, doubl
     return sum;
 }
 
-// The parts of beads that no carrier holds.
+// The parts of beads outside of all supporting beads.
 class Carried {
   public:
     explicit Carried(const std::vector<Bead>& carriers)
         : carrier_(carriers), reach_(reach(carriers)), grid_(segments(carriers), reach_) {}
 
-    // The free intervals of the axis a -> b, mm from a.
+    // The unsupported intervals of the axis a -> b, mm from a.
     const std::vector<Interval>& free(Vec2 a, Vec2 b) {
         const double l = geom::distance(a, b);
         const Vec2 u = (1 / l) * (b - a);
@@ -147,13 +147,13 @@ class Carried {
 
 void stretches(const Track& upper, const std::vector<Bead>& carriers, Air& air) {
     Carried carried(carriers);
-    double now = 0; // of the stretch that goes on
+    double now = 0; // of the current connected length
     Vec2 begin;
     for (std::size_t i = 0; i < upper.beads.size(); ++i) {
         const Bead& b = upper.beads[i];
         const double l = geom::distance(b.a, b.b);
         if (upper.follows[i] == 0) now = 0;
-        double end = 0; // of the last free interval
+        double end = 0; // of the last unsupported interval
         for (const Interval& f : carried.free(b.a, b.b)) {
             if (f.lo > 0) now = 0;
             if (now == 0) begin = geom::lerp(b.a, b.b, f.lo / l);

@@ -13,13 +13,14 @@ constexpr double kAlike = 1e-6; // of a layer's height
 struct Segment {
     geom::Vec3 a, b;
     double section = 0; // mm2
-    double height = 0;  // mm, as the span says
+    double height = 0;  // mm, as the span states
     std::uint32_t layer = 0, region = 0;
     toolpath::Role role = toolpath::Role::bead;
 };
 
-// The layer that a segment falls into by its upper end; the top one for anything above.  Of level ones a thousandth of
-// a layer is forgiven; what rises, as turns of a helix do by less than that, belongs to the layer that it rises to.
+// The layer that contains the upper end of a segment; the top one for anything above. Horizontal segments have a
+// tolerance of a thousandth of a layer; rising ones, as turns of a helix that rise by less than that, belong to the
+// layer to which they rise.
 const LayerMark& mark_of(const std::vector<LayerMark>& marks, const Segment& s, bool& above) {
     const double z = std::max(s.a.z, s.b.z), forgiven = s.a.z == s.b.z ? 1e-3 : 1e-9;
     const auto it = std::lower_bound(marks.begin(), marks.end(), z,
@@ -41,7 +42,7 @@ void add(LayerBeads& to, const geom::Vec3& p) {
 void add(Beads& beads, const Segment& s) {
     const bool moves = geom::distance(s.a.xy(), s.b.xy()) > kShort;
     if (!moves) {
-        if (s.a == beads.at) beads.at = s.b; // a plain lift interrupts nothing
+        if (s.a == beads.at) beads.at = s.b; // a lift without beads does not interrupt
         return;
     }
     std::uint32_t layer = s.layer;
@@ -56,8 +57,8 @@ void add(Beads& beads, const Segment& s) {
     LayerBeads& to = beads.layer[layer];
     to.height = std::max(to.height, height);
     const bool follows = beads.moving && s.a == beads.at && layer == beads.last_layer && s.region == beads.last_region;
-    if (!follows || to.pieces.empty() || to.pieces.back().role != s.role) {
-        to.pieces.push_back({static_cast<std::uint32_t>(to.points.size()), s.region, beads.segments, s.role, follows});
+    if (!follows || to.runs.empty() || to.runs.back().role != s.role) {
+        to.runs.push_back({static_cast<std::uint32_t>(to.points.size()), s.region, beads.segments, s.role, follows});
         add(to, s.a);
     }
     to.width.back() = static_cast<float>(s.section / s.height);

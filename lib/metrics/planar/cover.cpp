@@ -31,7 +31,7 @@ std::vector<Edge> edges(std::span<const polygon::Loops* const> outline) {
     return out;
 }
 
-// Adds the lengths of part, beads and both to `sum[slot]`.  Both lists united.
+// Adds the lengths of part, beads and their intersection to `sum[slot]`. Precondition: both lists are united.
 void tally(const std::vector<Interval>& part, const std::vector<Interval>& beads, double dy, std::span<Cover> sum) {
     for (const Interval& p : part) sum[p.slot].area += dy * (p.hi - p.lo);
     for (const Interval& b : beads) sum[b.slot].united += dy * (b.hi - b.lo);
@@ -46,7 +46,7 @@ void tally(const std::vector<Interval>& part, const std::vector<Interval>& beads
     }
 }
 
-// The part on the row at y.  Crossings of one slot pair up.
+// The section of the outlines with the row at y. Crossings of one slot form pairs.
 void part_row(std::span<const Edge> all, const std::vector<std::uint32_t>& active, double y,
               std::vector<Interval>& out) {
     out.clear();

@@ -12,9 +12,9 @@ namespace {
 
 using geom::Vec2;
 
-constexpr double kHair = 1e-6; // of a cell: rounding
+constexpr double kHair = 1e-6; // of a cell: tolerance of rounding
 
-// Cells of a mean length or more, never more than four per bead; what lies on a border belongs to both.
+// Cells of at least the mean length, at most four per bead; beads on a border belong to both cells.
 geom::SegmentGrid grid(std::span<const Bead> beads) {
     std::vector<geom::Segment> segments;
     geom::Box2 box;
@@ -35,14 +35,14 @@ bool boxes_meet(const Bead& s, const Bead& t) {
            std::max(s.a.y, s.b.y) >= std::min(t.a.y, t.b.y) && std::max(t.a.y, t.b.y) >= std::min(s.a.y, s.b.y);
 }
 
-// Whether the earlier bead is in the later one's way where their middle lines cross, there at these heights.
+// Whether the earlier bead blocks the later one at the crossing of their centre lines, which have these heights there.
 bool meet(const Bead& earlier, double top, const Bead& later, double nozzle, double height) {
     const double least = toolpath::kLevel * height;
     if (height == 0 || nozzle < top - least) return true;
     return std::min(top, nozzle) - std::max(top - earlier.thick * height, nozzle - later.thick * height) > least;
 }
 
-// True if they cross; `at` is where.
+// Whether they cross; `at` is set to the place.
 bool cross(const Bead& s, const Bead& t, double height, Vec2& at) {
     const double d1 = geom::orient(s.a, s.b, t.a), d2 = geom::orient(s.a, s.b, t.b);
     if (d1 * d2 >= -1e-12) return false;
@@ -70,7 +70,8 @@ Crossings crossings(std::span<const Bead> beads, std::size_t slots, double heigh
                 const Bead &s = beads[in[i]], &t = beads[in[j]];
                 Vec2 at;
                 if (!boxes_meet(s, t) || std::max(s.order, t.order) - std::min(s.order, t.order) <= 1) continue;
-                if (!cross(s, t, height, at) || g.cell_at(at) != cell) continue; // once, where it is
+                // each pair once: in the cell of the crossing
+                if (!cross(s, t, height, at) || g.cell_at(at) != cell) continue;
                 ++out.whole;
                 if (s.slot == t.slot) ++out.slot[s.slot];
                 places.emplace_back(std::max(s.order, t.order), at);

@@ -1,4 +1,4 @@
-// Beads of a layer that cross each other.
+// Crossings between beads of a layer.
 #pragma once
 
 #include "metrics/planar/cover.hpp"
@@ -8,14 +8,15 @@ namespace filum::metrics::planar {
 struct Crossings {
     std::size_t whole = 0;         // pairs of beads
     std::vector<std::size_t> slot; // pairs with both beads in one slot
-    std::vector<geom::Vec2> place; // of the first few, by order of the later bead
+    std::vector<geom::Vec2> place; // of the first few, in the order of the later bead
 };
 
-// Pairs of beads whose centre lines cross properly: each has its ends on either side of the other, by orientations
-// whose product is below -1e-12 mm4 (so ends that touch, within about a micrometre, do not cross).  Beads that follow
-// each other in the program are no pair.  With the layer's `height` (mm, > 0) neither are those of which one lies over
-// the other, as the end of a layer does over its ramp: where they share no more than kLevel of the layer, and the later
-// one's nozzle does not run below the top of the earlier one by more.  `slots` > every bead's slot.
+// Pairs of beads whose centre lines cross properly: the ends of each are on both sides of the other, by orientations
+// whose product is below -1e-12 mm4 (so touching ends, within about a micrometre, are not crossings). Consecutive
+// beads of the program are not pairs. With the layer's `height` (mm, > 0), beads above each other are not pairs
+// either, as the end of a layer above its ramp: those that share at most kLevel of the layer's height, if the nozzle
+// of the later one is not lower than the top of the earlier one by more. Precondition: `slots` is greater than every
+// bead's slot.
 Crossings crossings(std::span<const Bead> beads, std::size_t slots, double height = 0);
 
 } // namespace filum::metrics::planar

@@ -10,9 +10,9 @@ Directions directions(const Beads& beads) {
     constexpr double kBin = std::numbers::pi / Directions::kBins;
     double total = 0;
     for (const auto& [index, layer] : beads.layer)
-        for (std::size_t k = 0; k < layer.pieces.size(); ++k) {
-            if (!toolpath::fills(layer.pieces[k].role)) continue;
-            for (std::size_t i = layer.pieces[k].first; i + 1 < layer.end(k); ++i) {
+        for (std::size_t k = 0; k < layer.runs.size(); ++k) {
+            if (!toolpath::fills(layer.runs[k].role)) continue;
+            for (std::size_t i = layer.runs[k].first; i + 1 < layer.end(k); ++i) {
                 const Vec2 d = layer.points[i + 1] - layer.points[i];
                 const double l = geom::norm(d);
                 const auto bin =

@@ -1,4 +1,4 @@
-// Which way the beads run.
+// The distribution of bead directions.
 #pragma once
 
 #include "metrics/planar/beads.hpp"
@@ -7,8 +7,8 @@
 
 namespace filum::metrics::planar {
 
-// share[k]: of the bead length, joins left out, what runs within 7.5 degrees of 15 k degrees from the x axis, either
-// way along the line; a segment on the border of two counts for the higher one.  All 0 if there is no bead.
+// share[k]: fraction of the bead length, without joins, within 7.5 degrees of 15 k degrees from the x axis, in either
+// sense; a segment on the border of two bins counts for the higher one. All 0 without beads.
 struct Directions {
     static constexpr std::size_t kBins = 12;
     std::array<double, kBins> share{};

@@ -7,7 +7,7 @@ namespace filum::metrics::planar {
 
 namespace {
 
-// Cuts [lo, hi] down to the x with from <= x * slope + offset <= to.
+// Restricts [lo, hi] to the x with from <= x * slope + offset <= to.
 void clip(double& lo, double& hi, double slope, double offset, double from, double to) {
     if (slope == 0) {
         if (offset < from || offset > to) hi = lo - 1;

@@ -1,4 +1,4 @@
-// Beads as rows cut them: sets of intervals with exact ends.
+// Sections of beads with rows: sets of intervals with exact ends.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -19,7 +19,7 @@ struct Interval {
     std::uint32_t slot = 0;
 };
 
-// A bead with what its rows need.  It lies within lo <= y <= hi.
+// A bead prepared for sections. Its y coordinates are in [lo, hi].
 struct Lane {
     Vec2 a, b, u; // ends, direction
     double half = 0, length = 0, lo = 0, hi = 0;
@@ -29,10 +29,10 @@ struct Lane {
 // By ascending lo.
 std::vector<Lane> lanes(std::span<const Bead> beads);
 
-// The lane on the row at y: one interval, as it is convex; false if there is none.
+// The section of the lane with the row at y, one interval because lanes are convex; false if it is empty.
 bool section(const Lane& lane, double y, Interval& out);
 
-// Sorts by slot and place, and joins what overlaps within a slot.
+// Sorts by slot and position, and unites intervals of a slot that overlap.
 void unite(std::vector<Interval>& intervals);
 
 } // namespace filum::metrics::planar

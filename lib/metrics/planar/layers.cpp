@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMostSections = 1e9; // places where a row cuts a bead or an outline: half a minute of work
 
-// What one layer is measured from.
+// The inputs of one layer.
 struct LayerInput {
     std::uint32_t layer = 0;
     const LayerBeads* beads = nullptr; // null: none
@@ -32,7 +32,7 @@ std::vector<LayerInput> layer_inputs(const Beads& beads, const std::vector<polyg
     return out;
 }
 
-// One row per region of the layer, with or without an outline.
+// One entry per region of the layer, with or without an outline.
 std::vector<RegionFigures> region_rows(const LayerInput& w) {
     std::map<std::uint32_t, RegionFigures> rows;
     for (const auto* r : w.regions) {
@@ -43,8 +43,8 @@ std::vector<RegionFigures> region_rows(const LayerInput& w) {
         f.at = r->loops.points.front();
         rows[r->id] = f;
     }
-    for (std::size_t k = 0; w.beads != nullptr && k < w.beads->pieces.size(); ++k) {
-        const Piece& p = w.beads->pieces[k];
+    for (std::size_t k = 0; w.beads != nullptr && k < w.beads->runs.size(); ++k) {
+        const BeadRun& p = w.beads->runs[k];
         RegionFigures f;
         f.region = p.region;
         f.layer = w.layer;
@@ -60,8 +60,8 @@ std::vector<RegionFigures> region_rows(const LayerInput& w) {
 std::vector<Bead> spread(const LayerBeads& from, std::vector<RegionFigures>& rows) {
     std::vector<Bead> out;
     out.reserve(from.points.size());
-    for (std::size_t k = 0; k < from.pieces.size(); ++k) {
-        const Piece& p = from.pieces[k];
+    for (std::size_t k = 0; k < from.runs.size(); ++k) {
+        const BeadRun& p = from.runs[k];
         const auto row = std::lower_bound(rows.begin(), rows.end(), p.region,
                                           [](const RegionFigures& r, std::uint32_t id) { return r.region < id; });
         const auto slot = static_cast<std::uint32_t>(row - rows.begin());

@@ -1,4 +1,4 @@
-// Coverage and crossings, layer by layer and region by region.
+// Coverage and crossings, by layer and by region.
 #pragma once
 
 #include "metrics/planar/beads.hpp"
@@ -7,19 +7,19 @@
 
 namespace filum::metrics::planar {
 
-// One region, measured by the beads that claim it.
+// One region, measured by the beads that state it.
 struct RegionFigures {
     std::uint32_t region = 0, layer = 0;
     bool known = false;     // has an outline
-    std::size_t curves = 0; // stretches of beads without a stop, connectors not counted
+    std::size_t curves = 0; // number of runs of beads without a stop, except connectors
     std::size_t segments = 0;
     double length = 0;         // mm of extruding segments
-    Cover cover;               // its beads against its outline
+    Cover cover;               // its beads with its outline
     std::size_t crossings = 0; // within the region
-    Vec2 at;                   // a point of it, to find it: first of its outline, or of its beads
+    Vec2 at;                   // one of its points: the first of its outline, or of its beads
 };
 
-// One layer, measured by all its beads against all its outlines.
+// One layer: all its beads with all its outlines.
 struct LayerFigures {
     std::uint32_t layer = 0;
     double z = 0; // mm, 0 if unknown
@@ -29,16 +29,16 @@ struct LayerFigures {
     std::vector<RegionFigures> regions; // ascending id
 };
 
-// `pixel`: mm between the rows that areas are swept by; 0: a sixteenth of the layer's mean bead width (of 0.4 mm where
-// there is no bead).  Layers ascend by number; those with neither beads nor outlines are absent.  Same result for any
-// `threads`.
+// `pixel`: mm between the rows along which areas are integrated; 0: a sixteenth of the layer's mean bead width (of 0.4
+// mm without beads). Layers ascend by number; those without beads and outlines are absent. The result does not depend
+// on `threads`.
 std::vector<LayerFigures> measure_layers(const Beads& beads, const std::vector<polygon::Region>& regions, double pixel,
                                          int threads);
 
 // Throws Error(usage) if rows `pixel` mm apart are too many for a layer or would cut the beads too often; 0 never does.
 void check_pixel(const Beads& beads, const std::vector<polygon::Region>& regions, double pixel);
 
-// The share, 1 where there is no area.
+// The covered fraction; 1 without an area.
 inline double coverage(const Cover& c) { return c.area > 0 ? c.covered / c.area : 1; }
 
 } // namespace filum::metrics::planar

@@ -12,7 +12,7 @@ namespace {
 
 using toolpath::Span;
 
-// The profile, but that nothing of what it would refuse ends the measuring.
+// The profile with all limits removed that would stop the measurement with an error.
 machine::Profile lenient(machine::Profile p) {
     constexpr double endless = std::numeric_limits<double>::infinity();
     p.limits.section = endless;
@@ -35,7 +35,7 @@ Pace::Pace(const machine::Profile& profile) : profile_(lenient(profile)), survey
     if (!profile_.axes.active()) walker_ = postproc::walker(profile_, {}, [this](auto steps) { surveyor_.add(steps); });
 }
 
-// A stroke of fibre ends.
+// Ends a stroke of fibre.
 void Pace::close() {
     if (open_ && profile_.fibre.lays(tool_)) {
         ToolShare& tool = tools_[tool_];
@@ -72,7 +72,7 @@ void Pace::add(const Span& span) {
     }
     try {
         walker_->add(span);
-    } catch (const Error& e) { // the spans do not meet
+    } catch (const Error& e) { // the spans are not connected
         why_ = e.what();
         walker_.reset();
     }

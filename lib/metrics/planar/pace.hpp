@@ -1,4 +1,4 @@
-// How long a machine takes for a toolpath, and what each of its tools does.
+// Print time of a toolpath, and the share of each tool.
 #pragma once
 
 #include "machine/profile.hpp"
@@ -12,29 +12,31 @@
 
 namespace filum::metrics::planar {
 
-// What one tool does.  Of fibre a stroke is whatever is laid between two travels; each is cut once.
+// The share of one tool. For fibre a stroke is the length between two travels; each is cut once.
 struct ToolShare {
     bool fibre = false;
-    double laid = 0, travel = 0; // mm; of travels, as the toolpath has them, those that lead to its strokes
+    double laid = 0, travel = 0; // mm; travels of the toolpath to the tool's strokes
     double volume = 0;           // mm3
-    double print_seconds = 0;    // with the pauses of its strokes
-    double travel_seconds = 0;   // on the way to its strokes, with what is pushed or given before they begin
+    double print_seconds = 0;    // including the pauses of its strokes
+    double travel_seconds = 0;   // on the way to its strokes, including priming before them
     std::size_t strokes = 0, cuts = 0;
-    std::size_t too_short = 0; // strokes of fibre below the profile's least_path: no machine lays them, nor takes time
+    // strokes of fibre below the profile's least_path: machines omit them, so they take no time
+    std::size_t too_short = 0;
 };
 
-// Lengths, volumes and strokes as the toolpath has them; times of the program that postproc would write of it, by the
-// planner of the profile's controller (machine/motion.hpp), from above the first stroke on.  Codes of templates and of
-// a tool change take no time.  With rotary axes the toolpath is kept until it ends.
+// Lengths, volumes and strokes of the toolpath; times of the program that postproc would write, by the planner of the
+// profile's controller (machine/motion.hpp), from above the first stroke on. Codes of templates and tool changes take
+// no time. With rotary axes the whole toolpath is kept in memory.
 class Pace {
   public:
     explicit Pace(const machine::Profile& profile);
     void add(const toolpath::Span& span);
-    // Ends the toolpath; only once.  Below 0 where the machine cannot do it: `why` then says what postproc would.
+    // Ends the toolpath and returns its time; only once. Negative if the machine cannot run it: why() is postproc's
+    // reason.
     double seconds();
     [[nodiscard]] const std::string& why() const { return why_; }
 
-    // By number, after seconds(); their times add up to the whole.
+    // By number, valid after seconds(); their times add up to the total.
     [[nodiscard]] const std::map<std::uint32_t, ToolShare>& tools() const { return tools_; }
 
   private:
@@ -47,9 +49,9 @@ class Pace {
     std::vector<toolpath::Span> kept_;         // with more
     std::map<std::uint32_t, ToolShare> tools_;
     std::string why_;
-    bool begun_ = false, open_ = false; // a bead; a stroke
+    bool begun_ = false, open_ = false; // a bead has begun; a stroke is open
     std::uint32_t tool_ = 0;
-    double fibre_ = 0; // mm of the stroke of fibre that is open
+    double fibre_ = 0; // mm: length of the open stroke of fibre
     void close();
 };
 

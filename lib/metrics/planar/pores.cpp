@@ -20,10 +20,10 @@ using polygon::Loops;
 using toolpath::Role;
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kStraight = 0.5 * kDegree; // between pieces of one straight stretch
-constexpr double kSame = kDegree;           // between strands of one direction
+constexpr double kStraight = 0.5 * kDegree; // greatest angle between segments of one straight run
+constexpr double kSame = kDegree;           // greatest angle between strands of one direction
 constexpr double kLong = 3;                 // bead widths
-constexpr double kApart = 1.1;              // bead widths; nearer strands lie side by side
+constexpr double kApart = 1.1;              // bead widths; nearer strands are side by side
 constexpr double kChink = 0.125;            // bead widths
 constexpr double kExact = 0.002;            // mm
 
@@ -64,10 +64,10 @@ double direction(const Straight& s) {
 
 std::vector<Straight> straights(const LayerBeads& beads) {
     std::vector<Straight> out;
-    for (std::size_t k = 0; k < beads.pieces.size(); ++k) {
-        if (!toolpath::fills(beads.pieces[k].role)) continue;
+    for (std::size_t k = 0; k < beads.runs.size(); ++k) {
+        if (!toolpath::fills(beads.runs[k].role)) continue;
         bool open = false;
-        for (std::size_t i = beads.pieces[k].first; i + 1 < beads.end(k); ++i) {
+        for (std::size_t i = beads.runs[k].first; i + 1 < beads.end(k); ++i) {
             const Straight s{beads.points[i], beads.points[i + 1], beads.width[i]};
             if (s.length() == 0) continue;
             const auto ahead = [&](const Straight& t) {
@@ -84,7 +84,7 @@ std::vector<Straight> straights(const LayerBeads& beads) {
     return out;
 }
 
-// The direction of most length, within a degree.  Tie: the smallest.
+// The direction of greatest length, within a degree. Ties: the smallest.
 double main_direction(const std::vector<Straight>& all) {
     double best = 0, most = 0;
     std::vector<double> bin(180, 0.0);
@@ -109,13 +109,13 @@ double main_direction(const std::vector<Straight>& all) {
 
 double median_width(const LayerBeads& beads) {
     std::vector<std::pair<double, double>> v;
-    for (std::size_t k = 0; k < beads.pieces.size(); ++k)
-        for (std::size_t i = beads.pieces[k].first; i + 1 < beads.end(k); ++i)
+    for (std::size_t k = 0; k < beads.runs.size(); ++k)
+        for (std::size_t i = beads.runs[k].first; i + 1 < beads.end(k); ++i)
             v.emplace_back(beads.width[i], geom::distance(beads.points[i], beads.points[i + 1]));
     return weighted_median(std::move(v));
 }
 
-// Beads of the layer as an area, connectors left out.
+// The area of the layer's beads, without connectors.
 Loops swept(const LayerBeads& beads) {
     Loops all;
     std::vector<Vec2> line;
@@ -124,11 +124,11 @@ Loops swept(const LayerBeads& beads) {
         const Loops bead = polygon::around(line, width / 2);
         for (std::size_t i = 0; i < bead.size(); ++i) all.add(bead[i]);
     };
-    for (std::size_t k = 0; k < beads.pieces.size(); ++k) {
-        if (beads.pieces[k].role == Role::connector) continue;
+    for (std::size_t k = 0; k < beads.runs.size(); ++k) {
+        if (beads.runs[k].role == Role::connector) continue;
         line.clear();
         double width = 0;
-        for (std::size_t i = beads.pieces[k].first; i + 1 < beads.end(k); ++i) {
+        for (std::size_t i = beads.runs[k].first; i + 1 < beads.end(k); ++i) {
             const double w = beads.width[i];
             if (line.empty() || std::abs(w - width) > 0.002 * width) {
                 flush(width);
@@ -143,15 +143,15 @@ Loops swept(const LayerBeads& beads) {
 
 double deposited(const LayerBeads& beads) {
     double sum = 0;
-    for (std::size_t k = 0; k < beads.pieces.size(); ++k) {
-        if (beads.pieces[k].role == Role::connector) continue;
-        for (std::size_t i = beads.pieces[k].first; i + 1 < beads.end(k); ++i)
+    for (std::size_t k = 0; k < beads.runs.size(); ++k) {
+        if (beads.runs[k].role == Role::connector) continue;
+        for (std::size_t i = beads.runs[k].first; i + 1 < beads.end(k); ++i)
             sum += beads.width[i] * beads.thickness(i) * geom::distance(beads.points[i], beads.points[i + 1]);
     }
     return sum;
 }
 
-// The circles in what the united beads enclose within `outline`.
+// The circles in the openings that the united beads enclose within `outline`.
 std::vector<double> openings(const Loops& beads, const Loops& outline, double least) {
     std::vector<double> out;
     Loops filled;
@@ -164,7 +164,7 @@ std::vector<double> openings(const Loops& beads, const Loops& outline, double le
     return out;
 }
 
-// A layer on the way to its pores.
+// A layer before its pores are known.
 struct SweptLayer {
     const LayerBeads* beads = nullptr;
     Loops outline;
@@ -172,7 +172,7 @@ struct SweptLayer {
     Loops swept;
 };
 
-// The layers seen together from layer i: [first, last].
+// The layers visible together from layer i: [first, last].
 std::pair<std::size_t, std::size_t> seen_from(std::size_t i, const std::vector<LayerPores>& layers) {
     const auto differs = [&](std::size_t k) { return apart(layers[k].direction, layers[i].direction) > kSame; };
     std::size_t last = i, first = i;
@@ -182,7 +182,7 @@ std::pair<std::size_t, std::size_t> seen_from(std::size_t i, const std::vector<L
     return {first, i};
 }
 
-// The lateral throats, once strands and spacings are known.
+// Sets the lateral throats. Precondition: strands and spacings are known.
 void channels(std::vector<LayerPores>& layers) {
     for (std::size_t first = 0, last = 0; first < layers.size(); first = last) {
         double height = 0;

@@ -20,13 +20,13 @@ void tell(Figures& out, std::string_view key, decltype(metrics::figures::Figure:
     metrics::figures::tell(out, metrics::figures::planar_meanings(), key, std::move(value), of);
 }
 
-constexpr double kLargeLayer = 1; // mm2; smaller layers cannot be the worst
+constexpr double kLargeLayer = 1; // mm2; smaller layers are not candidates for the worst
 
 std::uint64_t count(std::size_t n) { return n; }
 
 std::size_t role(Role r) { return static_cast<std::size_t>(r); }
 
-void continuity(const Course& c, Figures& out) {
+void continuity(const PathStatistics& c, Figures& out) {
     tell(out, "strokes", count(c.strokes()));
     tell(out, "stops", count(c.stops));
     tell(out, "breaks", count(c.breaks));
@@ -46,7 +46,7 @@ double fibre_volume(const Input& input) {
     return sum;
 }
 
-// g; not a number if the density of fibre counts and is not known.
+// g; nan if the density of fibre is needed and unknown.
 double mass(const Options& o, double plastic, double fibre) {
     const double known = o.fibre_density > 0 ? o.fibre_density : std::numeric_limits<double>::quiet_NaN();
     return plastic / 1000 * o.density + (fibre > 0 ? fibre / 1000 * known : 0);
@@ -65,7 +65,7 @@ void tool_figures(const std::string& what, std::string_view of, const ToolShare&
     tell(out, what + "travel_time_s", t.travel_seconds, of);
 }
 
-// A group per tool and one of the job, where there are several or one lays fibre.
+// A group of figures per tool and one of the job, if there are several tools or one uses fibre.
 void tools(const Input& input, const Options& o, Figures& out) {
     const auto fibre = [](const auto& t) { return t.second.fibre; };
     if (input.tools.size() < 2 && std::none_of(input.tools.begin(), input.tools.end(), fibre)) return;
@@ -91,7 +91,7 @@ void tools(const Input& input, const Options& o, Figures& out) {
 }
 
 void lengths(const Input& input, const Options& o, Figures& out) {
-    const Course& c = input.course;
+    const PathStatistics& c = input.statistics;
     const double seconds = input.seconds, of_fibre = fibre_volume(input);
     double extruded = 0, volume = 0;
     for (const Role r : {Role::bead, Role::lift, Role::jog, Role::connector, Role::hairpin}) {
@@ -258,7 +258,7 @@ Figures report(const Input& input, const Beads& beads, const std::vector<polygon
                const std::vector<LayerFigures>& layers, const Options& options, int threads) {
     Figures out;
     const Widths w = widths(beads);
-    if (input.whole_program) continuity(input.course, out);
+    if (input.whole_program) continuity(input.statistics, out);
     areas(layers, input.claimed_unplaced, out);
     crossing_figures(layers, out);
     region_figures(layers, out);

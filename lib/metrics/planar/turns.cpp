@@ -12,15 +12,15 @@ namespace filum::metrics::planar {
 
 namespace {
 
-constexpr double kSharp = 0.3;           // share of the disc
-constexpr std::size_t kMostSteps = 4096; // vertices looked at on either side of a sample
+constexpr double kSharp = 0.3;           // fraction of the disc
+constexpr std::size_t kMostSteps = 4096; // vertices examined on either side of a sample
 
-// Stretches of beads and jogs without a stop, within a layer.
+// Runs of beads and jogs without a stop, within a layer.
 std::vector<std::vector<Vec2>> chains(const LayerBeads& layer) {
     std::vector<std::vector<Vec2>> out;
     bool open = false;
-    for (std::size_t k = 0; k < layer.pieces.size(); ++k) {
-        const Piece& p = layer.pieces[k];
+    for (std::size_t k = 0; k < layer.runs.size(); ++k) {
+        const BeadRun& p = layer.runs[k];
         if (p.role == toolpath::Role::connector) {
             open = false;
             continue;
@@ -34,7 +34,8 @@ std::vector<std::vector<Vec2>> chains(const LayerBeads& layer) {
     return out;
 }
 
-// From `start`, which is on the segment before chain[next], on in direction `step` until farther than r (or the end).
+// The path from `start`, which is on the segment before chain[next], in direction `step` up to the first point farther
+// than r (or the end).
 std::vector<Vec2> walk(std::span<const Vec2> chain, Vec2 start, std::ptrdiff_t next, std::ptrdiff_t step, double r) {
     std::vector<Vec2> out{start};
     const auto n = static_cast<std::ptrdiff_t>(chain.size());
@@ -45,7 +46,7 @@ std::vector<Vec2> walk(std::span<const Vec2> chain, Vec2 start, std::ptrdiff_t n
     return out;
 }
 
-// Replaces the last point by the one where the path leaves the disc; false if it does not.
+// Replaces the last point by the exit from the disc; false if the path does not leave it.
 bool leave(std::vector<Vec2>& path, double r) {
     if (path.size() < 2 || geom::distance(path.front(), path.back()) <= r) return false;
     const Vec2 a = path[path.size() - 2] - path.front(), d = path.back() - path[path.size() - 2];
@@ -71,7 +72,7 @@ struct LayerTurns {
     Turns turns;
 };
 
-// Samples at (k + 1/2) * spacing along everything, those that fall into [begin, begin + layer.length).
+// Samples at (k + 1/2) * spacing along all layers, those within [begin, begin + layer.length).
 void sample(LayerTurns& layer, double begin, double spacing, double w) {
     double at = begin;
     for (const auto& chain : layer.chain) {
@@ -98,11 +99,11 @@ double disc_share(std::span<const Vec2> forwards, std::span<const Vec2> backward
     std::vector<Vec2> ahead(forwards.begin(), forwards.end()), back(backwards.begin(), backwards.end());
     if (!leave(ahead, r) || !leave(back, r)) return -1;
     const Vec2 o = ahead.front();
-    double twice = 0; // the area between path and circle on the path's left, twice
+    double twice = 0; // twice the area between path and circle on the path's left
     for (std::size_t i = 0; i + 1 < back.size(); ++i) twice += geom::cross(back[i + 1] - o, back[i] - o);
     for (std::size_t i = 0; i + 1 < ahead.size(); ++i) twice += geom::cross(ahead[i] - o, ahead[i + 1] - o);
     const Vec2 u = ahead.back() - o, v = back.back() - o;
-    double angle = std::atan2(geom::cross(u, v), dot(u, v)); // of the circle from the exit on to the entry
+    double angle = std::atan2(geom::cross(u, v), dot(u, v)); // of the circle from the exit to the entry
     if (angle < 0) angle += 2 * std::numbers::pi;
     const double share = std::clamp((twice / (r * r) + angle) / (2 * std::numbers::pi), 0.0, 1.0);
     return std::min(share, 1 - share);
@@ -113,7 +114,7 @@ Turns turns(const Beads& beads, double w, std::size_t samples, int threads) {
     for (const auto& l : beads.layer) layer.push_back(&l);
     std::vector<LayerTurns> part(layer.size());
     std::vector<double> begin(layer.size() + 1, 0);
-    for (std::size_t i = 0; i < layer.size(); ++i) { // lengths only; the chains are made again where they are used
+    for (std::size_t i = 0; i < layer.size(); ++i) { // lengths only; chains are computed again when they are used
         for (const auto& chain : chains(layer[i]->second)) part[i].length += geom::length(chain);
         begin[i + 1] = begin[i] + part[i].length;
     }

@@ -1,4 +1,4 @@
-// Sharp turns and the smallest radius of the beads.
+// Sharp turns, and the smallest radius of beads.
 #pragma once
 
 #include "metrics/planar/beads.hpp"
@@ -7,15 +7,14 @@
 
 namespace filum::metrics::planar {
 
-// The measure of the Connected Fermat Spirals authors (Zhao et al. 2016): at samples spread evenly along the
-// path a disc of radius `w` is laid on the path, which cuts it in two; the turn is sharp where the smaller part (the
-// inner side) is less than 0.3 of the disc.  A straight line gives 0.5, a corner of 90 degrees 0.25 at its tip. Only
-// the stretch of path that passes through the centre counts; samples nearer than that to an end of the path are left
-// out.
+// The measure of the authors of Connected Fermat Spirals (Zhao et al. 2016): at samples evenly along the path, the
+// path divides a disc of radius `w` in two; the turn is sharp where the smaller part (the inner side) is less than 0.3
+// of the disc. A straight line gives 0.5, a corner of 90 degrees 0.25 at its tip. Only the part of the path through
+// the centre counts; samples nearer than `w` to an end of the path are left out.
 struct Turns {
     std::size_t samples = 0, sharp = 0;
-    // The smallest radius: of the circle through the path's points half a bead width before, at, and after a vertex;
-    // below that scale a bead has no shape.  Infinite if all is straight.
+    // The smallest radius: of the circle through the points of the path half a bead width before, at, and half a bead
+    // width after a vertex; below that scale a bead has no shape. Infinite if all is straight.
     double min_radius = 0; // mm
     std::uint32_t layer = 0;
     Vec2 at;
@@ -25,11 +24,12 @@ struct Turns {
     }
 };
 
-// About `samples` of them, at fixed distances along all beads and jogs in layer order; same result for any `threads`.
+// About `samples` samples, at equal distances along all beads and jogs in layer order; the result does not depend on
+// `threads`.
 Turns turns(const Beads& beads, double w, std::size_t samples, int threads);
 
-// The path through `centre`, given as the points from it forwards and backwards (both begin with it), cuts the disc of
-// radius `r` around it: the smaller part's share of the disc, or -1 if the path ends inside the disc.
+// The path through `centre`, given as points from it forwards and backwards (both begin with it), divides the disc of
+// radius `r` around it: the fraction of the smaller part, or -1 if the path ends inside the disc.
 double disc_share(std::span<const Vec2> forwards, std::span<const Vec2> backwards, double r);
 
 } // namespace filum::metrics::planar

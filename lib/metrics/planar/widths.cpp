@@ -20,9 +20,9 @@ double nice(double v) {
 Widths widths(const Beads& beads) {
     std::vector<std::pair<float, float>> all; // width, length
     for (const auto& [index, layer] : beads.layer)
-        for (std::size_t k = 0; k < layer.pieces.size(); ++k)
-            for (std::size_t i = layer.pieces[k].first; i + 1 < layer.end(k); ++i)
-                if (layer.pieces[k].role != toolpath::Role::connector)
+        for (std::size_t k = 0; k < layer.runs.size(); ++k)
+            for (std::size_t i = layer.runs[k].first; i + 1 < layer.end(k); ++i)
+                if (layer.runs[k].role != toolpath::Role::connector)
                     all.emplace_back(layer.width[i],
                                      static_cast<float>(geom::distance(layer.points[i], layer.points[i + 1])));
     Widths out;
@@ -43,7 +43,7 @@ Widths widths(const Beads& beads) {
     }
     constexpr double kMostBins = 64;
     out.bin = nice(out.median / 8);
-    const auto bin_of = [&](double w) { return std::floor(w / out.bin + 1e-4); }; // 0.4 as a float is 0.4
+    const auto bin_of = [&](double w) { return std::floor(w / out.bin + 1e-4); }; // the float 0.4 becomes exactly 0.4
     out.first = bin_of(out.min) * out.bin;
     out.share.assign(static_cast<std::size_t>(std::min(kMostBins, bin_of(out.max) - bin_of(out.min) + 1)), 0);
     for (const auto& [w, l] : all) {
@@ -60,7 +60,7 @@ Seams seams(const Beads& beads, const std::vector<polygon::Region>& regions, dou
     };
     std::map<std::uint32_t, std::map<std::uint32_t, Start>> start; // by layer, region
     for (const auto& [index, layer] : beads.layer) {
-        for (const Piece& p : layer.pieces) {
+        for (const BeadRun& p : layer.runs) {
             if (!toolpath::fills(p.role)) continue;
             const auto [it, fresh] = start[index].try_emplace(p.region, Start{p.order, layer.points[p.first]});
             if (!fresh && p.order < it->second.order) it->second = {p.order, layer.points[p.first]};

@@ -41,7 +41,7 @@ struct Job {
         all.push_back(bead({{4, -1, 0.4}, {4, 1, 0.4}}, 0.4, 0.2, 1, 1));
         for (const auto& s : all) {
             add(beads, s);
-            follow(input.course, s);
+            follow(input.statistics, s);
         }
     }
     [[nodiscard]] Figures figures(int threads = 1) const {

@@ -1,4 +1,4 @@
-#include "metrics/planar/course.hpp"
+#include "metrics/planar/path_statistics.hpp"
 
 #include "metrics/planar/pace.hpp"
 #include "toolpaths.hpp"
@@ -9,21 +9,22 @@ namespace {
 
 using toolpath::Role;
 
-Course course(const std::vector<toolpath::Span>& spans) {
-    Course c;
+PathStatistics statistics_of(const std::vector<toolpath::Span>& spans) {
+    PathStatistics c;
     for (const auto& s : spans) follow(c, s);
     return c;
 }
 
-TEST(Course, OfNothing) {
-    EXPECT_EQ(course({}).strokes(), 0);
-    EXPECT_EQ(course({travel({0, 0, 0}, {9, 9, 9})}).strokes(), 0);
+TEST(PathStatistics, OfNothing) {
+    EXPECT_EQ(statistics_of({}).strokes(), 0);
+    EXPECT_EQ(statistics_of({travel({0, 0, 0}, {9, 9, 9})}).strokes(), 0);
 }
 
-TEST(Course, OneStrokeHasNoStop) {
+TEST(PathStatistics, OneStrokeHasNoStop) {
     auto lift = bead({{10, 0, 0.2}, {10, 0, 0.4}}, 0.4, 0.2, 1);
     lift.role = Role::lift;
-    const Course c = course({bead({{0, 0, 0.2}, {10, 0, 0.2}}), lift, bead({{10, 0, 0.4}, {0, 0, 0.4}}, 0.4, 0.2, 1)});
+    const PathStatistics c =
+        statistics_of({bead({{0, 0, 0.2}, {10, 0, 0.2}}), lift, bead({{10, 0, 0.4}, {0, 0, 0.4}}, 0.4, 0.2, 1)});
     EXPECT_EQ(c.strokes(), 1);
     EXPECT_EQ(c.stops, 0);
     EXPECT_EQ(c.joins[static_cast<std::size_t>(Role::lift)], 1);
@@ -32,10 +33,10 @@ TEST(Course, OneStrokeHasNoStop) {
     EXPECT_EQ(c.jumps, 0);
 }
 
-TEST(Course, BreaksFallIntoClasses) {
+TEST(PathStatistics, BreaksFallIntoClasses) {
     auto step = travel({10, 3, 0.4}, {10, 3, 0.6});
     step.retraction = toolpath::Retraction::none;
-    const Course c = course({
+    const PathStatistics c = statistics_of({
         bead({{0, 0, 0.2}, {10, 0, 0.2}}), travel({10, 0, 0.2}, {10, 0.4, 0.2}),               // a hop
         bead({{10, 0.4, 0.2}, {0, 0.4, 0.2}}), travel({0, 0.4, 0.2}, {0, 5, 0.2}),             // in the layer
         bead({{0, 5, 0.2}, {10, 5, 0.2}}), travel({10, 5, 0.2}, {0, 0, 0.4}),                  // to the next one
@@ -54,11 +55,12 @@ TEST(Course, BreaksFallIntoClasses) {
 }
 
 // Machines take back on their way up, too, unless they are told not to.
-TEST(Course, AWayStraightUpIsAStop) {
+TEST(PathStatistics, AWayStraightUpIsAStop) {
     const auto stops = [](toolpath::Retraction retraction) {
         auto up = travel({10, 0, 0.4}, {10, 0.04, 0.8});
         up.retraction = retraction;
-        return course({bead({{0, 0, 0.4}, {10, 0, 0.4}}), up, bead({{10, 0.04, 0.8}, {0, 0, 0.8}}, 0.4, 0.2, 3)});
+        return statistics_of(
+            {bead({{0, 0, 0.4}, {10, 0, 0.4}}), up, bead({{10, 0.04, 0.8}, {0, 0, 0.8}}, 0.4, 0.2, 3)});
     };
     EXPECT_EQ(stops(toolpath::Retraction::by_machine).stops, 1);
     EXPECT_EQ(stops(toolpath::Retraction::by_machine).hops, 1);
@@ -66,8 +68,8 @@ TEST(Course, AWayStraightUpIsAStop) {
     EXPECT_EQ(stops(toolpath::Retraction::none).strokes(), 1);
 }
 
-TEST(Course, SpansThatDoNotMeetAreJumps) {
-    const Course c = course({bead({{0, 0, 0.2}, {10, 0, 0.2}}), bead({{10, 2, 0.2}, {0, 2, 0.2}})});
+TEST(PathStatistics, SpansThatDoNotMeetAreJumps) {
+    const PathStatistics c = statistics_of({bead({{0, 0, 0.2}, {10, 0, 0.2}}), bead({{10, 2, 0.2}, {0, 2, 0.2}})});
     EXPECT_EQ(c.jumps, 1);
     EXPECT_EQ(c.stops, 1);
     EXPECT_EQ(c.strokes(), 2);

@@ -1,4 +1,4 @@
-#include "metrics/planar/course.hpp"
+#include "metrics/planar/path_statistics.hpp"
 
 namespace filum::metrics::planar {
 
@@ -12,8 +12,8 @@ constexpr double kStill = 1e-9;
 
 std::size_t index(Role r) { return static_cast<std::size_t>(r); }
 
-// The gap ends here, before an extruding move at layer height `height`.
-void close_gap(Course& c, double height) {
+// Ends a gap before an extruding move at layer height `height`.
+void close_gap(PathStatistics& c, double height) {
     const double aside = geom::distance(c.gap_start.xy(), c.at.xy()), up = std::abs(c.at.z - c.gap_start.z);
     const bool stop = (c.gap_held ? c.gap_xy : c.gap_way) > kStop || c.gap_taken;
     const bool held = c.gap_held && !c.gap_taken && aside <= kHop;
@@ -29,7 +29,7 @@ void close_gap(Course& c, double height) {
     c.in_gap = false;
 }
 
-void enter_gap(Course& c, toolpath::Retraction retraction) {
+void enter_gap(PathStatistics& c, toolpath::Retraction retraction) {
     if (!c.in_gap) {
         c.in_gap = c.gap_held = true;
         c.gap_taken = false;
@@ -40,7 +40,7 @@ void enter_gap(Course& c, toolpath::Retraction retraction) {
     c.gap_held = c.gap_held && retraction == toolpath::Retraction::none;
 }
 
-void move(Course& c, geom::Vec3 to, bool extruding, toolpath::Retraction retraction) {
+void move(PathStatistics& c, geom::Vec3 to, bool extruding, toolpath::Retraction retraction) {
     if (!extruding && c.begun) {
         enter_gap(c, retraction);
         c.gap_xy += geom::distance(c.at.xy(), to.xy());
@@ -49,14 +49,14 @@ void move(Course& c, geom::Vec3 to, bool extruding, toolpath::Retraction retract
     c.at = to;
 }
 
-void extend(Course& c, geom::Vec3 p) {
+void extend(PathStatistics& c, geom::Vec3 p) {
     c.lo = {std::min(c.lo.x, p.x), std::min(c.lo.y, p.y), std::min(c.lo.z, p.z)};
     c.hi = {std::max(c.hi.x, p.x), std::max(c.hi.y, p.y), std::max(c.hi.z, p.z)};
 }
 
 } // namespace
 
-void follow(Course& c, const toolpath::Span& span) {
+void follow(PathStatistics& c, const toolpath::Span& span) {
     const bool extruding = toolpath::extrudes(span.role);
     if (c.begun && !(span.points.front() == c.at)) {
         ++c.jumps;
@@ -65,7 +65,7 @@ void follow(Course& c, const toolpath::Span& span) {
     }
     c.at = span.points.front();
     if (!extruding && c.begun && span.retraction == toolpath::Retraction::taken) enter_gap(c, span.retraction);
-    bool fresh = true; // nothing of this span yet
+    bool fresh = true; // no move of this span yet
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
         const double d = geom::distance(span.points[i], span.points[i + 1]);
         if (d <= kStill) continue;
