@@ -9,13 +9,13 @@ namespace filum::sequence {
 namespace {
 
 // Rank of a region as the start of a stroke, the best first: whether a region is ahead where the stroke would end, the
-// value for the choice, and the number.
+// value of the rule, and the number.
 using Start = std::tuple<bool, std::int64_t, Index>;
 
 // The state of printing: what is printed and what may follow.
 struct Progress {
     const Graph& g;
-    Choice choice;
+    StartRule rule;
     std::vector<Index> waiting; // per region: number of unprinted predecessors
     std::vector<char> printed;
     std::vector<Index> height;                // number of regions on the longest path up by links
@@ -26,15 +26,15 @@ struct Progress {
     Index strokes = 0;
     Order order;
 
-    Progress(const Graph& graph, Choice c);
+    Progress(const Graph& graph, StartRule c);
     void print(Index v);
     [[nodiscard]] Index next(Index u) const;
     void look(Index s);
     void go(Index s);
 };
 
-Progress::Progress(const Graph& graph, Choice c)
-    : g(graph), choice(c), waiting(g.size()), printed(g.size(), 0), height(g.size(), 1), since(g.size(), 0),
+Progress::Progress(const Graph& graph, StartRule c)
+    : g(graph), rule(c), waiting(g.size()), printed(g.size(), 0), height(g.size(), 1), since(g.size(), 0),
       start(g.size(), {false, 0, kNone}), blocking(g.size()) {
     for (Index v = g.size(); v-- > 0;) {
         for (const Index w : g.up[v]) height[v] = std::max(height[v], height[w] + 1);
@@ -79,9 +79,9 @@ void Progress::look(Index s) {
         printed[order.back()] = 0;
         order.pop_back();
     }
-    const std::int64_t first = choice == Choice::longest  ? -length
-                               : choice == Choice::lowest ? std::int64_t{g.node[s].layer}
-                                                          : -std::int64_t{since[s]};
+    const std::int64_t first = rule == StartRule::longest  ? -length
+                               : rule == StartRule::lowest ? std::int64_t{g.node[s].layer}
+                                                           : -std::int64_t{since[s]};
     start[s] = {blocker != kNone, first, s};
     starts.insert(start[s]);
     if (blocker != kNone) blocking[blocker].push_back(s);
@@ -113,8 +113,8 @@ void Progress::go(Index s) {
 
 } // namespace
 
-Order climb(const Graph& g, Choice choice) {
-    Progress s(g, choice);
+Order climb(const Graph& g, StartRule rule) {
+    Progress s(g, rule);
     while (!s.starts.empty()) s.go(std::get<Index>(*s.starts.begin()));
     return std::move(s.order);
 }

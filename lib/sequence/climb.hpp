@@ -6,12 +6,12 @@
 namespace filum::sequence {
 
 // How the next stroke's start is chosen among the ready regions.
-enum class Choice : std::uint8_t { longest, lowest, latest };
+enum class StartRule : std::uint8_t { longest, lowest, latest };
 
 // A stroke continues as long as it can, which costs nothing, because a region that is ready now can only begin a later
-// stroke. The next start is one whose stroke reaches the end of its column; otherwise by `choice` (the longest stroke,
+// stroke. The next start is one whose stroke reaches the end of its column; otherwise by `rule` (the longest stroke,
 // the lowest start, the start that became ready last); ties: the lower number. Of several links up a stroke takes the
 // one with the longest path ahead.
-Order climb(const Graph& g, Choice choice);
+Order climb(const Graph& g, StartRule rule);
 
 } // namespace filum::sequence

@@ -95,7 +95,7 @@ namespace {
 
 Plan plan_part(const Graph& g, const Columns& columns, std::uint64_t budget) {
     Planner p{g, columns, layer_plan(g)};
-    for (const Choice c : {Choice::longest, Choice::lowest, Choice::latest})
+    for (const StartRule c : {StartRule::longest, StartRule::lowest, StartRule::latest})
         if (!p.proven()) p.offer(climb(g, c));
     if (p.proven()) return std::move(p.best);
     Relaxation r(g, columns);

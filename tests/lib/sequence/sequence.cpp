@@ -157,8 +157,8 @@ TEST(Search, AgreesWithEnumerationOnRandomWorlds) {
         EXPECT_GE(cost(g, narrow.order).strokes, least);
         search_best += cost(g, narrow.order).strokes == least ? 1 : 0;
         Index greedy = kNone;
-        for (const Choice choice : {Choice::longest, Choice::lowest, Choice::latest}) {
-            const Order o = climb(g, choice);
+        for (const StartRule rule : {StartRule::longest, StartRule::lowest, StartRule::latest}) {
+            const Order o = climb(g, rule);
             check(g, o);
             EXPECT_GE(cost(g, o).strokes, least);
             greedy = std::min(greedy, cost(g, o).strokes);
