@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
+#include <optional>
 #include <string_view>
 #include <tuple>
 
@@ -81,27 +81,45 @@ std::string last_value(const std::vector<std::string>& words, const std::string&
     return out;
 }
 
-// The fastest that the machine of the job moves, mm/s; infinite if it has no profile that can be read.
-double fastest(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
+// The profile of the job's machine; none if it cannot be read, which is reported where it is used.
+std::optional<machine::Profile> machine_profile(const std::vector<std::string>& words,
+                                                const std::vector<Stage>& stages) {
     std::string machine = last_value(words, "--machine");
     for (const Stage& s : stages)
         for (const StageOption& o : s.options)
             if (machine.empty() && s.name == "postproc" && o.name == "machine") machine = o.value;
-    constexpr double kInf = std::numeric_limits<double>::infinity();
-    if (machine.empty()) return kInf;
+    if (machine.empty()) return std::nullopt;
     try {
-        return machine::load_profile(machine, last_value(words, "--set")).motion.max_speed;
-    } catch (const Error&) { // told where the profile is used
-        return kInf;
+        return machine::load_profile(machine, last_value(words, "--set"));
+    } catch (const Error&) {
+        return std::nullopt;
     }
 }
 
+// Leaves out settings for which the machine has no code: the fan's, accelerations of roles.
+void leave_out_codes(SlicerWishes& all, const machine::Profile& machine) {
+    const auto drop = [&](const std::string& codes, const char* start, const char* end, const char* key,
+                          const char* what) {
+        if (!codes.empty()) return;
+        const auto count = std::erase_if(all.words, [&](const std::string& word) {
+            return word.starts_with(start) && word.substr(0, word.find('=', 6)).ends_with(end);
+        });
+        if (count > 0)
+            all.remarks.push_back(std::string(what) + " of the settings not used: machine '" + machine.name +
+                                  "' has no " + key);
+    };
+    drop(machine.features.set_fan, "--set=cooling.", "", "features.set_fan", "the fan's speeds");
+    drop(machine.features.set_acceleration, "--set=features.", ".acceleration", "features.set_acceleration",
+         "accelerations by role");
+}
+
 // Speeds of a file that are beyond the machine become its own.
-void limit_speeds(SlicerWishes& all, double most) {
+void limit_speeds(SlicerWishes& all, const machine::Motion& motion) {
     const std::string start = "--set=feeds.";
     for (const ReadSetting& s : all.settings)
         for (const std::string& word : s.words) {
             if (!word.starts_with(start)) continue;
+            const double most = word.starts_with(start + "z=") ? motion.max_speed_z : motion.max_speed;
             const auto equal = word.find('=', start.size());
             if (!(parse_number(word.substr(equal + 1), s.key) > most)) continue;
             std::ranges::replace(all.words, word, word.substr(0, equal + 1) + shortest_text(most));
@@ -134,11 +152,15 @@ void leave_to_machine(SlicerWishes& all) {
     std::erase_if(all.remarks, [](const std::string& remark) { return remark.ends_with("its machine profile says"); });
 }
 
-// What of settings has a meaning here; `most`: mm/s.  Returns whether they ask for supports.
-bool use_settings(const SlicerFile& file, double most, const std::vector<Stage>& stages, Translated& out) {
+// What of settings has a meaning here, on that machine.  Returns whether they ask for supports.
+bool use_settings(const SlicerFile& file, const std::optional<machine::Profile>& machine,
+                  const std::vector<Stage>& stages, Translated& out) {
     SlicerWishes all = wishes(file, [&](std::string_view name) { return has(stages, name); });
     if (out.machine != nullptr) leave_to_machine(all);
-    limit_speeds(all, most);
+    if (machine) {
+        limit_speeds(all, machine->motion);
+        leave_out_codes(all, *machine);
+    }
     out.words.insert(out.words.end(), all.words.begin(), all.words.end());
     std::ranges::move(all.remarks, std::back_inserter(out.remarks));
     for (const ReadSetting& s : all.settings) {
@@ -165,9 +187,10 @@ void load(const PrinterNames& printer, const std::vector<std::string>& files, co
     sources.insert(sources.end(), files.begin(), files.end());
     use_machine(read, std::move(sources), all, out);
     if (out.machine != nullptr) all.insert(all.begin(), out.words.back());
-    const double most = fastest(all, stages);
+    const auto machine = machine_profile(all, stages);
     bool supports = false;
-    for (const SlicerFile& file : merged(std::move(read))) supports = use_settings(file, most, stages, out) || supports;
+    for (const SlicerFile& file : merged(std::move(read)))
+        supports = use_settings(file, machine, stages, out) || supports;
     for (const std::string& file : files)
         load_bodies(file, std::ranges::find(words, file) != words.end(), supports, stages, out);
 }

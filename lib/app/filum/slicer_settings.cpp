@@ -36,6 +36,7 @@ class Reader {
         if (row.reading == "nonzero" || row.reading == "positive" || row.reading == "foot")
             return {positive(key, row, row.reading == "nonzero")};
         if (row.reading == "count") return count(key, row);
+        if (row.reading == "shell") return shell(key, row);
         if (row.reading == "share") return {option(row.target, shortest_text(values_.density(key)) + "%")};
         if (row.reading == "speed") return speed(key, row);
         if (row.reading == "key" || row.reading == "key_positive") {
@@ -43,10 +44,7 @@ class Reader {
             return number > 0 || row.reading == "key" ? Words{set(row.target, number)} : Words{};
         }
         if (row.reading == "celsius") return celsius(key, row);
-        if (row.reading == "acceleration") {
-            const double mm_s2 = acceleration(key, row);
-            return mm_s2 > 0 ? Words{set(row.target, mm_s2)} : Words{};
-        }
+        if (row.reading == "acceleration") return accelerations(key, row);
         if (row.reading == "flow") // 0: without a limit
             return {set(row.target, values_.number(key) > 0 ? values_.number(key) : kNoFlowLimit)};
         if (row.reading == "supported")
@@ -78,6 +76,15 @@ class Reader {
         if (values_.number(key) >= 1) return {option(row.target, values_.number(key))};
         remarks_.push_back(key + " = 0: Filum lays at least one wall");
         return {option(row.target, 1)};
+    }
+
+    // Layers, or as many more as a least thickness needs; none at all is none.
+    Words shell(const std::string& key, const SettingRow& row) {
+        const double layers = values_.number(key), height = values_.number_or("layer_height", 0);
+        const double thickness = values_.number_or(std::string(row.of), 0);
+        if (!(layers > 0 && height > 0 && thickness > 0)) return {option(row.target, layers)};
+        const double needed = std::ceil(std::round(thickness / height * 1e6) / 1e6); // no digits of rounding
+        return {option(row.target, std::max(layers, needed))};
     }
 
     Words speed(const std::string& key, const SettingRow& row) {
@@ -140,8 +147,10 @@ class Reader {
 
     Words width() {
         const double nozzle = values_.number_or("nozzle_diameter", 0);
-        const std::string key = values_.text("extrusion_width").empty() ? "line_width" : "extrusion_width";
-        if (values_.text(key).empty() || values_.number(key) <= 0) // by itself
+        std::string key;
+        for (const char* k : {"extrusion_width", "line_width", "perimeter_extrusion_width", "inner_wall_line_width"})
+            if (key.empty() && values_.number_or(k, 0) > 0) key = k;
+        if (key.empty()) // the slicer chooses it
             return nozzle > 0 ? Words{option("bead-width", nozzle)} : Words{};
         if (!values_.percent(key)) return {option("bead-width", values_.number(key))};
         const double wide = nozzle > 0 ? nozzle : 0.4, layer = values_.number_or("layer_height", 0.2);
@@ -195,6 +204,21 @@ class Reader {
         return out;
     }
 
+    // PrusaSlicer up to 2.5 has one acceleration for all perimeters, and one for infill of all kinds.
+    Words accelerations(const std::string& key, const SettingRow& row) const {
+        const double mm_s2 = acceleration(key, row);
+        if (!(mm_s2 > 0)) return {};
+        Words out{set(row.target, mm_s2)};
+        constexpr std::pair<std::string_view, const char*> kFinerKeys[] = {
+            {"perimeter_acceleration", "external_perimeter_acceleration"},
+            {"infill_acceleration", "solid_infill_acceleration"},
+            {"infill_acceleration", "top_solid_infill_acceleration"}};
+        for (const auto& [coarse, fine] : kFinerKeys)
+            if (key == coarse && values_.text(fine).empty())
+                out.push_back(set(row_of(fine, values_.slicer()).target, mm_s2));
+        return out;
+    }
+
     // mm/s2; 0 is the acceleration of everything else, and a percentage is one of another acceleration.
     double acceleration(const std::string& key, const SettingRow& row, int depth = 0) const {
         const std::string base = values_.of_orca() || key != "default_acceleration" ? std::string(row.of) : "";
@@ -208,7 +232,10 @@ class Reader {
     Words skirt() {
         const std::string loops = values_.text("skirts").empty() ? values_.text("skirt_loops") : values_.text("skirts");
         const double mm = values_.number("skirt_distance");
-        return !loops.empty() && loops != "0" && mm > 0 ? Words{option("skirt", mm)} : Words{};
+        if (loops.empty() || loops == "0") return {};
+        if (mm > 0) return {option("skirt", mm)};
+        remarks_.push_back("skirt_distance = 0: no skirt, since Filum lays none that touches the part; add --brim");
+        return {};
     }
 
     // PrusaSlicer says what is lost, at most 10 %; OrcaSlicer and SuperSlicer what is left, partly by the same name.

@@ -157,6 +157,32 @@ TEST(SlicerSettings, SpeedsArePercentOfOtherSpeeds) {
     EXPECT_EQ(loaded("external_perimeter_speed = 50%\n"), Words{"--set=feeds.outer_wall=30"}); // of its default
 }
 
+TEST(SlicerSettings, ShellsAreAsThickAsTheyMustBe) {
+    EXPECT_EQ(loaded("layer_height = 0.1\ntop_solid_layers = 5\ntop_solid_min_thickness = 0.7\n"),
+              (Words{"--layer-height=0.1", "--top=7"}));
+    EXPECT_EQ(loaded("layer_height = 0.2\nbottom_solid_layers = 4\nbottom_solid_min_thickness = 0.5\n"),
+              (Words{"--layer-height=0.2", "--bottom=4"}));
+    EXPECT_EQ(loaded("layer_height = 0.2\ntop_solid_layers = 0\ntop_solid_min_thickness = 0.7\n"),
+              (Words{"--layer-height=0.2", "--top=0"}));
+    EXPECT_EQ(loaded(R"({"layer_height": "0.2", "top_shell_layers": "3", "top_shell_thickness": "0.8"})"),
+              (Words{"--layer-height=0.2", "--top=4"}));
+}
+
+TEST(SlicerSettings, AnAccelerationOfZeroIsThatOfEverythingElse) {
+    EXPECT_EQ(loaded("perimeter_acceleration = 0\ninfill_acceleration = 0\ndefault_acceleration = 0\n"), Words{});
+    EXPECT_EQ(
+        loaded("perimeter_acceleration = 800\nexternal_perimeter_acceleration = 0\ninfill_acceleration = 0\n"
+               "solid_infill_acceleration = 900\ntop_solid_infill_acceleration = 0\ndefault_acceleration = 1000\n"),
+        Words{"--set=features.wall.acceleration=800,features.outer_wall.acceleration=800,"
+              "features.infill.acceleration=1000,features.solid.acceleration=900,features.top.acceleration=900,"
+              "motion.acceleration=1000"});
+    EXPECT_EQ(loaded("perimeter_acceleration = 800\ninfill_acceleration = 700\n"), // of PrusaSlicer 2.5
+              Words{"--set=features.wall.acceleration=800,features.outer_wall.acceleration=800,"
+                    "features.infill.acceleration=700,features.solid.acceleration=700,features.top.acceleration=700"});
+    EXPECT_EQ(loaded(R"({"default_acceleration": "5000", "sparse_infill_acceleration": "50%"})"),
+              Words{"--set=motion.acceleration=5000,features.infill.acceleration=2500"});
+}
+
 TEST(SlicerSettings, AListHasAnItemForEachExtruder) {
     EXPECT_EQ(loaded("temperature = 200,230\n"), Words{"--set=nozzle_temp=200"});
     EXPECT_EQ(loaded("temperature = 200,230\nperimeter_extruder = 2\n"), Words{"--set=nozzle_temp=230"});

@@ -126,7 +126,7 @@ TEST(SlicerPresets, ABundleWithoutAChoiceOrWithALoopIsRefused) {
 // OrcaSlicer's tree: VENDOR/process/x.json inherits from others there; the user's own from those of the system.
 TEST(SlicerPresets, ParentsOfJsonAreFoundWhereSlicersKeepThem) {
     const test::Folder at;
-    for (const char* folder : {"system/V/process/deep", "system/W/process", "user/process", "alone"})
+    for (const char* folder : {"system/V/process/deep", "system/W/process", "user/default/process", "alone"})
         std::filesystem::create_directories(at(folder));
     static_cast<void>(at.write("system/V/process/base.json",
                                R"({"type": "process", "name": "base", "wall_loops": "4", "layer_height": "0.3"})"));
@@ -138,7 +138,7 @@ TEST(SlicerPresets, ParentsOfJsonAreFoundWhereSlicersKeepThem) {
     EXPECT_EQ(value_of(slicer_file(near), "wall_loops"), "4");
     EXPECT_EQ(value_of(slicer_file(near), "layer_height"), "0.2");
     const std::string own =
-        at.write("user/process/own.json",
+        at.write("user/default/process/own.json",
                  R"({"type": "process", "name": "own", "inherits": "near", "sparse_infill_density": "7%"})");
     EXPECT_EQ(value_of(slicer_file(own), "wall_loops"), "-");
     EXPECT_NE(slicer_file(own).remarks.at(0).find("'near', which 'own' inherits from, was not found"),
