@@ -170,7 +170,7 @@ Parts outlines(const Loops& contours, double tolerance, double hairline, Notes& 
     if (!polygon::is_simple(loops)) loops = polygon::unite(loops);
     if (hairline > 0) close_gaps(loops, tolerance, hairline, notes);
     for (int attempt = 0; attempt < 3; ++attempt) {
-        if (const auto parent = nesting(loops))
+        if (const auto parent = regions::nesting(loops))
             if (auto parts = assemble(loops, *parent)) return std::move(*parts);
         loops = polygon::unite(loops);
     }
