@@ -79,10 +79,17 @@ bool changes_tool(std::string_view text, std::uint32_t tool) {
 std::string machine_limits(const Settings& settings, Flavor flavor) {
     const bool rrf = flavor == Flavor::reprapfirmware;
     if (!rrf && flavor != Flavor::marlin && flavor != Flavor::marlin2) return "";
-    const std::string usage = settings.text("machine_limits_usage");
-    const bool asked = usage.empty() ? settings.flag("emit_machine_limits_to_gcode") : usage == "emit_to_gcode";
+    // OrcaSlicer and Bambu Studio have a name of their own for the speeds, and emit the limits unless told otherwise.
+    const bool orca = settings.find("machine_max_speed_x") != nullptr;
+    const bool told = settings.find("emit_machine_limits_to_gcode") != nullptr;
+    const bool asked = told   ? settings.flag("emit_machine_limits_to_gcode")
+                       : orca ? true
+                              : settings.text("machine_limits_usage") == "emit_to_gcode";
     if (!asked) return "";
-    const auto value = [&](const std::string& name) { return settings.number("machine_max_" + name); };
+    const auto value = [&](std::string name) {
+        if (orca && name.starts_with("feedrate")) name.replace(0, 8, "speed");
+        return settings.number("machine_max_" + name);
+    };
     const auto whole = [](double v) { return std::to_string(static_cast<long long>(v + 0.5)); };
     const auto axes = [&](const std::string& name, double factor) {
         return " X" + whole(factor * value(name + "_x")) + " Y" + whole(factor * value(name + "_y")) + " Z" +

@@ -122,7 +122,10 @@ TEST(PresetProgram, NamesOfOrcaSlicer) {
     orca.settings = {{"machine_start_gcode",
                       {"M190 S[bed_temperature_initial_layer_single]\nM109 S[nozzle_temperature_initial_layer]\n"
                        "G1 X{first_layer_center_no_wipe_tower[0]} Z{max_layer_z}"}},
-                     {"gcode_flavor", {"klipper"}},
+                     {"gcode_flavor", {"marlin2"}},
+                     {"emit_machine_limits_to_gcode", {"1"}},
+                     {"machine_max_speed_x", {"500", "200"}},
+                     {"machine_max_acceleration_x", {"9000", "8000"}},
                      {"curr_bed_type", {"Textured PEI Plate"}},
                      {"textured_plate_temp_initial_layer", {"65"}},
                      {"textured_plate_temp", {"60"}},
@@ -132,6 +135,9 @@ TEST(PresetProgram, NamesOfOrcaSlicer) {
     preset::Job job;
     job.first_layer = {{100, 100}, {120, 100}, {120, 110}};
     job.height = 12.4;
+    const std::string start = preset::Program(orca, job).start();
+    EXPECT_TRUE(start.starts_with("M201 X9000 ")) << start;
+    EXPECT_NE(start.find("M203 X500 "), std::string::npos) << start;
     EXPECT_NE(preset::Program(orca, job).start().find("M190 S65\nM109 S220\nG1 X110 Z12.4\n"), std::string::npos)
         << preset::Program(orca, job).start();
 }
