@@ -51,7 +51,12 @@ Loops combine_tile(cl::ClipType kind, std::span<const Loops> in, Fill rule, bool
     cl::Paths out;
     clipper.Execute(kind, out, fill_type(rule), fill_type(rule));
     Loops result = from_clipper(out);
-    return !strict || is_simple(result) ? result : parted_at_touches(result);
+    if (!strict || is_simple(result)) return result;
+    Loops parted = parted_at_touches(result);
+    if (is_simple(parted)) return parted;
+    clipper.StrictlySimple(true); // different loops touch each other: seldom, and quadratic
+    clipper.Execute(kind, out, fill_type(rule), fill_type(rule));
+    return from_clipper(out);
 }
 
 Loops combine(cl::ClipType kind, std::span<const Loops> in, Fill rule, bool strict = true) {
