@@ -217,7 +217,7 @@ TEST(Rows, ThatAreNotWorthTheirWayAreLeftOut) {
     };
     for (int i = 0; i < 8; ++i) add({0, i + 0.5, 0}, {40, i + 0.5, 0});
     add({0, 38, 0}, {2, 40, 0});
-    const Rows found = rows(s, lines, {0.5, 0.5, 0.5, 0.1});
+    const Rows found = rows::rows(s, lines, {0.5, 0.5, 0.5, 0.1});
     ASSERT_EQ(found.rows.size(), 9U);
     TurnOptions turns = turn_options(1, 2.4);
     turns.tight = true;
@@ -265,7 +265,7 @@ TEST(Rows, ALoopBesideAHoleStaysClosed) {
             loop.places.push_back({at.triangle, at.a});
         }
         const Rows found =
-            rows(s, std::vector{UnclippedLine{surface::curve::threaded(s, loop), 0}}, {0.5, 0.5, 2.4, 0.1});
+            rows::rows(s, std::vector{UnclippedLine{surface::curve::threaded(s, loop), 0}}, {0.5, 0.5, 2.4, 0.1});
         if (off > 0.5) { // it leaves the surface: no ring leads past that
             for (const Row& row : found.rows) EXPECT_FALSE(row.line.closed);
             continue;

@@ -95,7 +95,8 @@ TEST(Stagger, TurnsBehindEachOtherLayLessTwiceThanAllAtTheRim) {
         const double radius = between(1.6, 2.8);
         const Surface s = sheet_of(a, b, lift);
         TurnOptions turns = turn_options(spacing, radius);
-        const Rows all = rows(s, rim_to_rim(s, a, b, spacing, lift), {spacing / 2, 2 * radius, radius, spacing / 4});
+        const Rows all =
+            rows::rows(s, rim_to_rim(s, a, b, spacing, lift), {spacing / 2, 2 * radius, radius, spacing / 4});
         const Plan plan = boustrophedon(s, all, turns);
         turns.staggered = false;
         const Plan at_rim = boustrophedon(s, all, turns);
@@ -120,7 +121,7 @@ TEST(Stagger, TurnsWasteLittleMoreThanTheBestKnownOnes) {
     };
     for (const auto& [lift, best] : {Rim{unbent, 1.61}, Rim{sheared, 2.79}}) {
         const Surface s = sheet_of(24, kEnds / 2, lift);
-        const Rows all = rows(s, rim_to_rim(s, 24, kEnds / 2, 1, lift), {0.5, 4.8, 2.4, 0.25});
+        const Rows all = rows::rows(s, rim_to_rim(s, 24, kEnds / 2, 1, lift), {0.5, 4.8, 2.4, 0.25});
         const Plan plan = boustrophedon(s, all, turn_options(1, 2.4));
         ASSERT_EQ(plan.strokes.size(), 1u);
         const Coverage c = cover(s, plan, 1);
