@@ -130,8 +130,8 @@ Heights heights(const LayerInput& w) {
         }
         sum += std::abs(b.y - a.y) + width;
     };
-    for (std::size_t k = 0; w.beads != nullptr && k < w.beads->pieces.size(); ++k)
-        for (std::size_t i = w.beads->pieces[k].first; i + 1 < w.beads->end(k); ++i)
+    for (std::size_t k = 0; w.beads != nullptr && k < w.beads->runs.size(); ++k)
+        for (std::size_t i = w.beads->runs[k].first; i + 1 < w.beads->end(k); ++i)
             add(w.beads->points[i], w.beads->points[i + 1], w.beads->width[i]);
     for (const auto* r : w.regions)
         for (std::size_t i = 0; i < r->loops.size(); ++i) {
