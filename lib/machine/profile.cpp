@@ -360,6 +360,9 @@ Profile parse_profile(std::string_view text, const std::string& file, const std:
     read_motion(doc, p);
     read_feeds(doc, p);
     read_features(doc, p.motion.controller, kMostAcceleration, p.features);
+    read_cooling(doc, p.cooling);
+    if (p.cooling.active() && p.features.set_fan.empty())
+        doc.fail("cooling.most", "features.set_fan must say by which code, with {fan_speed}");
     read_travel(doc, p.travel);
     read_multi_axis(doc, p.axes);
     p.axes.limits.radius_min = p.bed.x_min;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geom/vec.hpp"
+#include "machine/cooling.hpp"
 #include "machine/feature_rules.hpp"
 #include "machine/fibre.hpp"
 #include "machine/head.hpp"
@@ -149,6 +150,7 @@ struct Profile {
     Limits limits;
     Feeds feeds;
     FeatureRules features;
+    Cooling cooling;
     Travel travel;
     Motion motion;
     Merging merging; // none of the file's: the user says it

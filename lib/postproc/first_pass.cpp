@@ -147,7 +147,14 @@ void Surveyor::move(const Step& step) {
     placed_ = true;
 }
 
+double FirstPass::layer_seconds(std::size_t n) const {
+    if (n >= layers_begin.size()) return 0;
+    const double end = n + 1 < layers_begin.size() ? timeline.seconds_at(layers_begin[n + 1]) : timeline.total();
+    return end - timeline.seconds_at(layers_begin[n]);
+}
+
 void Surveyor::reach_layer(const Step& step) {
+    first_pass_.layers_begin.push_back(nominal_.seconds());
     first_pass_.layers = std::max(first_pass_.layers, step.layer + 1);
     Waits& w = first_pass_.waits;
     const std::uint64_t due = first_pass_.pauses.before(step.layer, step.to.z, step.height);

@@ -73,6 +73,9 @@ struct FirstPass {
     // Only of machines with a slicer's profile:
     Footprint first_layer, footprint; // of its first layer, and of all
     std::uint32_t first_tool = 0;     // that extrudes
+    std::vector<double> layers_begin; // nominal seconds, in the order of the program; a layer may come several times
+    // How long the layer takes that is the n-th to begin.
+    [[nodiscard]] double layer_seconds(std::size_t n) const;
 };
 
 // Reads steps as they come.  Throws Error(failure) with the place for a bead whose cross-section (flow included) is

@@ -163,25 +163,6 @@ void Program::bead_comments(const Step& step) {
     feature_ = step.feature;
 }
 
-// What beads of the feature have of their own, where it changes.
-void Program::feature_codes(const Step& step) {
-    const machine::FeatureRules& rules = profile_->features;
-    const machine::FeatureRule& rule = rules[step.feature];
-    const auto set = [&](double& now, double wanted, const char* name, const std::string& codes) {
-        if (now == wanted) return;
-        values_[name] = now = wanted;
-        code(codes);
-    };
-    const double usual = profile_->motion.acceleration;
-    if (rules.accelerates)
-        set(acceleration_, rule.acceleration > 0 ? rule.acceleration : usual, "acceleration", rules.set_acceleration);
-    if (!rules.blows || step.layer == 0) return;
-    const auto fan = values_.find("fan");
-    const double blown = fan == values_.end() ? 0 : fan->second;
-    if (fan_ < 0) fan_ = blown;
-    set(fan_, rule.fan >= 0 ? rule.fan : blown, "fan_speed", rules.set_fan);
-}
-
 // Appends the code and the words that changed; false, and nothing appended, if none did.  All in units.
 bool Program::words(const std::array<std::int64_t, 5>& to, std::string_view code) {
     if (to == at_) return false;

@@ -67,8 +67,10 @@ class Program final : public Writer {
     Role role_ = Role::travel;
     Feature feature_ = Feature::none;
     double acceleration_ = -1, fan_ = -1; // as last told to the machine for a feature; -1: not yet
-    double width_ = 0, height_ = 0;       // as last told to viewers
-    std::uint64_t lines_ = 0;             // moves written
+    std::size_t layers_begun_ = 0;
+    double layer_seconds_ = 0;      // that the layer takes, as long as the program stays on it
+    double width_ = 0, height_ = 0; // as last told to viewers
+    std::uint64_t lines_ = 0;       // moves written
     void preset_code(const std::string& text);
 
     const FirstPass* planned_;

@@ -10,6 +10,7 @@ namespace filum::postproc {
 
 void Program::layer(const Step& step) {
     values_["layer"] = step.layer;
+    layer_seconds_ = planned_->layer_seconds(layers_begun_++);
     values_["z"] = step.to.z;
     values_["height"] = step.height;
     if (profile_->format.viewer_comments) {

@@ -95,7 +95,7 @@ void add_feeding(const Profile& p, std::vector<std::string>& out) {
                       " mm, more than any filament: is the kind plunger?");
     if (p.extrusion.feeding == Feeding::plunger && p.feeds.bead > kFastPaste)
         out.push_back("feeds.bead is " + shortest_text(p.feeds.bead) + " mm/s, fast for a syringe");
-    if (p.extrusion.feeding != Feeding::filament && p.templates.purges())
+    if (p.extrusion.feeding != Feeding::filament && p.templates.start.find("{purge") != std::string::npos)
         out.push_back("templates.start primes a line, by mm of filament: check the amount");
 }
 

@@ -168,6 +168,18 @@ TEST(SlicerSettings, ShellsAreAsThickAsTheyMustBe) {
               (Words{"--layer-height=0.2", "--top=4"}));
 }
 
+TEST(SlicerSettings, TheFanGoesByTheTimeOfALayer) {
+    EXPECT_EQ(loaded("max_fan_speed = 80\nmin_fan_speed = 40\nfan_always_on = 1\nfan_below_layer_time = 100\n"
+                     "slowdown_below_layer_time = 15\ndisable_fan_first_layers = 1\nbridge_fan_speed = 100\n"),
+              Words{"--set=cooling.most=204,cooling.least=102,cooling.idle=102,cooling.fast=15,cooling.below=100,"
+                    "cooling.off_layers=1,cooling.full_layer=0,cooling.bridge=255"});
+    const std::string still = loaded("max_fan_speed = 80\ncooling = 0\n").at(0); // no fan by time, none always
+    EXPECT_NE(still.find("cooling.idle=0,cooling.fast=0,cooling.below=0"), std::string::npos) << still;
+    const std::string orca = loaded(R"({"fan_max_speed": ["60"], "overhang_fan_speed": ["90"]})").at(0);
+    EXPECT_NE(orca.find("cooling.most=153,cooling.least=51,cooling.idle=0"), std::string::npos) << orca;
+    EXPECT_NE(orca.find("cooling.bridge=229.5"), std::string::npos) << orca;
+}
+
 TEST(SlicerSettings, AnAccelerationOfZeroIsThatOfEverythingElse) {
     EXPECT_EQ(loaded("perimeter_acceleration = 0\ninfill_acceleration = 0\ndefault_acceleration = 0\n"), Words{});
     EXPECT_EQ(

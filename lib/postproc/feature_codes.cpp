@@ -1,0 +1,34 @@
+// Acceleration and fan of beads.
+#include "postproc/program.hpp"
+
+#include <cmath>
+
+namespace filum::postproc {
+
+// What beads of the feature have of their own, where it changes.
+void Program::feature_codes(const Step& step) {
+    const machine::FeatureRules& rules = profile_->features;
+    const machine::FeatureRule& rule = rules[step.feature];
+    const auto set = [&](double& now, double wanted, const char* name, const std::string& codes) {
+        if (now == wanted) return;
+        values_[name] = now = wanted;
+        code(codes);
+    };
+    const double usual = profile_->motion.acceleration;
+    if (rules.accelerates)
+        set(acceleration_, rule.acceleration > 0 ? rule.acceleration : usual, "acceleration", rules.set_acceleration);
+    const machine::Cooling& cooling = profile_->cooling;
+    if (cooling.active() && rule.fan < 0) {
+        const double speed = step.feature == Feature::bridge ? cooling.bridge_speed(step.layer, layer_seconds_)
+                                                             : cooling.speed(step.layer, layer_seconds_);
+        set(fan_, std::round(speed * 10) / 10, "fan_speed", rules.set_fan);
+        return;
+    }
+    if (!rules.blows || step.layer == 0) return;
+    const auto fan = values_.find("fan");
+    const double blown = fan == values_.end() ? 0 : fan->second;
+    if (fan_ < 0) fan_ = blown;
+    set(fan_, rule.fan >= 0 ? rule.fan : blown, "fan_speed", rules.set_fan);
+}
+
+} // namespace filum::postproc
