@@ -1,6 +1,7 @@
 // What the codes of a program switch, and where its extruder is.
 #pragma once
 
+#include "base/length_unit.hpp"
 #include "machine/profile.hpp"
 
 #include <cmath>
@@ -45,7 +46,6 @@ struct Modes {
     }
 
   private:
-    static constexpr double kInch = 25.4; // mm
     double unit_ = 1;
 };
 

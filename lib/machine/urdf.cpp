@@ -1,5 +1,6 @@
 // Robots by their URDF: of it the joints are read, and nothing else.
 #include "base/error.hpp"
+#include "base/length_unit.hpp"
 #include "base/number.hpp"
 #include "geom/frame.hpp"
 #include "machine/robot.hpp"
@@ -93,7 +94,7 @@ class Tree {
     void check_units(const std::vector<const Joint*>& chain) const {
         for (const Joint* j : chain) {
             if (norm(j->place.origin) > kMostLength)
-                fail("joint '" + j->name + "' is " + fixed_text(norm(j->place.origin) / 1000, 0) +
+                fail("joint '" + j->name + "' is " + fixed_text(norm(j->place.origin) / kMetre, 0) +
                      " m from the one before; URDF counts in m: if these are mm, divide xyz by 1000");
             if (!j->turns()) continue;
             const std::string then = "; URDF counts in rad: if these are degrees, multiply by 0.01745329 (pi / 180)";
@@ -136,7 +137,7 @@ class Tree {
     }
 
     [[nodiscard]] Joint joint(const pugi::xml_node& node) const {
-        constexpr double mm = 1000; // URDF counts in m
+        constexpr double mm = kMetre; // URDF counts in m
         Joint out;
         out.name = node.attribute("name").value();
         out.type = node.attribute("type").value();

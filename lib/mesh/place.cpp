@@ -1,10 +1,12 @@
 #include "mesh/place.hpp"
 
 #include "base/error.hpp"
+#include "base/length_unit.hpp"
 #include "geom/angle.hpp"
 #include "mesh/formats.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace filum::mesh {
@@ -36,7 +38,7 @@ Affine rotation(int axis, double degrees) {
     return out;
 }
 
-constexpr std::pair<const char*, double> kUnits[] = {{"um", 0.001}, {"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
+constexpr std::array<std::string_view, 5> kUnits{"um", "mm", "cm", "m", "in"}; // that --unit knows
 
 // Parts are between some millimetres and some decimetres: a longest side below 0.4 units speaks for metres, below 4
 // for inches.
@@ -53,8 +55,7 @@ double unit_mm(const std::string& unit, double longest, bool in_mm, Notes& notes
         notes.push_back(note(NoteCode::unit_guessed, longest));
         notes.back().detail = name;
     }
-    for (const auto& [text, mm] : kUnits)
-        if (name == text) return mm;
+    if (std::ranges::find(kUnits, name) != kUnits.end()) return *length_of_symbol(name);
     throw Error(Exit::usage, "cannot use '" + unit + "' for --unit: it must be one of auto, um, mm, cm, m, in");
 }
 

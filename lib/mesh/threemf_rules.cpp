@@ -1,8 +1,10 @@
 #include "mesh/threemf_rules.hpp"
 
+#include "base/length_unit.hpp"
 #include "mesh/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <pugixml.hpp>
 #include <sstream>
@@ -61,11 +63,9 @@ bool has_another(const pugi::xml_node& node) {
 }
 
 std::optional<double> unit_mm(std::string_view name) {
-    constexpr std::pair<std::string_view, double> kUnits[] = {
-        {"", 1},        {"millimeter", 1}, {"micron", 0.001}, {"centimeter", 10},
-        {"inch", 25.4}, {"foot", 304.8},   {"meter", 1000}};
-    for (const auto& [word, mm] : kUnits)
-        if (name == word) return mm;
+    constexpr std::array<std::string_view, 6> kUnits{"micron", "millimeter", "centimeter", "inch", "foot", "meter"};
+    if (name.empty()) return 1;
+    if (std::ranges::find(kUnits, name) != kUnits.end()) return length_of_word(name);
     return std::nullopt;
 }
 

@@ -1,5 +1,7 @@
 #include "stressfield/units.hpp"
 
+#include "base/length_unit.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -9,17 +11,10 @@ namespace {
 
 struct Unit {
     std::string_view name; // in lower case
-    double factor;         // to mm or MPa
+    double factor;         // to MPa
 };
 
 constexpr double kPsi = 0.006894757293168361, kStandardGravity = 9.80665;
-
-constexpr Unit kLengths[] = {
-    {"mm", 1},        {"millimeter", 1}, {"millimeters", 1}, {"millimetre", 1},   {"millimetres", 1},
-    {"cm", 10},       {"dm", 100},       {"m", 1000},        {"meter", 1000},     {"meters", 1000},
-    {"metre", 1000},  {"metres", 1000},  {"um", 1e-3},       {"\xc2\xb5m", 1e-3}, {"\xce\xbcm", 1e-3},
-    {"micron", 1e-3}, {"microns", 1e-3}, {"in", 25.4},       {"inch", 25.4},      {"inches", 25.4},
-    {"ft", 304.8},    {"foot", 304.8},   {"feet", 304.8},    {"mil", 0.0254},     {"mils", 0.0254}};
 
 constexpr Unit kStresses[] = {{"pa", 1e-6},
                               {"pascal", 1e-6},
@@ -90,12 +85,10 @@ std::string_view last_brackets(std::string_view name) {
 }
 
 std::optional<double> find(Dimension dimension, const std::string& name) {
-    const auto look = [&](const auto& units) -> std::optional<double> {
-        for (const Unit& u : units)
-            if (u.name == name) return u.factor;
-        return {};
-    };
-    return dimension == Dimension::length ? look(kLengths) : look(kStresses);
+    if (dimension == Dimension::length) return length_of_name(name);
+    for (const Unit& u : kStresses)
+        if (u.name == name) return u.factor;
+    return {};
 }
 
 } // namespace
