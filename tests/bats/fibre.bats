@@ -184,7 +184,7 @@ setup() {
         surfpath --quiet "$algorithm" --spacing 2 $options $from.surface > path
         peek path | sed -n 's/^fact *surfpath: \([a-z-]*\) .*/\1/p'
     done | tr - _ | sort -u > said
-    awk '/^Those of `surfpath`/ {on = 1} on && /^## / {exit} on && /^\| `/ {print $0}' \
+    awk '/^Facts of `surfpath`/ {on = 1} on && /^## / {exit} on && /^\| `/ {print $0}' \
         "$BATS_TEST_DIRNAME/../../docs/metrics.md" | cut -d'|' -f2 | tr -d ' `' | tr , '\n' | sort > told
     [ "$(wc -l < told)" -gt 20 ]
     diff told said

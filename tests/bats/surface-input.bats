@@ -103,7 +103,7 @@ for x, d in zip(p["x"], p["distance"]): assert abs(x - d) < 1e-9, (x, d)'
     solid 50 0 0 51 1 1 > far.off
     expect 2 geodesic plate.off --source-mesh far.off
     complaint geodesic
-    [[ $err == *'does not meet'* ]]
+    [[ $err == *'does not touch the surface'* ]]
     expect 5 geodesic plate.off --source-mesh nowhere.off
     echo nonsense > text.off
     expect 3 geodesic plate.off --source-mesh text.off

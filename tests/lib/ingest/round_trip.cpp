@@ -5,6 +5,7 @@
 #include "read.hpp"
 
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
@@ -193,6 +194,6 @@ TEST_P(RoundTrip, RolesAndFeaturesComeBack) {
 INSTANTIATE_TEST_SUITE_P(Profiles, RoundTrip, testing::ValuesIn(machine::profile_names()), [](const auto& info) {
     std::string name = info.param;
     for (char& c : name)
-        if (c == '-') c = '_';
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
     return name;
 });

@@ -37,10 +37,10 @@ TEST(Stack, WrongTablesAreRefusedWithTheirLine) {
     for (const auto& [text, says] : {std::pair{"angel\n0\n", "line 1: unknown column 'angel'"},
                                      {"angle tool\n0\n", "line 2: it has 1 words"},
                                      {"angle\n0\nx\n", "line 3"},
-                                     {"angle side\n0 left\n", "line 2: a side is"},
-                                     {"angle tool\n0 1.5\n", "line 2: a tool is"},
+                                     {"angle side\n0 left\n", "line 2: a side must be"},
+                                     {"angle tool\n0 1.5\n", "line 2: a tool must be"},
                                      {"angle spacing\n0 0\n", "line 2: spacing 0"},
-                                     {"angle\n", "names no ply"}}) {
+                                     {"angle\n", "contains no ply"}}) {
         try {
             plies_of_table(text, "x", {}, false);
             ADD_FAILURE() << text;

@@ -186,6 +186,12 @@ TEST(Profile, AnUnknownNameListsTheKnown) {
     EXPECT_THROW((void)machine::load_profile("./nosuch.toml"), Error);
 }
 
+TEST(Profile, AStartThatPurgesLeavesMaterialAtTheTip) {
+    EXPECT_TRUE(machine::load_profile("marlin").templates.primed);
+    EXPECT_FALSE(machine::load_profile("marlin", "templates.start=G28").templates.primed);
+    EXPECT_FALSE(machine::load_profile("syringe").templates.primed);
+}
+
 TEST(Template, BracesAndNames) {
     const machine::Values v{{"a", 1.5}, {"b", -1e-9}, {"c", 1e15}};
     EXPECT_EQ(machine::expand("x{a}{a} {{a}} {b} {c}", v), "x1.51.5 {a} 0 1000000000000000");

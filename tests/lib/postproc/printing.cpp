@@ -100,6 +100,7 @@ TEST(Printing, TheWayFromThePurgeLineHasARetraction) {
     machine::Profile plain = printer();
     machine::Profile purging = plain;
     purging.templates.start += "\nG1 X{purge_x} Y{purge_y}";
+    purging.templates.primed = true;
     const auto [few, late, short_time] = retractions(plain);
     const auto [more, at_once, long_time] = retractions(purging);
     EXPECT_EQ(more, few + 1);

@@ -109,7 +109,7 @@ TEST(Collide, RefusesWhatDoesNotGoTogether) {
 TEST(Collide, RefusesPlacesBeyondAllMachines) {
     const Folder at;
     auto far = two_strokes();
-    far[2].points[1].x = 2e7;
+    for (auto& point : far[2].points) point.x += 2e7;
     const auto input = write_stream(at("far"), Payload::toolpath, frames(far));
     const Refusal r = refusal([&] { run({}, io("collide", input, at("out"))); });
     EXPECT_EQ(r.exit, 3);
