@@ -83,6 +83,22 @@ cm3() { sed -n 's/^; filament used \[cm3\] = //p' "$1"; }
     done
 }
 
+@test "a vase, and the least time of a layer" {
+    printf 'perimeters = 1\nbottom_solid_layers = 3\nspiral_vase = 1\n' > vase.ini
+    run filum print cube.obj --load vase.ini --dry-run
+    [ "$status" -eq 0 ]
+    [[ "$output" == *" vase "*"--bottom=3"*"--lift=helical"* ]]
+    printf 'perimeters = 1\nspiral_vase = 0\n' > plain.ini
+    run filum print cube.obj --load plain.ini --dry-run
+    [[ "$output" != *" vase "* ]]
+    printf 'min_fan_speed = 35\nmax_fan_speed = 100\nslowdown_below_layer_time = 40\ncooling = 1\n' > slow.ini
+    run filum print cube.obj --load slow.ini --dry-run
+    [[ "$output" == *"limits.layer_time=40"* ]]
+    sed -i 's/cooling = 1/cooling = 0/' slow.ini
+    run filum print cube.obj --load slow.ini --dry-run
+    [[ "$output" == *"limits.layer_time=0"* ]]
+}
+
 @test "endings mean what they say" {
     for name in x.pdf x.jpg x.3mf x.png; do
         run filum print cube.obj -o "$name"

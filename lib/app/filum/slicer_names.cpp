@@ -155,7 +155,8 @@ void leave_to_machine(SlicerWishes& all) {
 // What of settings has a meaning here, on that machine.  Returns whether they ask for supports.
 bool use_settings(const SlicerFile& file, const std::optional<machine::Profile>& machine,
                   const std::vector<Stage>& stages, Translated& out) {
-    SlicerWishes all = wishes(file, [&](std::string_view name) { return has(stages, name); });
+    constexpr std::string_view kVase = "vase"; // an option of `filum print` itself
+    SlicerWishes all = wishes(file, [&](std::string_view name) { return name == kVase || has(stages, name); });
     if (out.machine != nullptr) leave_to_machine(all);
     if (machine) {
         limit_speeds(all, machine->motion);

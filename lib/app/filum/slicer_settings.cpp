@@ -121,6 +121,7 @@ class Reader {
         if (row.target == "cooling")
             return first_of(key, {"max_fan_speed", "fan_max_speed", "min_fan_speed", "fan_min_speed"}) ? cooling()
                                                                                                        : Words{};
+        if (row.target == "vase") return values_.number(key) != 0 ? Words{"--vase"} : Words{};
         if (row.target == "skirt") return key == "skirt_distance" ? skirt() : Words{};
         if (row.target == "shrinkage")
             return first_of(key, {"filament_shrink", "filament_shrinkage_compensation_xy",
@@ -179,8 +180,8 @@ class Reader {
         return {};
     }
 
-    // The fan by the time that a layer takes, as PrusaSlicer, OrcaSlicer and Bambu Studio drive it; those two by other
-    // names, and with other defaults.
+    // The fan by the time that a layer takes, and the least time of a layer, as in PrusaSlicer, OrcaSlicer and Bambu
+    // Studio. The latter two have other names and other defaults.
     Words cooling() {
         const bool orca = values_.of_orca();
         const auto of = [&](const char* prusa, const char* orcas, double otherwise) {
@@ -192,11 +193,13 @@ class Reader {
         const bool always = of("fan_always_on", "reduce_fan_stop_start_freq", 0) != 0;
         const bool by_time = orca || values_.number_or("cooling", 1) != 0;
         const bool bridges = !orca || values_.number_or("enable_overhang_bridge_fan", 1) != 0;
+        const double slow = by_time ? of("slowdown_below_layer_time", "slow_down_layer_time", 5) : 0;
         Words out{
+            set("limits.layer_time", slow),
             set("cooling.most", speed(most)),
             set("cooling.least", speed(least)),
             set("cooling.idle", always ? speed(least) : 0),
-            set("cooling.fast", by_time ? of("slowdown_below_layer_time", "slow_down_layer_time", 5) : 0),
+            set("cooling.fast", slow),
             set("cooling.below", by_time ? of("fan_below_layer_time", "fan_cooling_layer_time", 60) : 0),
             set("cooling.off_layers", of("disable_fan_first_layers", "close_fan_the_first_x_layers", orca ? 1 : 3)),
             set("cooling.full_layer", of("full_fan_speed_layer", "full_fan_speed_layer", 0))};

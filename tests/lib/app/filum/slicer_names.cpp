@@ -171,7 +171,8 @@ TEST(SlicerSettings, ShellsAreAsThickAsTheyMustBe) {
 TEST(SlicerSettings, TheFanGoesByTheTimeOfALayer) {
     EXPECT_EQ(loaded("max_fan_speed = 80\nmin_fan_speed = 40\nfan_always_on = 1\nfan_below_layer_time = 100\n"
                      "slowdown_below_layer_time = 15\ndisable_fan_first_layers = 1\nbridge_fan_speed = 100\n"),
-              Words{"--set=cooling.most=204,cooling.least=102,cooling.idle=102,cooling.fast=15,cooling.below=100,"
+              Words{"--set=limits.layer_time=15,cooling.most=204,cooling.least=102,cooling.idle=102,cooling.fast=15,"
+                    "cooling.below=100,"
                     "cooling.off_layers=1,cooling.full_layer=0,cooling.bridge=255"});
     const std::string still = loaded("max_fan_speed = 80\ncooling = 0\n").at(0); // no fan by time, none always
     EXPECT_NE(still.find("cooling.idle=0,cooling.fast=0,cooling.below=0"), std::string::npos) << still;
@@ -220,11 +221,13 @@ TEST(SlicerSettings, ProgramsKeepSettingsInTheirComments) {
 
 TEST(SlicerSettings, WhatCanDoHarmIsNamedApart) {
     const test::Folder at;
-    const Translated t =
-        translated({"--load", at.write("x.ini", "start_gcode = G28\\nG1 Z5\nend_gcode = ; nothing\\n\nspiral_vase = 1\n"
-                                                "complete_objects = 0\nthreads = 4\nwipe = 1\nnew_key = 3\n")},
-                   some_stages());
-    EXPECT_EQ(t.harmful, (Words{"spiral_vase"}));
+    const Translated t = translated(
+        {"--load",
+         at.write("x.ini",
+                  "start_gcode = G28\\nG1 Z5\nend_gcode = ; nothing\\n\nbed_exclude_area = 0x0,18x0,18x28,0x28\n"
+                  "complete_objects = 0\nthreads = 4\nwipe = 1\nnew_key = 3\n")},
+        some_stages());
+    EXPECT_EQ(t.harmful, (Words{"bed_exclude_area"}));
     EXPECT_EQ(t.left, (Words{"wipe", "new_key"}));
 }
 
