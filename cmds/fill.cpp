@@ -54,69 +54,64 @@ std::vector<cli::Group> groups() {
             {"the spiral of the 2019 paper", {"threshold", "start-shift"}}};
 }
 
-cli::Spec spec(Options& all) {
+std::vector<cli::Option> options(Options& all) {
     using cli::Option;
     fill::Options& o = all.how;
     return {
-        .name = "fill",
-        .synopsis = "bead lines that fill each region",
-        .description = kDescription,
-        .in = cli::reads(stream::Payload::regions),
-        .out = cli::writes(stream::Payload::paths),
-        .memory = "one region per thread, and outlines filled before, up to 32 MB",
-        .options =
-            {Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatternNames),
-             Option{"method", &all.method, "", "how to build a spiral"}
-                 .one_of({"cyc", "sun2019"})
-                 .when("pattern=spiral"),
-             Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.within(0.01, 100).same_as(
-                 {"regions.bead-width"}),
-             Option{"min-width", &o.min_width, "MM",
-                    "a note reports narrower beads of a spiral; 0: a quarter of --bead-width"}
-                 .within(0, 100)
-                 .when("pattern=spiral !method=sun2019")
-                 .a_limit(),
-             Option{"thin", &o.thin, "", kThin}
-                 .one_of(fill::kThinNames)
-                 .when("pattern=spiral !method=sun2019")
-                 .a_limit(),
-             Option{"min-radius", &o.min_radius, "MM", kMinRadius}.within(0, 1000).when(
-                 "pattern=spiral !method=sun2019"),
-             Option{"angles", &o.angles_deg, "DEG,...",
-                    "angles of straight rows from the x axis, repeated layer by layer; none: 0, or 0,90 for a scaffold"}
-                 .within(-360, 360)
-                 .when("!pattern=spiral|contour"),
-             Option{"spacing", &o.spacing, "MM",
-                    "from strand to strand, centre to centre; 0: two and a half bead widths"}
-                 .within(0, 1e6)
-                 .when("pattern=scaffold"),
-             Option{"pore-size", &all.pore_size, "MM",
-                    "width of the pores of a scaffold, from bead to bead; replaces --spacing"}
-                 .numbers(1)
-                 .within(0.001, 1e6)
-                 .when("pattern=scaffold !spacing"),
-             Option{"stagger", &o.stagger, "SPACINGS", "how far the strands of every other round of angles are shifted"}
-                 .within(0, 1)
-                 .when("pattern=scaffold"),
-             Option{"rings", &o.rings, "N",
-                    "rings along the outline before straight rows, or most rings of contour; -1: the usual number"}
-                 .within(-1, 1e6)
-                 .when("!pattern=spiral|zigzag"),
-             Option{"threshold", &all.sun2019.threshold, "WIDTHS", "contours within this distance are adjacent"}
-                 .within(1, 4)
-                 .when("method=sun2019")
-                 .a_limit(),
-             Option{"start-shift", &all.sun2019.start_shift, "MM",
-                    "how far the start moves along the outer contour from layer to layer"}
-                 .within(0, 1e6)
-                 .when("method=sun2019")},
-        .groups = groups(),
-        .examples = {{"slice part.stl | regions | sequence | fill > part.paths", "the fill of a part"},
-                     {"slice part.stl | regions | sequence | fill --pattern zigzag --angles 0,90 > part.paths",
-                      "rows, turned by 90 degrees from layer to layer"},
-                     {"slice part.stl | regions | sequence | fill --pattern scaffold --spacing 1 > part.paths",
-                      "a porous scaffold: strands 1 mm apart, 0/90"}},
-        .see_also = {"sequence", "link3d", "metrics"}};
+        Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatternNames),
+        Option{"method", &all.method, "", "how to build a spiral"}.one_of({"cyc", "sun2019"}).when("pattern=spiral"),
+        Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.within(0.01, 100).same_as({"regions.bead-width"}),
+        Option{"min-width", &o.min_width, "MM",
+               "a note reports narrower beads of a spiral; 0: a quarter of --bead-width"}
+            .within(0, 100)
+            .when("pattern=spiral !method=sun2019")
+            .a_limit(),
+        Option{"thin", &o.thin, "", kThin}.one_of(fill::kThinNames).when("pattern=spiral !method=sun2019").a_limit(),
+        Option{"min-radius", &o.min_radius, "MM", kMinRadius}.within(0, 1000).when("pattern=spiral !method=sun2019"),
+        Option{"angles", &o.angles_deg, "DEG,...",
+               "angles of straight rows from the x axis, repeated layer by layer; none: 0, or 0,90 for a scaffold"}
+            .within(-360, 360)
+            .when("!pattern=spiral|contour"),
+        Option{"spacing", &o.spacing, "MM", "from strand to strand, centre to centre; 0: two and a half bead widths"}
+            .within(0, 1e6)
+            .when("pattern=scaffold"),
+        Option{"pore-size", &all.pore_size, "MM",
+               "width of the pores of a scaffold, from bead to bead; replaces --spacing"}
+            .numbers(1)
+            .within(0.001, 1e6)
+            .when("pattern=scaffold !spacing"),
+        Option{"stagger", &o.stagger, "SPACINGS", "how far the strands of every other round of angles are shifted"}
+            .within(0, 1)
+            .when("pattern=scaffold"),
+        Option{"rings", &o.rings, "N",
+               "rings along the outline before straight rows, or most rings of contour; -1: the usual number"}
+            .within(-1, 1e6)
+            .when("!pattern=spiral|zigzag"),
+        Option{"threshold", &all.sun2019.threshold, "WIDTHS", "contours within this distance are adjacent"}
+            .within(1, 4)
+            .when("method=sun2019")
+            .a_limit(),
+        Option{"start-shift", &all.sun2019.start_shift, "MM",
+               "how far the start moves along the outer contour from layer to layer"}
+            .within(0, 1e6)
+            .when("method=sun2019")};
+}
+
+cli::Spec spec(Options& all) {
+    return {.name = "fill",
+            .synopsis = "bead lines that fill each region",
+            .description = kDescription,
+            .in = cli::reads(stream::Payload::regions),
+            .out = cli::writes(stream::Payload::paths),
+            .memory = "one region per thread, and outlines filled before, up to 32 MB",
+            .options = options(all),
+            .groups = groups(),
+            .examples = {{"slice part.stl | regions | sequence | fill > part.paths", "the fill of a part"},
+                         {"slice part.stl | regions | sequence | fill --pattern zigzag --angles 0,90 > part.paths",
+                          "rows, turned by 90 degrees from layer to layer"},
+                         {"slice part.stl | regions | sequence | fill --pattern scaffold --spacing 1 > part.paths",
+                          "a porous scaffold: strands 1 mm apart, 0/90"}},
+            .see_also = {"sequence", "link3d", "metrics"}};
 }
 
 polygon::Region region_of(const stream::RawFrame& frame, const fill::Options& o) {

@@ -211,6 +211,7 @@ int compare(const std::vector<std::string>& typed) {
     if (failed) throw Error(Exit::io, "cannot make the folder '" + request.output + "': " + failed.message());
     if (const int code = run_piped({job.surface()}, {""}).front().code; code != 0) return code;
     std::vector<Row> rows;
+    rows.reserve(algorithms.size());
     for (const auto& algorithm : algorithms) rows.push_back(job.run(algorithm));
     write_file(request.output + "/table.tsv", as_tsv(rows));
     write_file(request.output + "/index.html", as_page(rows));
