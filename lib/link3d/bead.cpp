@@ -15,8 +15,8 @@ void append(Bead& b, Vec2 p, double w, bool per_point) {
     if (per_point) b.width.push_back(w);
 }
 
-// Walks back along the end of the bead by `gap` mm; to a corner, if it would end within kCorner behind it: so short a
-// piece lies on the segment before it where machine code rounds it, and what goes on from there could cross that.
+// Shortens the end of the bead by `gap` mm. If it would end within kCorner after a corner, it ends at the corner.
+// Programs would round so short a piece onto the segment before it, and the next move could cross that.
 void shorten(Bead& b, double gap) {
     const bool per_point = b.width.size() > 1;
     while (b.points.size() > 2) {

@@ -1,15 +1,16 @@
-// To what lies beside, on the same layer: the next curve of a region, a region from its brim.
+// Joins to a neighbour on the same layer: to the next curve of a region, and from a brim to its region.
 #pragma once
 
 #include "link3d/state.hpp"
 
 namespace filum::link3d {
 
-// From the brim, where its last bead ends, straight over to the front region's nearest bead; nothing if that is out of
-// reach, or a bead lies between.
+// A jog from the end of the brim straight to the nearest entry of the front region. Nothing if that is out of reach, or
+// if a bead lies between.
 std::optional<Entry> step_in(State& state);
 
-// From one curve of the front region to the nearest one that is left: a jog, else a stop, which is told.
+// The way to the nearest curve of the front region that is not done: a jog if it is in reach and crosses nothing.
+// Otherwise the nozzle stops and travels, and a note reports the break.
 Entry hop(State& state, std::span<const char> done);
 
 } // namespace filum::link3d

@@ -11,9 +11,9 @@ namespace {
 
 using toolpath::Role;
 
-// The entry of the front region nearest to the nozzle, if it is in reach, to which no bead of the region lies across
-// the way.  Only an open curve can, as it has no entry where it is nearest.  If one lies across every way, the nearest
-// entry; what it crosses is told when all of the region lies (settle.cpp).
+// The entry of the front region nearest to the nozzle, in reach, for which no bead of the region lies across the way. A
+// bead can lie across the way only if the region has open curves, which are entered at their ends. If one lies across
+// every way, the nearest entry; settle.cpp then reports what the join crosses.
 std::optional<Entry> climb_to(const State& state) {
     const auto& r = state.region();
     const Vec2 from = state.at->xy();
@@ -28,21 +28,21 @@ std::optional<Entry> climb_to(const State& state) {
     return nearest;
 }
 
-// Longest slope 1 : 20, and never shorter than five beads (docs/algorithms/link3d.md#ramps-and-helices).
+// Length of a ramp, mm: a slope of 1 : 20, at least five bead widths (docs/algorithms/link3d.md#ramps-and-helices).
 double ramp_length(const State& state) {
     const auto& r = state.region();
     return std::max(20 * (r.paths.z - state.at->z), 5 * r.width);
 }
 
-// Whether the front region's curve is long enough to be entered by a ramp.
+// Whether a ramp is asked for and the front region's curve is long enough for it.
 bool ramps(const State& state, const Entry& entry) {
     const auto& r = state.region().paths;
     const auto& curve = r.curves[entry.place.curve];
-    if (!r.stacked.empty()) return false; // climbs by halves as it is
+    if (!r.stacked.empty()) return false; // its walls are two passes, half a layer apart
     return state.options.lift != Lift::plain && curve.closed && length(curve.points) > 3 * ramp_length(state);
 }
 
-// The jog to the front region's curve is the beginning of the ramp.
+// Begins a ramp: the jog to the front region's curve is its first part.
 void begin_ramp(State& state, const Entry& entry) {
     const auto& r = state.region();
     Ramp& ramp = state.front.ramp;
@@ -57,7 +57,7 @@ void begin_ramp(State& state, const Entry& entry) {
     extrude(state, Role::lift, {*state.at, to}, {r.paths.height * kFaint, r.paths.height * std::max(kFaint, up)});
 }
 
-// The jog to a turn of a helix: it lies on the layer below, where there is room for what a ramp begins with.
+// Prints the jog to a turn of a helix. It lies on the layer below and is as thin as the beginning of a ramp.
 void begin_turn(State& state, Vec2 to) {
     const double h = kFaint * state.region().paths.height;
     extrude(state, Role::lift, {*state.at, at_height(to, state.at->z + h)}, {h});
@@ -77,7 +77,7 @@ std::optional<Entry> climb(State& state) {
     auto entry = climb_to(state);
     if (!entry) return std::nullopt;
     if (state.options.interlace == Interlace::none && !state.column.turn)
-        *entry = drift(state, *entry); // else lanes lead wherever the column goes
+        *entry = drift(state, *entry); // with interlacing, lanes lead to the planned starts
     keep_join(state, entry->place.point);
     ++state.counts.lifts;
     state.counts.lift_length += entry->place.distance;

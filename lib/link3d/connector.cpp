@@ -14,13 +14,13 @@ namespace {
 using toolpath::Role;
 using toolpath::Span;
 
-constexpr double kNeck = 0.4;       // of the flow: where a connector is to break off
+constexpr double kNeck = 0.4;       // share of the flow where a connector is to break off
 constexpr double kNeckLength = 2;   // bead widths
 constexpr double kDetourMargin = 2; // bead widths between the part and the way around
 constexpr double kUncarried = 0.1;  // share of a carried connector that may hang free
-constexpr double kClearance = 0.05; // mm between the head and what it passes
+constexpr double kClearance = 0.05; // mm between the head and the part
 
-// Puts a point into the way `at` mm from its beginning, measured in XY.
+// Inserts a point into the path, `at` mm from its beginning, measured in XY.
 void insert_point(std::vector<Vec3>& way, double at) {
     for (std::size_t i = 0; i + 1 < way.size(); ++i) {
         const double l = geom::distance(way[i].xy(), way[i + 1].xy());
@@ -42,7 +42,7 @@ double length_xy(std::span<const Vec3> way) {
     return sum;
 }
 
-// The widths of a connector that is thin at both ends; adds the points where that changes.
+// The widths of a connector that is thin at both ends. Adds points to the path where the width changes.
 std::vector<double> necks(std::vector<Vec3>& way, double width) {
     const double all = length_xy(way), neck = std::min(kNeckLength * width, all / 4), change = neck / 4;
     for (const double at : {neck, neck + change, all - neck - change, all - neck}) insert_point(way, at);
@@ -56,7 +56,7 @@ std::vector<double> necks(std::vector<Vec3>& way, double width) {
     return out;
 }
 
-// mm of the connector below which there is neither the bed nor a connector one layer below.
+// Length of the connector that hangs in the air, mm: there is no bed below it, and no connector one layer lower.
 double uncarried(const State& state, std::span<const Vec3> way) {
     const auto& r = state.region();
     double free = 0;
@@ -77,7 +77,7 @@ double uncarried(const State& state, std::span<const Vec3> way) {
     return free;
 }
 
-// Of the part: of what is printed, and of all regions that are known.
+// The bounds of the part: of everything printed and of all regions known.
 Box2 all_bounds(const State& state) {
     Box2 box = state.printed.bounds();
     for (const auto& w : state.window)
@@ -88,8 +88,8 @@ Box2 all_bounds(const State& state) {
     return box;
 }
 
-// The straight way at one height meets no region of its layer that is still to be printed, the front one only if
-// `front`.
+// Whether the straight way a -> b at one height meets no region of its layer that is still to be printed. The front
+// region counts only if `front`.
 bool misses_others(const State& state, Vec3 a, Vec3 b, bool front) {
     const double near = state.region().paths.height / 2;
     return std::all_of(state.window.begin() + (front ? 0 : 1), state.window.end(), [&](const Waiting& w) {
@@ -97,14 +97,15 @@ bool misses_others(const State& state, Vec3 a, Vec3 b, bool front) {
     });
 }
 
-// A straight way at one height crosses nothing of its own region, and meets nothing else that is as high.
+// Whether the straight way a -> b at one height crosses nothing of its own region and comes near nothing else that is
+// as high.
 bool leads_out(const State& state, Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) {
     const auto& r = state.region();
     return is_free(own, a.xy(), b.xy(), kMargin, kEnds, 0) &&
            !state.printed.blocks(a, b, a.z - r.paths.height / 2, kDetourMargin * r.width, leaves);
 }
 
-// The way around the part to one of the front region's extreme places, or to an end of an open curve there.
+// The shortest path around the part to one of the front region's extreme places, or to an end of an open curve there.
 std::optional<std::pair<std::vector<Vec3>, Entry>> way_around(const State& state, double margin) {
     const auto& r = state.region();
     const auto free = [&](Vec3 a, Vec3 b) {

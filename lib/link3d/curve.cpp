@@ -15,14 +15,14 @@ using toolpath::Curve;
 using toolpath::Role;
 using toolpath::Span;
 
-// Lays a bead of the front region: its walls in two passes, if it has such; else with the ramp.
+// Prints a bead of the front region: with walls in two passes if the region has such walls, otherwise with the ramp.
 void print(State& state, const Bead& bead, const Ramp& ramp) {
     const auto& r = state.region();
     auto& walls = state.front.stacked;
     if (!walls && !r.paths.stacked.empty()) walls.emplace(r.paths.stacked);
     Laid laid = walls ? walls->lay(bead, r.paths.z, r.paths.height, r.width / 2)
                       : lay(bead, r.paths.z, r.paths.height, ramp, r.width / 2);
-    if (geom::distance(laid.points.front(), *state.at) < kSamePoint) laid.points.front() = *state.at; // spans chain
+    if (geom::distance(laid.points.front(), *state.at) < kSamePoint) laid.points.front() = *state.at; // spans join
     Span out = span(state, Role::bead);
     out.points = std::move(laid.points);
     out.width = std::move(laid.width);
@@ -30,7 +30,8 @@ void print(State& state, const Bead& bead, const Ramp& ramp) {
     emit_by_feature(std::move(out), r.paths.curves, r.index, [&](const Span& piece) { put(state, piece); });
 }
 
-// The lane that moves the start of the next layer, if its scheme asks for one and the bead does not end there anyway.
+// The lane that moves the start of the next layer. Nothing if no scheme asks for it, if the bead ends far enough away
+// anyway, or if there is no such lane, which a note reports.
 std::optional<std::vector<Vec2>> lane_to_start(State& state, std::uint32_t c, const Bead& bead) {
     const auto& r = state.region().paths;
     if (state.front.next != Next::above || leads_in(state) || !r.curves[c].closed ||
@@ -48,7 +49,7 @@ std::optional<std::vector<Vec2>> lane_to_start(State& state, std::uint32_t c, co
     return way;
 }
 
-// Prints the front region's one curve as a turn of a helix.
+// Prints the front region's only curve as a turn of a helix.
 void print_turn(State& state, const Entry& entry) {
     const bool goes_on = winds_on(state, entry);
     Bead end = wind(state, entry, goes_on);

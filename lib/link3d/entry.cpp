@@ -9,11 +9,11 @@ namespace filum::link3d {
 
 namespace {
 
-constexpr double kInside = 0.8; // bead widths: farther from all beads of a region is outside it
-constexpr double kFar = 100;    // sizes of a region: from there, what lies farther back is nearer
+constexpr double kInside = 0.8; // bead widths; a point farther than this from all beads of a region is outside it
+constexpr double kFar = 100;    // sizes of a region; from a point so far back, the nearest place is the rearmost one
 
-// The jog a -> b keeps off all beads of the front region's one curve but where it begins and ends, and crosses none but
-// the segment that it begins on.  And it stays so near to that curve that it cannot meet a neighbour of the region.
+// Whether the jog a -> b keeps off all beads of the front region's curve, except at its ends, and crosses none except
+// the segment it begins on. It must also stay so near to that curve that it cannot meet a neighbour of the region.
 bool leads_free(const State& state, Vec2 a, Vec2 b, std::optional<std::uint32_t> on) {
     const double l = geom::distance(a, b);
     if (l <= kSamePoint) return true;
@@ -38,7 +38,7 @@ bool leads_free(const State& state, Vec2 a, Vec2 b, std::optional<std::uint32_t>
     return free;
 }
 
-// Among the places in `step` mm of the nozzle the one nearest to `to` that is reached freely; `nearest` if there is
+// The place within `step` mm of the nozzle that is nearest to `to` and can be reached freely; `nearest` if there is
 // none.
 Entry step_towards(const State& state, const Entry& nearest, Vec2 to, double step) {
     const auto& r = state.region();
@@ -52,7 +52,7 @@ Entry step_towards(const State& state, const Entry& nearest, Vec2 to, double ste
     const bool on = nearest.place.distance < kOn;
     const double least = geom::distance(nearest.place.point, to) - 0.1 * r.width;
     r.index.within({from - Vec2{step, step}, from + Vec2{step, step}}, [&](std::uint32_t s, Vec2 a, Vec2 b) {
-        // the part of a -> b inside the circle, and its point nearest to the goal
+        // The part of a -> b inside the circle, and its point nearest to the goal.
         const double l = geom::distance(a, b), foot = l > 0 ? geom::dot(from - a, b - a) / (l * l) : 0;
         const double off = geom::distance(geom::lerp(a, b, foot), from);
         if (off > step) return true;
@@ -86,20 +86,20 @@ Entry start_entry(const State& state) {
     if (state.options.seam == Seam::inside) {
         const Box2 box = state.window[n].index.bounds();
         p = geom::lerp(box.lo, box.hi, 0.5);
-    } else if (state.options.seam == Seam::back) { // the middle of the far side, from so far that all of it is as near
+    } else if (state.options.seam == Seam::back) { // the middle of the rear, from so far that x hardly counts
         const Box2 box = state.window[n].index.bounds();
         p = {(box.lo.x + box.hi.x) / 2, box.hi.y + kFar * (box.hi.x - box.lo.x + box.hi.y - box.lo.y)};
     } else if (state.options.seam == Seam::place) {
         p = state.options.seam_at;
     }
-    // The stroke is to leave the last region of the column on the side of the next one.
+    // The stroke should leave the last region of the column on the side of the next region.
     if (state.options.connect == Connect::inside && n + 1 < state.window.size() && !state.window[n + 1].index.empty()) {
         const Box2 here = state.window[n].index.bounds();
         p = state.window[n]
                 .index.nearest(state.window[n + 1].index.nearest(geom::lerp(here.lo, here.hi, 0.5))->point)
                 ->point;
     }
-    // Back from the last region that is known: so the column can be climbed from there.
+    // Goes down from the last known region of the column, so that the column can be climbed from the start.
     for (std::size_t k = n; k > 0; --k) {
         const auto& above = state.window[k];
         if (const auto e = nearest_entry(above, p); e->place.distance > above.width / 2) p = e->place.point;
@@ -111,7 +111,7 @@ std::optional<Entry> other_end(const State& state, const Entry& entry) {
     const auto& curves = state.region().paths.curves;
     const toolpath::Curve& curve = curves[entry.place.curve];
     if (curve.closed || curves.size() > 1 || state.front.next != Next::above) return std::nullopt;
-    const auto left = [&](Vec2 end) { // to go from there
+    const auto left = [&](Vec2 end) { // mm from there to the next region
         return nearest_entry(state.window[1], end)->place.distance;
     };
     const Vec2 here = entry.place.point, there = entry.against ? curve.points.front() : curve.points.back();
@@ -126,7 +126,7 @@ Entry drift(State& state, const Entry& nearest) {
     if (!r.paths.curves[nearest.place.curve].closed || r.paths.curves.size() > 1) return nearest;
     for (std::size_t k = 1, n = climbing(state); k <= n; ++k) {
         const auto goal = nearest_entry(state.window[k], from);
-        if (goal->place.distance <= state.options.reach / 2 * state.window[k].width) continue; // with as much to spare
+        if (goal->place.distance <= state.options.reach / 2 * state.window[k].width) continue; // half stays in reserve
         const Vec2 to = goal->place.point;
         const double step = std::min(state.options.reach * r.width,
                                      std::max(r.width, 1.5 * goal->place.distance / static_cast<double>(k)));

@@ -7,7 +7,7 @@ namespace filum::link3d {
 
 namespace {
 
-// Points first .. last of the span.
+// Points `first` to `last` of the span, both included.
 toolpath::Span piece_of(const toolpath::Span& s, std::size_t first, std::size_t last) {
     const auto cut = [&](const auto& from) {
         using List = std::remove_cvref_t<decltype(from)>;
@@ -20,9 +20,10 @@ toolpath::Span piece_of(const toolpath::Span& s, std::size_t first, std::size_t 
     return out;
 }
 
-// Stretches of one feature shorter than the bead is wide become part of the one before; at the begin, of the next.
+// A stretch of one feature that is shorter than the bead is wide takes the feature of the stretch before it. At the
+// beginning of the bead it takes that of the next long stretch.
 void extend_long(const toolpath::Span& s, std::vector<toolpath::Feature>& feature) {
-    std::size_t known = 0; // segments that belong to a long stretch, or before one
+    std::size_t known = 0; // segments at the beginning in short stretches only
     for (std::size_t i = 0, j = 0; i < feature.size(); i = j) {
         double length = 0;
         for (j = i; j < feature.size() && feature[j] == feature[i]; ++j)

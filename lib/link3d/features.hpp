@@ -1,4 +1,4 @@
-// Beads parted by what they are of the part.
+// Splits beads by feature (wall, infill, ...).
 #pragma once
 
 #include "link3d/segment_index.hpp"
@@ -9,8 +9,8 @@
 
 namespace filum::link3d {
 
-// Emits `bead` in pieces, each of one feature: that of the segment of `curves` nearest to the middle of each of its
-// segments.  In one piece, without a feature, if the curves have none.  `index` is that of `curves`.
+// Emits `bead` in pieces of one feature each. A segment takes the feature of the segment of `curves` nearest to its
+// middle; `index` holds `curves`. If the curves have no features, the bead is emitted as it is.
 void emit_by_feature(toolpath::Span bead, std::span<const toolpath::Curve> curves, const SegmentIndex& index,
                      const std::function<void(const toolpath::Span&)>& emit);
 

@@ -10,12 +10,12 @@ namespace {
 using toolpath::Role;
 using toolpath::Span;
 
-constexpr double kLeast = 0.3, kMost = 1.7; // of the layer's height: how thick a turn may be
+constexpr double kLeast = 0.3, kMost = 1.7; // of the layer's height: least and greatest thickness of a turn
 constexpr double kMisfits = 0.01;           // share of a turn that may be thinner or thicker
-constexpr double kSeam = 0.9;               // of a turn: so far from each other are places on both sides of its ends
+constexpr double kSeam = 0.9;               // of a turn; places farther apart than this lie on both sides of its ends
 constexpr double kTurnStep = 5;             // bead widths between the points of a turn, at most
 
-// The front region's curve from `entry` once around, in pieces; with how far each point is along it, 0 to 1.
+// The region's curve from `entry` once around, in pieces of at most kTurnStep bead widths.
 Turn turn(const Waiting& r, const Entry& entry) {
     Turn out;
     const Bead b = cut(r.paths.curves[entry.place.curve], entry.place, false, 0);
@@ -37,8 +37,8 @@ Turn turn(const Waiting& r, const Entry& entry) {
     return out;
 }
 
-// How far along the turn the place nearest to p is, 0 to 1; nothing if that is more than `reach` mm away.  Where the
-// turn's ends meet, that end which is nearer to `t`.
+// The share of the turn, 0 to 1, at which the place nearest to p lies; nothing if that is more than `reach` mm away.
+// Where the turn's ends meet, the end nearer to `t` counts.
 std::optional<double> at(const Turn& turn, const SegmentIndex& index, Vec2 p, double t, double reach) {
     const auto place = index.nearest(p, reach);
     if (!place) return std::nullopt;

@@ -12,9 +12,9 @@ namespace {
 
 using toolpath::Role;
 
-constexpr double kDrift = 0.5; // bead widths per layer that an entry can be counted on to move
+constexpr double kDrift = 0.5; // bead widths per layer that an entry is expected to drift
 
-// How many of the next regions are in reach of p, with what entries drift until then; 0 if that is below `least`.
+// How many of the next regions are in reach of p, including the drift of entries until then; 0 if fewer than `least`.
 int rank_above(const State& state, Vec2 p, int least, double reach) {
     const int all = static_cast<int>(climbing(state));
     int k = 0;
@@ -34,8 +34,9 @@ bool ends_well(const State& state, std::uint32_t c, const Bead& bead, double rea
     return sees_outside(state, end, SegmentIndex(as_printed(state, c, bead)));
 }
 
-// The way from the end of the region's last bead, between its beads, to where the next region is in reach, and of those
-// behind it as many as possible; or to where it leads out.
+// The lane from the end of the region's last bead, between its beads, to a place from which the next region is in
+// reach. Of such places it takes one with as many further regions in reach as possible. If the next region is beside,
+// it takes one from which a straight way leads out.
 std::optional<std::vector<Vec2>> lane(const State& state, std::uint32_t c, const Bead& bead, double reach) {
     const auto curves = as_printed(state, c, bead);
     std::vector<std::vector<Vec2>> lines;
@@ -45,7 +46,7 @@ std::optional<std::vector<Vec2>> lane(const State& state, std::uint32_t c, const
     }
     const SegmentIndex index(curves);
     const bool above = state.front.next == Next::above;
-    const auto strips = std::span(kStrips).first(above ? kStrips.size() : 1); // whoever leaves the region needs room
+    const auto strips = std::span(kStrips).first(above ? kStrips.size() : 1); // a way out of the region needs room
     return strip_route(lines, curves, index, bead.points.back(), state.region().width, strips,
                        above ? static_cast<int>(climbing(state)) : 1, [&](Vec2 p, int least) {
                            return above ? rank_above(state, p, least, reach) : sees_outside(state, p, index) ? 1 : 0;

@@ -1,4 +1,4 @@
-// Lanes: thin beads between the beads of a region, to where it can be left.
+// Connecting lanes: thin beads between the beads of a region, to a place where the region can be left.
 #pragma once
 
 #include "link3d/state.hpp"
@@ -7,8 +7,9 @@
 
 namespace filum::link3d {
 
-// Sees to it that the front region's last bead can be left, if there is a way: as it is, the other way round (`other`;
-// the same for an open curve), or by the lane that is returned.
+// Makes sure that the next region can be reached from the end of the front region's last bead, if there is a way.
+// Returns a lane if one is needed. Otherwise the bead stays, or is replaced by `other()`, the same curve in the other
+// direction (an open curve gives itself).
 std::optional<std::vector<Vec2>> leave(State& state, std::uint32_t c, Bead& bead, const std::function<Bead()>& other);
 
 void lay_lane(State& state, const std::vector<Vec2>& way);

@@ -15,8 +15,8 @@ namespace {
 
 using toolpath::Span;
 
-// The curve of the front region that is to be printed last, unless the region is entered there: the one that is longer
-// than all others together, if the next region climbs from this one; from there it is most likely in reach.
+// The curve of the front region that should be printed last: the one longer than all others together, if the next
+// region climbs from this one. The next region is most likely in reach from there. Nothing if there is no such curve.
 std::optional<std::uint32_t> main_curve(const State& state) {
     const auto& curves = state.region().paths.curves;
     if (curves.size() < 2 || climbing(state) == 0) return std::nullopt;
@@ -33,14 +33,14 @@ std::optional<std::uint32_t> main_curve(const State& state) {
     return longest > all / 2 ? std::optional(main) : std::nullopt;
 }
 
-// Why the front region, which is to be reached from the one below, was not.
+// The reason why the front region could not be joined to the one before it.
 NoteCode no_climb(const State& state) {
     if (!state.before.printed) return NoteCode::join_no_bead;
     if (state.region().paths.join == Join::beside) return NoteCode::join_brim;
     return rises(state) ? NoteCode::join_out_of_reach : NoteCode::join_unsupported;
 }
 
-// Gets the nozzle to the front region's first curve.
+// Moves the nozzle to the front region's first curve, by a join or by a travel.
 Entry enter(State& state) {
     const auto& r = state.region();
     const bool above = goes_on(r);
@@ -70,7 +70,7 @@ Entry enter(State& state) {
     return entry;
 }
 
-// Gets to the front region and prints its curves, one after the other.
+// Moves to the front region and prints its curves, one after the other.
 void print_region(State& state) {
     const auto& r = state.region().paths;
     const Entry first = enter(state);
@@ -100,7 +100,7 @@ Next next(const State& state) {
 void Linker::add(toolpath::RegionPaths region, const Emit& emit, Notes& notes) {
     if (region.join == Join::start) ++state_.counts.planned;
     state_.window.push_back(waiting(std::move(region)));
-    // Connectors and strands keep clear of everything, so everything must be known.
+    // Connectors and strands must keep clear of all regions, so all regions must be known.
     if (state_.options.connect == Connect::stop &&
         static_cast<std::int64_t>(state_.window.size()) > state_.options.look_ahead)
         print_front(emit, notes);

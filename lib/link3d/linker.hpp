@@ -1,10 +1,10 @@
-// Curves to one toolpath: where each is entered and left, and how one gets from each to the next.
+// Joins curves to one toolpath: chooses where each curve is entered and left, and how the nozzle gets to the next.
 //
-// A closed curve is cut where it is entered, so its exit lies beside its entry.  From there a region above is entered
-// at the nearest place of its curve: a plain lift, then a short jog that cannot cross that curve.  If the region above
-// is out of reach, a lane is laid from the exit along the middle of the strip between two lanes of the curve
-// (strip_route.hpp), at half a bead's width, and the beads on both sides give up what it deposits.  Looking some
-// regions ahead, entries drift towards where the column goes, so that such lanes stay rare (docs/algorithms/link3d.md).
+// A closed curve is cut where it is entered, so its exit lies beside its entry. From there the nozzle enters the region
+// above at the nearest place of its curve: a plain lift, then a short jog that cannot cross that curve. If the region
+// above is out of reach, a lane leads from the exit along the middle of the strip between two passes of the curve
+// (strip_route.hpp). The lane is half a bead wide, and the beads on both sides give up its material. Entries drift
+// towards the regions that come next, some regions ahead, so that such lanes stay rare (docs/algorithms/link3d.md).
 #pragma once
 
 #include "link3d/state.hpp"
@@ -13,8 +13,8 @@
 
 namespace filum::link3d {
 
-// Takes the regions in processing order, gives the spans in printing order; every span begins where the one before it
-// ended.  Keeps at most look_ahead + 1 regions, all of them with connectors outside.
+// Takes regions in processing order and emits spans in printing order. Every span begins where the one before it ended.
+// Keeps at most look_ahead + 1 regions; with connectors or strands it keeps all regions until finish().
 class Linker {
   public:
     using Emit = std::function<void(const toolpath::Span&)>;

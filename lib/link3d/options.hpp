@@ -1,4 +1,4 @@
-// How regions are to be joined.
+// Options for joining regions.
 #pragma once
 
 #include "link3d/interlace.hpp"
@@ -8,46 +8,47 @@
 
 namespace filum::link3d {
 
-// What becomes of a join to a region that does not lie above the one before it.  What cannot be joined is a break.
+// How to get to a region that does not lie above the one before it. Where the chosen way is impossible, the stroke
+// breaks.
 enum class Connect : std::uint8_t {
     stop,    // a break: the nozzle stops, travels and starts again
-    inside,  // a strand straight over to a region of the same layer
+    inside,  // a straight strand to a region of the same layer
     outside, // an extruded connector around the part, to be trimmed
 };
 
-// What a connector outside lies on.
+// What a connector outside the part must rest on.
 enum class Strand : std::uint8_t {
-    free,    // whatever is below, or nothing
-    carried, // the bed, or the connector one layer below: they grow to a fin
+    free,    // anything; it may hang in the air
+    carried, // the bed, or a connector one layer below, so that connectors form a fin
 };
 
 // Where a stroke begins.
 enum class Seam : std::uint8_t {
-    nearest, // at the place nearest to where the stroke before ended
-    inside,  // near the middle of the column that it is going to climb
-    back,    // at its farthest end in y
+    nearest, // at the place nearest to the end of the stroke before
+    inside,  // near the middle of the last region of the column that it climbs
+    back,    // at the place of that region with the greatest y
     place,   // at the place nearest to `seam_at`
 };
 
 // How the nozzle gets to the next layer.
 enum class Lift : std::uint8_t {
-    plain,   // straight up, then on
-    ramp,    // rising along the beginning of the next curve, whose end overlaps it with what is missing there
-    helical, // rising all the way, where a column has one curve per layer that lies on the one below; else ramps
+    plain,   // straight up, then sideways
+    ramp,    // rises along the beginning of the next curve, whose end overlaps it and adds the missing material
+    helical, // rises all the way where each layer has one curve that lies on the one below; else as ramp
 };
 
 struct Options {
-    double reach = 1.5;           // bead widths: the longest jog
+    double reach = 1.5;           // bead widths; the longest jog
     std::int64_t look_ahead = 16; // regions, >= 1
     Connect connect = Connect::stop;
     Strand strand = Strand::free;
     Seam seam = Seam::nearest;
-    geom::Vec2 seam_at{}; // mm, of Seam::place
+    geom::Vec2 seam_at{}; // mm, for Seam::place
     Interlace interlace = Interlace::none;
-    std::int64_t seed = 1;           // of random starts, >= 0
-    bool alternate_direction = true; // each layer runs the other way round
+    std::int64_t seed = 1;           // for Interlace::random, >= 0
+    bool alternate_direction = true; // odd layers run in reverse order of their points
     Lift lift = Lift::plain;
-    machine::Head head = {}; // what must pass over what is printed
+    machine::Head head = {}; // must not touch printed material
 };
 
 } // namespace filum::link3d

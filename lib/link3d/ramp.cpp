@@ -7,7 +7,7 @@ namespace filum::link3d {
 
 namespace {
 
-// Splits a -> b at the given places along the bead, and so that no piece that meets a ramp is longer than `step`.
+// Splits a bead at the given places along it, and into pieces of at most `step` mm on its ramps.
 struct Splitter {
     const Bead& bead;
     std::vector<double> marks; // mm along the bead, ascending
@@ -40,7 +40,7 @@ struct Splitter {
         }
     }
 
-    static constexpr double kLeast = 0.02; // mm: the shortest piece of a ramp that is worth a step of z
+    static constexpr double kLeast = 0.02; // mm; shorter pieces of a ramp get no step of z of their own
 };
 
 } // namespace

@@ -5,16 +5,17 @@
 
 namespace filum::link3d {
 
-inline constexpr double kFaint = 0.05; // of the layer's height: what a ramp begins and ends with; flow never stops
+inline constexpr double kFaint = 0.05; // of the layer's height: the thin end of a ramp; flow never stops
 
-// A scarf: the first `length` mm of a way rise to the layer's height, `lead` mm of them before the bead begins; the
-// bead's last length - lead mm lie over its first ones and lay what is missing there.
+// A ramp (scarf joint): the first `length` mm of a path rise to the layer's height; `lead` mm of these come before the
+// bead begins. The last length - lead mm of the bead overlap its beginning and add the material that is missing there.
 struct Ramp {
     double length = 0, lead = 0; // mm; no ramp if the length is 0
-    double from = 0;             // mm, z where it begins
+    double from = 0;             // mm, z at the beginning
 };
 
-// The bead at z, as thick as `height` but on a ramp.  Where it is on one, points are at most `step` mm apart.
+// The bead at height z, `height` mm thick. On a ramp it rises or gets thinner, and its points are at most `step` mm
+// apart.
 struct Laid {
     std::vector<geom::Vec3> points;
     std::vector<double> width, height; // mm, per point, or one for all

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::uint32_t kFan = 16;
 
-constexpr double kOnSegment = 1e-6; // mm; a point nearer than this lies on the segment
+constexpr double kOnSegment = 1e-6; // mm; a point closer than this lies on the segment
 
-constexpr double kRounding = 1e-9; // mm; more than turning a point can change it, so that no box is left out for it
+constexpr double kRounding = 1e-9; // mm; more than the rounding of a turned point, so that no box is missed
 
 } // namespace
 
@@ -24,7 +24,7 @@ double SegmentIndex::TurnedBox::distance(Vec2 p) const {
     return std::sqrt(distance2(box, {geom::dot(p, x), geom::dot(p, geom::left_of(x))})) - kRounding;
 }
 
-// Whether no side of the turned box parts them; those of `other` part few that are not parted already.
+// Whether no side of the turned box separates the two. The sides of `other` are not tried; they separate few more.
 bool SegmentIndex::TurnedBox::may_meet(const Box2& other) const {
     const Vec2 middle = 0.5 * (other.lo + other.hi), half = 0.5 * (other.hi - other.lo);
     const Vec2 at{geom::dot(middle, x), geom::dot(middle, geom::left_of(x))};
@@ -33,8 +33,7 @@ bool SegmentIndex::TurnedBox::may_meet(const Box2& other) const {
     return meet(box, {at - reach, at + reach});
 }
 
-// Boxes of so many segments each, turned as these run: by the mean of their directions with doubled angles, weighted by
-// length.
+// Boxes of `segments` segments each, turned to the mean of their directions, as doubled angles weighted by length.
 std::vector<SegmentIndex::TurnedBox> SegmentIndex::boxes_of(std::uint32_t segments) const {
     const std::uint32_t count = first_.back();
     std::vector<TurnedBox> out((count + segments - 1) / segments);
@@ -50,7 +49,7 @@ std::vector<SegmentIndex::TurnedBox> SegmentIndex::boxes_of(std::uint32_t segmen
             doubled[i] = doubled[i] + (1 / l) * Vec2{d.x * d.x - d.y * d.y, 2 * d.x * d.y};
     });
     for (std::size_t i = 0; i < out.size(); ++i)
-        if (const double l = geom::norm(doubled[i]); l > 0) { // half the angle
+        if (const double l = geom::norm(doubled[i]); l > 0) { // halves the angle
             const Vec2 u = (1 / l) * doubled[i];
             const double c = std::sqrt(std::max(0.0, (1 + u.x) / 2)), s = std::sqrt(std::max(0.0, (1 - u.x) / 2));
             out[i].x = {c, u.y < 0 ? -s : s};

@@ -12,12 +12,13 @@ using toolpath::Curve;
 using toolpath::Role;
 using toolpath::Span;
 
-// The points of spans in columns: what follows each other and is rounded to one place, as of a lift, moves together.
+// The points of spans, grouped into columns: consecutive points that round to one place of the grid, as those of a
+// lift, move together.
 struct Columns {
     std::vector<Vec3*> points;
     std::vector<std::size_t> begin; // of each column
 
-    // Whether it begins a column.
+    // Adds a point; returns whether it begins a column.
     bool add(Vec3& p) {
         const bool begins = points.empty() || toolpath::on_grid(points.back()->xy()) != toolpath::on_grid(p.xy());
         if (begins) begin.push_back(points.size());
@@ -31,13 +32,13 @@ struct Columns {
     }
 };
 
-// What lies in the layer, as open curves on the grid; point i of curve c is column first[c] + i.
+// The segments in the layer, as open curves on the grid; point i of curve c is column first[c] + i.
 struct Lines {
     std::vector<Curve> curves;
     std::vector<std::size_t> first;
     std::vector<char> join; // per segment
 
-    // The segment that ends at a column.
+    // Adds the segment that ends at `column`.
     void add(Vec2 from, Vec2 to, std::size_t column, bool is_join) {
         if (curves.empty() || first.back() + curves.back().points.size() != column) {
             curves.push_back({false, {toolpath::on_grid(from)}, {1}});
@@ -48,7 +49,7 @@ struct Lines {
     }
 };
 
-// Whether a segment lies in the layer, no deeper than `least`: there, as the end of a ramp, it is in the way of joins.
+// Whether a segment lies in the layer, no lower than `least`: the upper end of a ramp is in the way of joins too.
 bool in_layer(const Span& s, std::size_t i, double least) {
     if (!toolpath::extrudes(s.role)) return false;
     return s.role == Role::lift || (s.points[i].z >= least && s.points[i + 1].z >= least);

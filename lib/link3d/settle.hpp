@@ -1,12 +1,12 @@
-// What was laid of a region, as machines round it.
+// Rounds the spans of a region to the grid of machine programs, and separates beads that would cross there.
 #pragma once
 
 #include "link3d/state.hpp"
 
 namespace filum::link3d {
 
-// Puts what was laid of the front region on the grid and parts what crosses there.  Its first point stays: the nozzle
-// is there.  Joins that cross a bead all the same are told.
+// Rounds the points of the front region's spans to the grid and moves points so that no two beads cross. The first
+// point stays, because the nozzle is there. A note reports joins that still cross a bead.
 void settle(State& state);
 
 } // namespace filum::link3d

@@ -9,10 +9,10 @@ namespace filum::link3d {
 
 namespace {
 
-constexpr double kAround = 3; // bead widths: how far beside the straight way a lane may go
+constexpr double kAround = 3; // bead widths; how far beside the straight way a lane may lead
 constexpr double kBest = 64;  // rank of a lane that ends at its goal
 
-// The stretches of the curves' lines of which segments meet the box.
+// The stretches of the curves whose segments' bounding boxes meet the box.
 std::vector<std::vector<Vec2>> lines_in(std::span<const toolpath::Curve> curves, const Box2& box) {
     std::vector<std::vector<Vec2>> out;
     for (const auto& c : curves) {
@@ -29,7 +29,7 @@ std::vector<std::vector<Vec2>> lines_in(std::span<const toolpath::Curve> curves,
     return out;
 }
 
-// Beads on both sides of the place, so that a start there does not show.
+// Whether beads lie on both sides of the place, so that a start there is hidden.
 bool hidden(const Waiting& r, const Place& place) {
     const auto& points = r.paths.curves[place.curve].points;
     const Vec2 d = points[(place.segment + 1) % points.size()] - points[place.segment];

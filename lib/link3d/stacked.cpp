@@ -9,8 +9,8 @@ namespace filum::link3d {
 
 namespace {
 
-constexpr double kOnLine = 0.002;     // mm; nearer to a line is on it
-constexpr double kSameLength = 0.005; // mm; a segment on a line is as long as its way along it
+constexpr double kOnLine = 0.002;     // mm; a point closer than this lies on the line
+constexpr double kSameLength = 0.005; // mm; largest difference between a segment on a line and its stretch of the line
 
 } // namespace
 
@@ -34,7 +34,7 @@ Stacked::Pass Stacked::pass(Vec2 a, Vec2 b) {
     const double middle = (lo + hi) / 2;
     if (std::any_of(laid.begin(), laid.end(), [&](const auto& s) { return s.first <= middle && middle <= s.second; }))
         return Pass::upper;
-    for (auto& s : laid) // mostly the stretch goes on
+    for (auto& s : laid) // the stretch usually continues one that is known
         if (std::abs(s.second - lo) < kSameLength || std::abs(s.first - hi) < kSameLength) {
             s = {std::min(s.first, lo), std::max(s.second, hi)};
             return Pass::lower;

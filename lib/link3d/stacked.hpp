@@ -1,4 +1,4 @@
-// Walls laid in two passes, one on the other (docs/algorithms/fill.md).
+// Thin walls printed in two passes, one on top of the other (docs/algorithms/fill.md).
 #pragma once
 
 #include "link3d/ramp.hpp"
@@ -10,14 +10,15 @@ namespace filum::link3d {
 
 using geom::Vec3;
 
-// The walls of one region that its curves pass twice on one line, and what of them is laid already.
+// The walls of one region that its curves pass twice along one line, and the stretches of them that are printed
+// already.
 class Stacked {
   public:
     explicit Stacked(const std::vector<std::vector<Vec2>>& lines);
 
-    // The bead as it lies in a layer that ends at `z`, `height` thick.  Along a wall the first pass lies half a layer
-    // lower than the rest, the second on it; both are half as thick and twice as wide as the bead says.  The nozzle
-    // gets from one to the other along `ramp` mm, at most half a segment, so the bead begins at z.
+    // The bead in a layer that ends at `z` and is `height` mm thick. The first pass along a wall lies half a layer
+    // lower than the rest, and the second pass lies on it. Both are half as thick and twice as wide as the bead says.
+    // The nozzle changes its height over `ramp` mm, at most half a segment. The bead begins at z.
     Laid lay(const Bead& bead, double z, double height, double ramp);
 
   private:

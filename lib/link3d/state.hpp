@@ -1,5 +1,5 @@
-// What is known between two joins: what was printed, where the nozzle is, and what is to come.  Plain data; the
-// functions for the kinds of joins (climb, beside, connector, lane, shift, helix) read it and write down what they lay.
+// The state between two joins: what was printed, where the nozzle is, and the regions that come next. Plain data; the
+// functions for the kinds of joins (climb, beside, connector, lane, shift, helix) read it and add their spans.
 #pragma once
 
 #include "base/note.hpp"
@@ -17,47 +17,48 @@
 
 namespace filum::link3d {
 
-inline constexpr double kThin = 0.5;     // of the bead width: a bead laid where material is, or between two beads
-inline constexpr double kMargin = 0.003; // mm; joins keep this far from beads: more than a digit of machine code
-inline constexpr double kEnds = 0.01;    // mm; but for this much at their ends, which lie on beads
-inline constexpr double kOn = 0.02;      // mm; a nozzle this near to a bead is on it
+inline constexpr double kThin = 0.5;     // of the bead width: joins over material, and lanes between beads
+inline constexpr double kMargin = 0.003; // mm; joins keep this distance from beads: more than the rounding in programs
+inline constexpr double kEnds = 0.01;    // mm at the ends of a join, which lie on beads, where kMargin does not hold
+inline constexpr double kOn = 0.02;      // mm; a nozzle this close to a bead counts as on it
 
 // One turn of a helix.
 struct Turn {
     toolpath::Curve line;      // open
-    std::vector<double> along; // 0 to 1 for each of its points
+    std::vector<double> along; // share of its length, 0 to 1, per point
 };
 
-// Where the nozzle must get to from the front region.
-enum class Next : std::uint8_t { anywhere, above, outside }; // outside: of this region
+// Where the nozzle must get to from the front region: `outside` is beyond the outline of this region.
+enum class Next : std::uint8_t { anywhere, above, outside };
 
-// Of the region that is being printed.
+// The region that is being printed.
 struct Front {
     Next next = Next::anywhere;
     Vec2 start;                         // where it was entered
-    Ramp ramp;                          // by which it was entered, until its first curve is printed
-    bool winds = false;                 // it is a turn of a helix
-    std::vector<toolpath::Span> spans;  // what was laid; each begins where the one before it ended
-    std::vector<toolpath::Curve> joins; // what lifts and jogs lay on its layer
-    std::optional<Vec2> pin;            // a place of its curve where a jog leaves it: must be a point of it
+    Ramp ramp;                          // the ramp by which it was entered, until its first curve is printed
+    bool winds = false;                 // it is printed as a turn of a helix
+    std::vector<toolpath::Span> spans;  // printed so far; each begins where the one before it ended
+    std::vector<toolpath::Curve> joins; // lines of lifts and jogs on its layer
+    std::optional<Vec2> pin;            // where a jog leaves its curve; must become a point of the curve
     std::optional<Stacked> stacked;     // its walls in two passes
 };
 
-// Of the region before.
+// The region before.
 struct Before {
-    bool printed = false; // something of it
+    bool printed = false; // something of it was printed
     double width = 0;     // mm, of its beads
-    // If joins on its layer may leave it: of all regions printed on that layer, as printed; its own are the last.
+    // The lines of all regions printed on its layer, as printed; its own are the last. Kept only if joins on that layer
+    // may leave it.
     std::vector<SegmentIndex> lines;
-    double z = 0; // mm, of these
+    double z = 0; // mm, height of `lines`
 };
 
-// Of the column that is climbed.
+// The column that is being climbed.
 struct Column {
     Vec2 home;                // where it began
-    double offset = 0;        // bead widths, of the layer's start from home
-    std::uint64_t random = 0; // state of the generator for it
-    std::optional<Turn> turn; // of the helix below the front region
+    double offset = 0;        // bead widths, from `home` to the layer's start
+    std::uint64_t random = 0; // state of the generator of `offset`
+    std::optional<Turn> turn; // turn of a helix below the front region
 };
 
 struct State {
@@ -65,14 +66,14 @@ struct State {
 
     Options options;
     std::deque<Waiting> window; // the front one is printed next; at most look_ahead + 1
-    std::optional<Vec3> at;     // where the nozzle is
+    std::optional<Vec3> at;     // position of the nozzle
     std::uint32_t stroke = 0;
     Front front;
     Before before;
     Column column;
     Printed printed;
-    std::vector<std::pair<Vec3, Vec3>> strands; // and legs of connectors
-    Box2 around;                                // what these go around
+    std::vector<std::pair<Vec3, Vec3>> strands; // strands, and legs of connectors
+    Box2 around;                                // the box that connectors go around
     Counts counts;
     Notes notes;
 
@@ -81,49 +82,52 @@ struct State {
 
 inline Vec3 at_height(Vec2 p, double z) { return {p.x, p.y, z}; }
 
-// How many regions behind the front one climb from it without a break, of those that it looks ahead.
+// How many of the regions after the front one climb from it without a break; at most look_ahead.
 std::size_t climbing(const State& state);
 
-// Whether the front region is a brim, from which the next one is entered.
+// Whether the next region is entered from the front one, which is a brim.
 bool leads_in(const State& state);
 
-// Whether the region before, which is known as it was printed, is of the front region's layer.
+// Whether the lines of the region before are kept, and it lies on the front region's layer.
 bool beside_last(const State& state);
 
-// Keeps the lines of the front region for joins that leave it on its own layer, or that must not cross it there.
+// Keeps the lines of the front region for joins that leave it on its own layer, and for joins that must not cross it
+// there.
 void keep_lines(State& state, SegmentIndex as_printed);
 
-// The straight way a -> b on the layer of the region before crosses nothing printed there.  It begins on that region.
+// Whether the straight way a -> b on the layer of the region before crosses nothing printed there. It begins on that
+// region.
 bool leaves_freely(const State& state, Vec2 a, Vec2 b);
 
-// The straight way a -> b crosses no strand or connector of its layer.
+// Whether the straight way a -> b crosses no strand or connector at its height.
 bool misses_strands(const State& state, Vec3 a, Vec3 b);
 
-// The jogs to a region, in mean widths of both.  Of climbs those that begin within the region above are sought first,
-// longer ones could begin above a neighbour of that region, and cross its outer bead.  From a brim they lead over the
-// outline, from one bead's middle to the next.
+// The longest jogs to a region, in mean widths of both regions, in the order in which they are tried. A climb first
+// tries a length at which the jog begins within the region above. A longer jog could begin above a neighbour of that
+// region and cross its outer bead. From a brim, a jog leads over the outline from the middle of one bead to that of the
+// next; both lengths are the same.
 std::array<double, 2> reaches(const State& state, const Waiting& to);
 
-// The curves of the front region as they are printed, the curve `c` as `bead`, with all that joins them.
+// The curves of the front region as they are printed, with curve `c` as `bead`, and all joins and the lane beside them.
 std::vector<toolpath::Curve> as_printed(const State& state, std::uint32_t c, const Bead& bead,
                                         const std::vector<Vec2>& lane = {});
 
 // An empty span of the front region.
 toolpath::Span span(const State& state, toolpath::Role role);
 
-// Writes the span down; the nozzle is where it ends.
+// Adds the span to the front region and moves the nozzle to its end.
 void put(State& state, toolpath::Span span);
 
-// A span of a thin bead; `height` mm, per point or one for all: none where it is as thick as the layer.
+// Prints a thin bead. `height`: mm, per point or one for all; empty for the height of the layer.
 void extrude(State& state, toolpath::Role role, std::vector<Vec3> points, std::vector<double> height = {});
 
-// Keeps a join from where the nozzle is to `to` among those of the front region's layer.
+// Keeps the line from the nozzle to `to` among the joins of the front region's layer.
 void keep_join(State& state, Vec2 to);
 
-// Straight to a place of the front region, on its layer.
+// Prints a straight jog to a place of the front region, on its layer.
 void jog(State& state, const Entry& entry);
 
-// To `to`, on the front region's layer, without extruding: a new stroke.
+// Travels to `to` on the front region's layer without extruding, and begins a new stroke.
 void stop_and_travel(State& state, Vec2 to);
 
 } // namespace filum::link3d

@@ -30,7 +30,7 @@ using Face = Triangulation::Face_handle;
 
 constexpr int kNone = -1, kClosed = -2;
 
-// A side of a triangle that the way may pass through: its middle, and how it is best reached.
+// A side of a triangle that a path may pass through: its middle, and the shortest way to it.
 struct Door {
     Vec2 middle;
     Face face; // one of the two at the side
@@ -40,12 +40,12 @@ struct Door {
     bool done = false;
 };
 
-constexpr double kMostPieces = 1e6; // of the lines of a region: a tenth of a square metre at 0.4 mm; then longer ones
+constexpr double kMostPieces = 1e6; // of a region's lines: 0.1 m2 of beads 0.4 mm wide; beyond, pieces are longer
 
 Vec2 vec(const Point& p) { return {p.x(), p.y()}; }
 
-// The lines as points, with pieces of at most `step` mm between them, so that there is a door about as often; line k
-// has those from start[k] to start[k + 1].
+// The lines, split into pieces of at most `step` mm, so that there is a door about every `step` mm. Line k has the
+// points start[k] to start[k + 1].
 struct Pieces {
     std::vector<Point> points;
     std::vector<std::size_t> start;
@@ -69,9 +69,9 @@ Pieces pieces(std::span<const std::vector<Vec2>> lines, double step) {
     return out;
 }
 
-// All points are inserted before the lines, in random order by larger and larger shares, each along a space-filling
-// curve: in the order of a long straight line that stands alone, each point would flip the triangles of all before it,
-// or pass through them on the way to its place, which takes a time of n^2.
+// Inserts all points before the lines, in random order by larger and larger shares, each along a space-filling curve.
+// In the order of a long straight line, each point would flip the triangles of all points before it, or search through
+// them. That would take O(n^2) time.
 Triangulation triangulate(const Pieces& lines) {
     Triangulation t;
     const auto place = CGAL::make_property_map(lines.points);
@@ -91,7 +91,7 @@ Triangulation triangulate(const Pieces& lines) {
     return t;
 }
 
-// Walks from door to door, nearest first (Dijkstra).
+// Searches from door to door, nearest first (Dijkstra).
 class Search {
   public:
     Search(Triangulation& t, std::span<const toolpath::Curve> curves, const SegmentIndex& index, double narrow,
@@ -152,7 +152,7 @@ class Search {
                near->distance <= curves_[near->curve].width_at(near->segment) / 2 + beyond_;
     }
 
-    // The number of the door at this side of f, kNone if the way may not pass there.
+    // The number of the door at this side of f; kNone if a path may not pass there.
     int door(Face f, int side) {
         if (f->is_constrained(side)) return kNone;
         const Face g = f->neighbor(side);
@@ -186,7 +186,7 @@ class Search {
     std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> open_;
 };
 
-// Drops points whose neighbours see each other within `tolerance` of them, keeping clear of the lines.
+// Drops points where the line between their neighbours stays within `tolerance` of them and clear of the lines.
 std::vector<Vec2> straighten(const std::vector<Vec2>& way, const SegmentIndex& index, double clear, double tolerance) {
     std::vector<Vec2> out{way.front()};
     for (std::size_t i = 1; i + 1 < way.size();) {

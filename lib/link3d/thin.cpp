@@ -1,4 +1,4 @@
-// What a lane takes from the beads beside it.
+// Thins and moves the beads beside a lane, so that the amount of material stays the same.
 #include "geom/segment.hpp"
 #include "link3d/bead.hpp"
 #include "toolpath/grid.hpp"
@@ -12,18 +12,18 @@ namespace filum::link3d {
 
 namespace {
 
-constexpr double kRoom = 0.3;          // bead widths that must be free behind a bead that moves aside
-constexpr double kSlope = 0.25;        // mm per mm: how fast a bead that moves aside does so
+constexpr double kRoom = 0.3;          // bead widths that must be free beyond a bead that moves aside
+constexpr double kSlope = 0.25;        // mm per mm; most that the shift of a bead may change along it
 constexpr double kSelfDistance = 0.02; // bead widths; nearer lines are the bead itself
 
-// A piece of the lane's area that is to come out of one place of the bead.
+// The area that one place of the bead gives to the lane.
 struct Share {
     std::uint32_t segment;
     double t, area;
-    Vec2 away; // from the lane, of length 1
+    Vec2 away; // unit vector away from the lane
 };
 
-// Which places of the bead make room for the lane.
+// The places of the bead that make room for the lane, in the order of the bead.
 std::vector<Share> shares(const Bead& bead, std::span<const Vec2> lane, double lane_width, double reach) {
     const toolpath::Curve line{false, bead.points, {1.0}};
     const SegmentIndex index(std::span(&line, 1));
@@ -61,11 +61,11 @@ std::vector<Share> shares(const Bead& bead, std::span<const Vec2> lane, double l
     return out;
 }
 
-// A bead split_at_shares where it is to give up material.
+// A bead, split where it gives up material.
 struct Thinned {
     Bead bead;
     std::vector<double> take; // mm2 per point
-    std::vector<Vec2> away;   // from the lane, weighted by what the lane takes
+    std::vector<Vec2> away;   // directions away from the lane, weighted by the area taken
 
     void push(Vec2 p, double w) {
         bead.points.push_back(p);
@@ -77,7 +77,7 @@ struct Thinned {
         take[i] += part * s.area;
         away[i] = away[i] + part * s.area * s.away;
     }
-    // mm of the bead that are the point's own
+    // mm of the bead that belong to the point: half of both segments
     [[nodiscard]] double mass(std::size_t i) const {
         const auto& p = bead.points;
         return ((i > 0 ? geom::distance(p[i - 1], p[i]) : 0) +
@@ -111,7 +111,8 @@ Thinned split_at_shares(const Bead& bead, const std::vector<Share>& cuts, double
     return out;
 }
 
-// What a point cannot give moves on along the bead, then back.
+// Limits what each point gives, so that no width falls below `least` times its value. The rest moves on along the bead,
+// then back.
 void settle(Thinned& t, double least) {
     double carry = 0;
     const auto give = [&](std::size_t i) {
@@ -124,7 +125,7 @@ void settle(Thinned& t, double least) {
     for (std::size_t i = t.take.size(); i-- > 0;) give(i);
 }
 
-// Puts points that moved back where the bead would cross itself.
+// Moves points back to `from` where the bead would cross itself.
 void stay_apart(const std::vector<Vec2>& from, double cell, std::vector<Vec2>& to) {
     for (bool changed = true; changed;) {
         changed = false;
@@ -136,8 +137,9 @@ void stay_apart(const std::vector<Vec2>& from, double cell, std::vector<Vec2>& t
     }
 }
 
-// The points where the bead's far edge stays in place, if that folds and crosses nothing and `lines` leave room; `less`
-// is what their width loses, mm.  A point at `fixed` stays.
+// The moved points of the bead: each moves away from the lane by half of `less`, its loss of width in mm, so that the
+// far edge stays in place. Points stay where `lines` leave no room, or where the bead would fold or cross itself. The
+// ends and a point at `fixed` stay too.
 std::vector<Vec2> aside(const Thinned& t, const std::vector<double>& less, double reach, const SegmentIndex& lines,
                         std::optional<Vec2> fixed) {
     const auto& from = t.bead.points;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTouch = 1e-6; // mm
 
-// True if a -> b comes within `margin` mm of the box (in both axes).
+// Whether a -> b meets the box grown by `margin` mm on all sides.
 bool passes(Vec2 a, Vec2 b, const Box2& box, double margin) {
     double from = 0, to = 1;
     const auto clip = [&](double p, double d, double lo, double hi) {
@@ -89,7 +89,7 @@ std::vector<Vec3> travel(const Printed& printed, Vec3 from, Vec3 to, const machi
 
 namespace {
 
-// Position along the box's border, counter-clockwise from its lower left corner, of a point on it.
+// The position of a point on the box's border, counter-clockwise from its lower left corner, mm.
 double along(const Box2& box, Vec2 p) {
     const double w = box.hi.x - box.lo.x, h = box.hi.y - box.lo.y;
     if (p.y == box.lo.y) return p.x - box.lo.x;
@@ -98,7 +98,7 @@ double along(const Box2& box, Vec2 p) {
     return 2 * w + h + (box.hi.y - p.y);
 }
 
-// The corners passed when going counter-clockwise from position s to position t.
+// The corners between position s and position t, counter-clockwise.
 std::vector<Vec2> corners(const Box2& box, double s, double t) {
     const double w = box.hi.x - box.lo.x, h = box.hi.y - box.lo.y, all = 2 * (w + h);
     const std::array<std::pair<double, Vec2>, 4> each{
@@ -111,7 +111,7 @@ std::vector<Vec2> corners(const Box2& box, double s, double t) {
     return out;
 }
 
-// Where the straight ways from p leave the box, if they are free.
+// The places where the free straight ways from p along the axes leave the box.
 std::vector<Vec2> outlets(const Box2& box, Vec3 p, const std::function<bool(Vec3, Vec3)>& free) {
     std::vector<Vec2> out;
     for (const Vec2 q : {Vec2{box.lo.x, p.y}, Vec2{box.hi.x, p.y}, Vec2{p.x, box.lo.y}, Vec2{p.x, box.hi.y}})

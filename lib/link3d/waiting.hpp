@@ -1,4 +1,4 @@
-// Regions that wait to be printed, and where their curves can be entered.
+// Regions that wait to be printed, and the places where their curves can be entered.
 #pragma once
 
 #include "link3d/segment_index.hpp"
@@ -13,28 +13,28 @@ namespace filum::link3d {
 struct Waiting {
     toolpath::RegionPaths paths;
     SegmentIndex index;
-    double width;      // mm, mean of its beads
-    bool closed, open; // has curves of this kind
+    double width;      // mm, mean of its curves
+    bool closed, open; // whether it has curves of this kind
 };
 
 Waiting waiting(toolpath::RegionPaths region);
 
-// Whether a region is to be reached from the one before.
+// Whether the input asks for a join from the region before.
 inline bool goes_on(const Waiting& r) { return r.paths.join != Join::start; }
 
-// Where a curve is entered: for an open one at its first point, or its last.
+// The place where a curve is entered. An open curve is entered at its first point, or at its last one if `against`.
 struct Entry {
     Place place;
     bool against = false;
 };
 
-// The nearest place of a closed curve or end of an open one that is at most `limit` mm from p, of those not done (all,
-// if `done` is empty).  Tie: closed curves first, then by index.
+// The nearest place of a closed curve, or end of an open curve, that is at most `limit` mm from p. Curves with
+// done[curve] != 0 are left out; an empty `done` leaves out none. Tie: closed curves first, then the lowest index.
 std::optional<Entry> nearest_entry(const Waiting& r, Vec2 p, double limit = std::numeric_limits<double>::infinity(),
                                    std::span<const char> done = {});
 
-// The place, at a corner of the curve if that is nearer than kCorner: a shorter piece before a sharp corner would fold
-// over its neighbours where machine code rounds it.  `from`: where it was asked for.
+// The place, moved to a corner of the curve that is closer than kCorner. A shorter piece before a sharp corner would
+// fold over its neighbours where programs round it. `from`: the point that distances are measured from.
 Place at_corner(Place place, const toolpath::Curve& curve, Vec2 from);
 
 } // namespace filum::link3d
