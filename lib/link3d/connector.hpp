@@ -14,8 +14,8 @@ std::optional<Entry> go_around(State& state);
 // otherwise.
 std::optional<Entry> go_inside(State& state);
 
-// Whether a straight way out of the part, or to the next region, begins at p on the front region's layer and crosses
-// nothing of `own`.
+// Whether a straight way leads from p, on the front region's layer, out of the part or to the next region. It must
+// cross nothing of `own`.
 bool sees_outside(const State& state, Vec2 p, const SegmentIndex& own);
 
 } // namespace filum::link3d

@@ -30,8 +30,8 @@ void print(State& state, const Bead& bead, const Ramp& ramp) {
     emit_by_feature(std::move(out), r.paths.curves, r.index, [&](const Span& piece) { put(state, piece); });
 }
 
-// The lane that moves the start of the next layer. Nothing if no scheme asks for it, if the bead ends far enough away
-// anyway, or if there is no such lane, which a note reports.
+// The lane that moves the start of the next layer. Nothing if no scheme asks for it, or if the bead ends far enough
+// away anyway. Nothing, with a note, if there is no such lane.
 std::optional<std::vector<Vec2>> lane_to_start(State& state, std::uint32_t c, const Bead& bead) {
     const auto& r = state.region().paths;
     if (state.front.next != Next::above || leads_in(state) || !r.curves[c].closed ||

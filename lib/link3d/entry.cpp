@@ -12,8 +12,8 @@ namespace {
 constexpr double kInside = 0.8; // bead widths; a point farther than this from all beads of a region is outside it
 constexpr double kFar = 100;    // sizes of a region; from a point so far back, the nearest place is the rearmost one
 
-// Whether the jog a -> b keeps off all beads of the front region's curve, except at its ends, and crosses none except
-// the segment it begins on. It must also stay so near to that curve that it cannot meet a neighbour of the region.
+// Whether the jog a -> b keeps off all beads of the front region's curve, except at its ends. It may cross only the
+// segment on which it begins. It must also stay so near to that curve that it cannot meet a neighbour of the region.
 bool leads_free(const State& state, Vec2 a, Vec2 b, std::optional<std::uint32_t> on) {
     const double l = geom::distance(a, b);
     if (l <= kSamePoint) return true;

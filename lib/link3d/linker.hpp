@@ -2,9 +2,10 @@
 //
 // A closed curve is cut where it is entered, so its exit lies beside its entry. From there the nozzle enters the region
 // above at the nearest place of its curve: a plain lift, then a short jog that cannot cross that curve. If the region
-// above is out of reach, a lane leads from the exit along the middle of the strip between two passes of the curve
-// (strip_route.hpp). The lane is half a bead wide, and the beads on both sides give up its material. Entries drift
-// towards the regions that come next, some regions ahead, so that such lanes stay rare (docs/algorithms/link3d.md).
+// above is out of reach, the curve ends with a lane. It leads from the exit along the middle of the strip between two
+// passes of the curve (strip_route.hpp). The lane is half a bead wide, and the beads on both sides give up its
+// material. Entries drift towards the regions that come next, some regions ahead, so that such lanes stay rare
+// (docs/algorithms/link3d.md).
 #pragma once
 
 #include "link3d/state.hpp"

@@ -32,10 +32,10 @@ inline constexpr std::array kStrips{Strips{}, Strips{0.05, 0.15}, Strips{0.05, 0
 // the nearest of those. `rank(place, least)` returns how good a place is as an end, at most `best`. It may return zero
 // for any place ranked below `least`.
 //
-// Each step crosses a triangle of the constrained Delaunay triangulation of `lines`, from the middle of one side to the
-// middle of another, so it crosses no line. Nothing if there is no path. The first point of the path is `from`. Tie: by
-// the order of the triangulation, which is that of the points. `index` holds `curves`, and these hold the lines;
-// `width` is that of a bead, mm. Cost: near-linear in the points.
+// Each step crosses a triangle of the constrained Delaunay triangulation of `lines`. It leads from the middle of one
+// side to the middle of another, so it crosses no line. Nothing if there is no path. The first point of the path is
+// `from`. Tie: by the order of the triangulation, which is that of the points. `index` holds `curves`, and these hold
+// the lines; `width` is that of a bead, mm. Cost: near-linear in the points.
 std::optional<std::vector<Vec2>> strip_route(std::span<const std::vector<Vec2>> lines,
                                              std::span<const toolpath::Curve> curves, const SegmentIndex& index,
                                              Vec2 from, double width, std::span<const Strips> strips, int best,

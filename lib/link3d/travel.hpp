@@ -42,8 +42,8 @@ std::vector<Vec3> travel(const Printed& printed, Vec3 from, Vec3 to, const machi
 
 // A path for a connector: straight out to `box` grown by `margin` mm, around it in the shorter direction, and straight
 // in. The height changes evenly on the way around. Nothing if no straight way out (at from.z) or in (at to.z) satisfies
-// `free(a, b)`, or if no way around has only legs that satisfy `clear`. Tie: the sides in the order left, right, front,
-// back. (Sun et al. 2019, Fig. 8b; docs/algorithms/link3d.md#connectors-outside)
+// `free(a, b)`. Nothing either if every way around has a leg that is not `clear`. Tie: the sides in the order left,
+// right, front, back. (Sun et al. 2019, Fig. 8b; docs/algorithms/link3d.md#connectors-outside)
 std::optional<std::vector<Vec3>> around(const Box2& box, double margin, Vec3 from, Vec3 to,
                                         const std::function<bool(Vec3, Vec3)>& free,
                                         const std::function<bool(Vec3, Vec3)>& clear);
