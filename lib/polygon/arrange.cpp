@@ -16,14 +16,14 @@ namespace {
 GridPoint on_grid(Vec2 p) { return {std::llround(p.x * kGridPerMm), std::llround(p.y * kGridPerMm)}; }
 Vec2 off_grid(GridPoint p) { return {static_cast<double>(p.x) / kGridPerMm, static_cast<double>(p.y) / kGridPerMm}; }
 
-// The walls that the sweep line, upright, now crosses, lowest first.  A wall's node keeps its place for good, as no two
-// walls cross.
+// The order of the walls that the upright sweep line crosses, lowest first. The node of a wall keeps its place, because
+// no two walls cross.
 struct LowerWall {
     const std::vector<GridWall>* walls;
     using is_transparent = void;
     bool operator()(std::uint32_t w, GridPoint p) const { return turn((*walls)[w].a, (*walls)[w].b, p) > 0; }
     bool operator()(GridPoint p, std::uint32_t w) const { return turn((*walls)[w].a, (*walls)[w].b, p) < 0; }
-    // Two walls are compared only when one is put in where the other already is.
+    // Compares two walls, which happens only when one is inserted beside the other.
     bool operator()(std::uint32_t v, std::uint32_t w) const {
         const GridWall &e = (*walls)[v], &f = (*walls)[w];
         if (e.a == f.a) return turn(e.a, e.b, f.b) > 0;
@@ -37,7 +37,7 @@ class FaceSweep {
         : walls_(walls), at_(LowerWall{&walls_}), place_(walls.size()), above_(walls.size()), below_(walls.size()),
           faces_(1), winding_(1, 0) {}
 
-    // Walls by their ends, in the order of the sweep; false if they cross after all.
+    // Sweeps over the ends of the walls; false if walls cross after all.
     bool run() {
         std::vector<std::uint32_t> ending(walls_.size());
         std::iota(ending.begin(), ending.end(), 0U);
@@ -72,7 +72,8 @@ class FaceSweep {
   private:
     using Active = std::set<std::uint32_t, LowerWall>;
 
-    // Takes out what ends at p, and says where they were: false unless they lay side by side.
+    // Removes the walls that end at p and returns their place and the face above them. False unless they are
+    // neighbours.
     bool take_out(std::span<const std::uint32_t> ending, Active::iterator& after, std::uint32_t& face_above) {
         auto lowest = place_[ending[0]];
         for (const std::uint32_t w : ending)
@@ -99,7 +100,7 @@ class FaceSweep {
             faces_.unite(face_below, face_above);
             return true;
         }
-        // walls that begin at p, by their other ends: put in order, lowest first
+        // Sorts the walls that begin at p by their other ends, lowest first.
         order_.resize(last - first);
         std::iota(order_.begin(), order_.end(), first);
         std::sort(order_.begin(), order_.end(),
@@ -122,13 +123,13 @@ class FaceSweep {
     const std::vector<GridWall>& walls_;
     Active at_;
     std::vector<Active::iterator> place_;
-    std::vector<std::uint32_t> above_, below_; // per wall: its faces
+    std::vector<std::uint32_t> above_, below_; // the faces of each wall
     geom::DisjointSets faces_;
     std::vector<int> winding_;
     std::vector<std::uint32_t> order_;
 };
 
-// A border with solid on its left.
+// A border, directed so that solid is on its left.
 struct Arc {
     GridPoint from, to;
 };
@@ -146,20 +147,20 @@ std::vector<Arc> arcs_between(const Arrangement& plane, const std::function<bool
     return out;
 }
 
-// True if, turning clockwise from `back`, one comes to a before b; all three as seen from p.
+// Whether, seen from p and turning clockwise from `back`, a comes before b.
 bool sooner_clockwise(GridPoint p, GridPoint back, GridPoint a, GridPoint b) {
     const auto behind = [&](GridPoint q) { return turn(p, back, q) > 0; }; // more than half a turn away
     if (behind(a) != behind(b)) return behind(b);
     return turn(p, a, b) < 0;
 }
 
-// A point of a loop, and whether other loops, or the same once more, pass it.
+// A point of a loop, and whether another loop, or another pass of the same loop, goes through it.
 struct Stop {
     GridPoint at;
     bool shared = false;
 };
 
-// Without the points that lie in a straight line between their neighbours and that nothing else touches.
+// Adds the loop without the points that lie in a straight line between their neighbours and that no other loop passes.
 void add_loop(std::span<const Stop> loop, Loops& out) {
     const std::size_t n = loop.size(), before = out.points.size();
     for (std::size_t i = 0; i < n; ++i)
@@ -171,10 +172,10 @@ void add_loop(std::span<const Stop> loop, Loops& out) {
         out.close();
 }
 
-// In as many loops as it takes for none to pass a point twice.
+// Adds the loop, split so that no loop passes a point twice.
 void add_apart(const std::vector<Stop>& loop, Loops& out) {
     std::vector<Stop> path;
-    std::set<GridPoint> shared; // on the path
+    std::set<GridPoint> shared; // the shared points on the path
     for (const Stop& s : loop) {
         if (s.shared && !shared.insert(s.at).second) {
             auto from = path.end() - 1;
@@ -217,7 +218,7 @@ Loops outline(const Arrangement& plane, const std::function<bool(std::uint32_t)>
             used[i] = 1;
             const GridPoint q = arcs[i].from, p = arcs[i].to;
             const auto leaves_too = [&](std::size_t k) { return k < arcs.size() && arcs[k].from == q; };
-            loop.push_back({q, leaves_too(i + 1) || leaves_too(i - 1)}); // i - 1 may wrap round: beyond all
+            loop.push_back({q, leaves_too(i + 1) || leaves_too(i - 1)}); // i - 1 may wrap to a huge number
             std::size_t next = arcs.size();
             for (std::size_t k = from(p); k < arcs.size() && arcs[k].from == p; ++k)
                 if (used[k] == 0 &&

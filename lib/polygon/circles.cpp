@@ -8,7 +8,7 @@ namespace filum::polygon {
 
 namespace {
 
-constexpr long double kRounding = std::numeric_limits<long double>::epsilon() / 2; // of one operation, relative
+constexpr long double kRounding = std::numeric_limits<long double>::epsilon() / 2; // relative error of one operation
 constexpr long double kNever = std::numeric_limits<long double>::infinity();
 constexpr long double kMay = kCirclePlaces * std::numeric_limits<double>::epsilon();
 
@@ -24,7 +24,8 @@ Direction operator-(SitePoint a, SitePoint b) { return {a.x - b.x, a.y - b.y}; }
 std::int64_t cross(Direction a, Direction b) { return a.x * b.y - a.y * b.x; }
 std::int64_t dot(Direction a, Direction b) { return a.x * b.x + a.y * b.y; }
 
-// The circle with its centre (x, y) and right end away from `from`, each off by at most `off`.
+// The circle with centre (x, y) and greatest x `right`, relative to `from`, each off by at most `off`. Nothing if that
+// is too much.
 std::optional<SiteCircle> checked(SitePoint from, long double x, long double y, long double right, long double off) {
     x += from.x;
     y += from.y;
@@ -33,21 +34,21 @@ std::optional<SiteCircle> checked(SitePoint from, long double x, long double y, 
     return SiteCircle{static_cast<double>(x), static_cast<double>(y), static_cast<double>(right)};
 }
 
-// Along a line, in what the line's direction measures; off by at most `off` roundings.
+// A place along a line, in units of the line's direction; off by at most `off` roundings.
 struct Root {
     long double at, off;
 };
 
-// A root of g2 * s * s - 2 * a * s + n, where b * b = a * a - g2 * n; n is off by `n_off` roundings.
+// A root of g2 * s * s - 2 * a * s + n. Here b * b = a * a - g2 * n, and n is off by `n_off` roundings.
 Root root(long double a, long double b, long double g2, long double n, long double n_off) {
     const bool cancel = (a < 0) != (b < 0);
     const long double at = cancel ? n / (a - b) : (a + b) / g2;
     return {at, 8 * std::abs(at) + (cancel ? n_off / std::abs(a - b) : 0)};
 }
 
-// The circle through p about p + t * u + s * left(u); t is off by `t_off` roundings.
+// The circle through p with centre p + t * u + s * left(u); t is off by `t_off` roundings.
 struct Bisector {
-    long double x, y, length; // of u
+    long double x, y, length; // the vector u and its length
 };
 std::optional<SiteCircle> on_line(SitePoint p, long double t, long double t_off, Root s, const Bisector& u) {
     const long double x = t * u.x - s.at * u.y, y = t * u.y + s.at * u.x, r = std::sqrt(x * x + y * y);
@@ -56,10 +57,10 @@ std::optional<SiteCircle> on_line(SitePoint p, long double t, long double t_off,
 
 } // namespace
 
-// Cramer's rule for n_i * centre + d_i = r with unit normals n_i and distances d_i from an end of b, all times the
-// lengths: where the circle is near to that end, little cancels.
+// Solves n_i * centre + d_i = r by Cramer's rule, with unit normals n_i and distances d_i from one end of b. All terms
+// are multiplied by the lengths. Little cancels where the circle is near to that end.
 std::optional<SiteCircle> touching_circle(const SiteLine& a, const SiteLine& b, const SiteLine& c) {
-    constexpr long double kOps = 12 * kRounding; // roundings of a term and of what it is added to, and to spare
+    constexpr long double kOps = 12 * kRounding; // roundings of a term and of its sum, with a reserve
     const SitePoint o = b.from;
     const Direction u = a.to - a.from, v = b.to - b.from, w = c.to - c.from;
     const long double lu = u.length(), lv = v.length(), lw = w.length();
@@ -71,13 +72,13 @@ std::optional<SiteCircle> touching_circle(const SiteLine& a, const SiteLine& b, 
     const long double x = ((w.x * lv - v.x * lw) * cu + (v.x * lu - u.x * lv) * cw) / det;
     const long double y = ((w.y * lv - v.y * lw) * cu + (v.y * lu - u.y * lv) * cw) / det;
     const long double r = -(cross(v, w) * cu + cross(u, v) * cw) / det;
-    const long double terms = 4 * lv * (lw * std::abs(cu) + lu * std::abs(cw)) / size; // of x, y or r, from above
+    const long double terms = 4 * lv * (lw * std::abs(cu) + lu * std::abs(cw)) / size; // bound on terms of x, y, r
     return checked(o, x, y, x + r, kOps * terms + loose * (std::abs(x) + std::abs(y) + std::abs(r)));
 }
 
-// With p as the origin, unit normals n and m of the lines towards the circle, and distances d and e of p from them:
-// centre * (n - m) = e - d, so the centre lies on a line along the bisector, and |centre| = n * centre + d.  What is
-// left is a quadratic equation whose discriminant is a product.
+// Takes p as the origin. Let n and m be the unit normals of the lines towards the circle, d and e the distances of p
+// from them. Then centre * (n - m) = e - d, so the centre lies on a line along the bisector. Also |centre| = n * centre
+// + d. This leaves a quadratic equation whose discriminant is a product.
 std::optional<SiteCircle> touching_circle(SitePoint p, const SiteLine& one, const SiteLine& two, bool farther) {
     const Direction v = one.to - one.from, w = two.to - two.from;
     const std::int64_t left = cross(v, p - one.from), right = -cross(w, p - two.from);
@@ -87,7 +88,7 @@ std::optional<SiteCircle> touching_circle(SitePoint p, const SiteLine& one, cons
     if (left == 0 && right == 0) return checked(p, 0, 0, 0, across != 0 ? 0 : kNever);
     const long double d = std::abs(left) / lv, e = std::abs(right) / lw, mean = (d + e) / 2, more = e - d;
     const bool narrow = along < 0; // the normals are less than a right angle apart
-    // 1 less the cosine between the normals, and their cross product
+    // 1 minus the cosine of the angle between the normals, and their cross product.
     const long double q = narrow ? across / lengths * (across / (lengths - along)) : 1 + along / lengths;
     const long double k = -across / lengths;
     if (!(q > 0)) return std::nullopt;
@@ -98,14 +99,14 @@ std::optional<SiteCircle> touching_circle(SitePoint p, const SiteLine& one, cons
     const long double sign = turned ? -1 : 1, vx = v.x / lv, vy = v.y / lv, wx = w.x / lw, wy = w.y / lw;
     long double x = -sign * (vy + wy), y = sign * (vx + wx), length = std::sqrt(2 * q); // n - m
     if (narrow) {
-        const long double half = sign * k / (2 - q); // of the angle between them, the tangent
+        const long double half = sign * k / (2 - q); // tangent of half the angle between the normals
         x = half * (vx - wx);
         y = half * (vy - wy);
     }
     return on_line(p, more / (2 * q), 4 * mean / (2 * q), s, {x, y, length});
 }
 
-// The same with q as the other point: the centre lies on the line in the middle between both.
+// Solves the same equation with q as the other point: the centre lies on the bisector of p and q.
 std::optional<SiteCircle> touching_circle(SitePoint p, SitePoint q, const SiteLine& line, bool left) {
     const Direction w = q - p, v = line.to - line.from;
     const std::int64_t at_p = cross(v, p - line.from), at_q = cross(v, q - line.from);

@@ -54,7 +54,7 @@ Loops combine_tile(cl::ClipType kind, std::span<const Loops> in, Fill rule, bool
     if (!strict || is_simple(result)) return result;
     Loops parted = parted_at_touches(result);
     if (is_simple(parted)) return parted;
-    clipper.StrictlySimple(true); // different loops touch each other: seldom, and quadratic
+    clipper.StrictlySimple(true); // different loops touch each other: rare, and quadratic
     clipper.Execute(kind, out, fill_type(rule), fill_type(rule));
     return from_clipper(out);
 }
@@ -79,8 +79,8 @@ Loops offset_whole(const Loops& a, double delta, double arc_tolerance) {
     return from_clipper(out);
 }
 
-// The same for a tile.  Clipper takes the loop with the greatest y for an outer one and turns all round if it is not;
-// on a tile a hole may go as far, so a square beyond it leads, for the time being.
+// Offsets a tile. Clipper takes the loop with the greatest y for an outer one, and reverses all loops if it is not. In
+// a tile that may be a hole, so a square beyond the tile is added and removed afterwards.
 Loops offset_tile(Loops tile, double delta, double arc_tolerance) {
     if (tile.empty()) return {};
     const double side = 4 * std::abs(delta) + 1, near = bounds(tile).hi.y + side, far = near + side;
@@ -98,7 +98,7 @@ struct Ordered {
     std::size_t part;
 };
 
-// Collects the outer node and its holes as one part, then the outers inside the holes.
+// Adds the outer node and its holes as one part, then the outer nodes inside the holes.
 void collect(const cl::PolyNode& outer, int parent, Parts& out) {
     Loops part;
     append(part, outer.Contour);
@@ -116,7 +116,7 @@ Vec2 lowest_left(std::span<const Vec2> loop) {
                              [](Vec2 a, Vec2 b) { return a.y < b.y || (a.y == b.y && a.x < b.x); });
 }
 
-// On the grid of Boolean results.
+// The loops, rounded to the grid of Boolean results.
 Loops on_grid(Loops a) {
     for (Vec2& p : a.points)
         p = {static_cast<double>(std::llround(p.x * kGridPerMm)) / kGridPerMm,
@@ -124,11 +124,11 @@ Loops on_grid(Loops a) {
     return a;
 }
 
-// The parts of a simple area, in the order of their outer loops.  `within`: its nesting.
+// The parts of a simple area, in the order of their outer loops. `within` is its nesting().
 Parts parts_of_simple(const Loops& area, const std::vector<int>& within) {
     const Loops a = on_grid(area);
     Parts out;
-    std::vector<int> part_of(a.size(), -1); // loop to part
+    std::vector<int> part_of(a.size(), -1); // the part of each loop
     for (std::size_t l = 0; l < a.size(); ++l) {
         if (signed_area(a[l]) < 0) continue;
         part_of[l] = static_cast<int>(out.part.size());
@@ -146,7 +146,7 @@ Parts parts_of_simple(const Loops& area, const std::vector<int>& within) {
     return out;
 }
 
-// The same of any loops.  What a union does not mend is left to Clipper: quadratic, and rare.
+// The parts of any loops. Clipper does what a union does not mend: quadratic, and rare.
 Parts parts_of_any(const Loops& a) {
     cl::PolyTree tree;
     try {
@@ -165,7 +165,7 @@ Parts parts_of_any(const Loops& a) {
     return out;
 }
 
-// Ordered by the lowest-left vertices of the outer loops.
+// The parts, sorted by the lowest-left vertices of the outer loops.
 Parts ordered(Parts found) {
     std::vector<Ordered> order;
     for (std::size_t i = 0; i < found.part.size(); ++i) order.push_back({lowest_left(found.part[i][0]), i});
@@ -183,13 +183,13 @@ Parts ordered(Parts found) {
     return out;
 }
 
-// The point of a loop's stretch farthest from its chord, and how far, squared.
+// The point of a stretch of a loop that is farthest from its chord, and its squared distance.
 struct Farthest {
     std::size_t at = 0;
     double distance2 = 0;
 };
 
-// Of the points in (from, to), seen from the chord between i and j.
+// The farthest of the points in (from, to) from the chord between i and j.
 Farthest farthest(std::span<const Vec2> loop, std::size_t i, std::size_t j, std::size_t from, std::size_t to) {
     const std::size_t n = loop.size();
     const Vec2 a = loop[i % n], d = loop[j % n] - a;
@@ -204,9 +204,9 @@ Farthest farthest(std::span<const Vec2> loop, std::size_t i, std::size_t j, std:
     return out;
 }
 
-// Keeps the points of path[first..last] that stray from the chord by more than the tolerance; iterative, so that deep
-// recursion on long loops is no danger.  A long stretch is parted at a point near its middle, so that the teeth of a
-// comb do not come off one by one.
+// Keeps the points of loop[first..last] that are farther from the chord than the tolerance. Iterative, because
+// recursion on long loops could be too deep. A long stretch is split near its middle, so that the teeth of a comb are
+// not split off one by one.
 void keep_far_points(std::span<const Vec2> loop, std::size_t first, std::size_t last, double tolerance,
                      std::vector<char>& keep) {
     constexpr std::size_t kLong = 2000; // points
@@ -284,7 +284,7 @@ Loops simplify(const Loops& a, double tolerance) {
     for (std::size_t i = 0; i < a.size(); ++i) {
         const auto loop = a[i];
         if (loop.size() < 3) continue;
-        std::size_t far = 0; // the two fixed points: the first, and the one farthest from it
+        std::size_t far = 0; // fixed points: the first, and the one farthest from it
         for (std::size_t k = 1; k < loop.size(); ++k)
             if (geom::norm2(loop[k] - loop[0]) > geom::norm2(loop[far] - loop[0])) far = k;
         if (far == 0) continue;

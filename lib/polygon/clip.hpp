@@ -9,7 +9,7 @@
 
 namespace filum::polygon {
 
-// Off by so much, mm, are arcs where beads are to lie: as near as a machine comes.
+// mm; tolerance of arcs along which beads will lie, about the accuracy of a machine.
 inline constexpr double kBeadArc = 0.01;
 
 enum class Fill { nonzero, even_odd, positive };
@@ -17,37 +17,39 @@ enum class Fill { nonzero, even_odd, positive };
 Loops unite(const Loops& a, Fill rule = Fill::nonzero);
 Loops unite(const Loops& a, const Loops& b, Fill rule = Fill::nonzero);
 Loops intersect(const Loops& a, const Loops& b, Fill rule = Fill::nonzero);
-// The same area, faster; its loops may touch themselves in single points.
+// The same area as intersect(), faster; its loops may touch themselves in single points.
 Loops intersect_touching(const Loops& a, const Loops& b, Fill rule = Fill::nonzero);
 Loops subtract(const Loops& a, const Loops& b, Fill rule = Fill::nonzero);
 
-// The part of `a` within a box, whose sides move by up to a grid step.  Linear in the points of `a`, if that is simple.
+// The part of `a` within a box, whose sides move by at most a grid step. Linear in the points of `a` if `a` is simple.
 Loops within_box(const Loops& a, const Box2& box);
 
-// `a` grown by `delta` mm (shrunk if negative), corners rounded; arcs are off by at most `arc_tolerance` mm.
+// `a` grown by `delta` mm (shrunk if negative), with rounded corners; arcs are off by at most `arc_tolerance` mm.
 Loops offset(const Loops& a, double delta, double arc_tolerance = 0.002);
 
-// What of `a` is at least 2 `radius` wide: all discs of that radius in it (opening); empty if a is.
+// The part of `a` that is at least 2 `radius` wide: the union of all discs of that radius in `a` (opening). Empty if no
+// such disc fits.
 Loops opened(const Loops& a, double radius, double arc_tolerance = 0.002);
 
-// `a` with what is narrower than 2 `radius` between its parts: all that no such disc beside it reaches (closing).
+// `a` with all gaps narrower than 2 `radius` filled: everything that no disc of that radius outside `a` reaches
+// (closing).
 Loops closed(const Loops& a, double radius, double arc_tolerance = 0.002);
 
-// Everything within `radius` mm of the open line: a bead with round ends.  A line of one point gives a disc.
+// Everything within `radius` mm of the open line: a bead with round ends. A line of one point gives a disc.
 Loops around(std::span<const Vec2> line, double radius, double arc_tolerance = 0.002);
 
-// The connected parts of a simple area: each with its outer loop first, then its holes.  Order: by the first point's
-// (y, x) of the outer loop's lowest-left vertex, so that it depends on the area alone.
-// `parent[i]` is the part whose hole holds part i, -1 if none.
+// The connected parts of a simple area, each with its outer loop first, then its holes. They are sorted by (y, x) of
+// the lowest-left vertex of the outer loop, so the order depends only on the area. `parent[i]` is the part whose hole
+// holds part i, -1 if none.
 struct Parts {
     std::vector<Loops> part;
     std::vector<int> parent;
 };
 Parts split(const Loops& a);
 
-// Every loop with fewer points, none of the removed ones farther than `tolerance` mm from the result (Douglas-Peucker
-// on the closed loop).  Loops that fall below three points vanish.  Does not by itself keep loops from crossing; use
-// tolerances far below the distances that matter.
+// Every loop with fewer points, no removed one farther than `tolerance` mm from the result (Douglas-Peucker on the
+// closed loop). Loops of fewer than three points vanish. Simplified loops may cross, so use tolerances far below the
+// distances that matter.
 Loops simplify(const Loops& a, double tolerance);
 
 } // namespace filum::polygon

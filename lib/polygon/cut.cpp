@@ -24,7 +24,7 @@ CutSide side(const Loops& area, const Cut& cut, bool upper) {
     for (std::size_t l = 0; l < area.size(); ++l) {
         const auto loop = area[l];
         const std::size_t n = loop.size();
-        std::size_t first = 0; // a point where the loop comes in
+        std::size_t first = 0; // a point where the loop enters
         for (bool before = here(loop[n - 1]); first < n; ++first) {
             const bool now = here(loop[first]);
             if (now && !before) break;

@@ -17,32 +17,33 @@ struct Cut {
     [[nodiscard]] Vec2 point(double along) const { return upright ? Vec2{at, along} : Vec2{along, at}; }
 };
 
-// The line through the middle between two points of the grid of Boolean results that is nearest to `at`, so that no
-// vertex lies on it.
+// The middle between two neighbouring lines of the grid of Boolean results, the one nearest to `at`, so that no vertex
+// lies on the cut.
 double between_grid_points(double at);
 
 // Where an outline crosses a cut.
 struct CutEnd {
     double along = 0;
     std::size_t chain = 0;
-    Vec2 inside, outside; // the ends of the edge that crosses: on this side of the cut, and beyond
+    Vec2 inside, outside; // the ends of the crossing edge, on this side of the cut and on the other
 };
 
-// What lies on one side of a cut: whole loops, and chains that come in over the cut and leave again.
+// The part of an outline on one side of a cut: whole loops, and chains that enter and leave over the cut.
 struct CutSide {
     Loops whole;
     std::vector<std::vector<Vec2>> chains;
     std::vector<CutEnd> in, out; // sorted along the cut
 };
 
-// `upper`: the side where Cut::above is positive.
+// One side of the outlines of `area`; `upper` is the side where Cut::above is positive.
 CutSide side(const Loops& area, const Cut& cut, bool upper);
 
 // One side of a simple area as a simple area: between every other pair of crossings, the outline follows the cut.
-// Empty optional if the order of the crossings shows that the area is not simple.
+// Nothing if the order of the crossings shows that the area is not simple.
 std::optional<Loops> clipped_simple(const CutSide& side, const Cut& cut);
 
-// The part of a simple area within a box.  Linear in the points; empty optional as above.
+// The part of a simple area within a box, whose sides move by at most a grid step. Linear in the points. Nothing if the
+// order of crossings shows that the area is not simple.
 std::optional<Loops> clipped_simple(const Loops& area, const Box2& box);
 
 } // namespace filum::polygon

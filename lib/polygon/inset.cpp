@@ -5,7 +5,7 @@
 namespace filum::polygon {
 
 Loops inset(const Loops& area, double by) {
-    constexpr double kThin = 0.002, kArc = 0.004; // mm; nested insets add their errors up, so far below a bead
+    constexpr double kThin = 0.002, kArc = 0.004; // mm; far below a bead, because nested insets add up their errors
     return simplify(offset(area, -by, kArc), kThin);
 }
 

@@ -1,4 +1,4 @@
-// Insets, and what of a region no bead reaches.
+// Insets, and a note of the parts of a region that no bead reaches.
 #pragma once
 
 #include "base/note.hpp"
@@ -6,12 +6,12 @@
 
 namespace filum::polygon {
 
-// The area at least `by` mm inside (grown if negative), its points thinned out.  Error below 10 um.
+// The points of `area` at least `by` mm from its outline (grown if negative), simplified. Error below 10 um.
 Loops inset(const Loops& area, double by);
 
-// Adds one note for the connected parts of `region` outside `reached` that hold more than one bead width squared and a
-// disc half a bead wide (the rest are the tips of corners, which no round bead fills): their number, their area in mm2
-// and the place of the largest.  Returns that area.
+// Adds one note for the connected parts of `region` outside `reached`: their number, their area in mm2 and the place of
+// the largest. A part counts if it is larger than one bead width squared and holds a disc half a bead wide. Smaller
+// parts are tips of corners, which no round bead fills. Returns the area of the parts that count, mm2.
 double note_unplaced(const Loops& region, const Loops& reached, double bead_width, Notes& notes);
 
 } // namespace filum::polygon

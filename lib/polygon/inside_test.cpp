@@ -6,8 +6,8 @@
 namespace filum::polygon {
 
 InsideTest::InsideTest(const Loops& area) {
-    constexpr double kItems = 4; // per edge, on average and at most, as far as that can be chosen
-    double climbed = 0;          // mm, of all edges together
+    constexpr double kItems = 4; // rows that an average edge crosses, at most
+    double climbed = 0;          // mm, the heights of all edges together
     for (std::size_t l = 0; l < area.size(); ++l) {
         const auto loop = area[l];
         for (std::size_t j = 0, k = loop.size() - 1; j < loop.size(); k = j++) {

@@ -1,4 +1,4 @@
-// Whether points lie in an area: for many points.
+// A test for many points of whether they lie in an area.
 #pragma once
 
 #include "polygon/loops.hpp"
@@ -8,8 +8,7 @@
 
 namespace filum::polygon {
 
-// The answers of contains(), each by the few edges that lie at the height of the point.  Linear memory; a query looks
-// at one row of edges.
+// Gives the results of contains(), but compares a point only with the edges in its row of y. Linear memory.
 class InsideTest {
   public:
     explicit InsideTest(const Loops& area);

@@ -4,7 +4,7 @@ namespace filum::polygon {
 
 double signed_area(std::span<const Vec2> loop) {
     if (loop.size() < 3) return 0;
-    double twice = 0; // about the first point: no loss of digits far from the origin
+    double twice = 0; // relative to the first point, so that no digits are lost far from the origin
     const Vec2 o = loop[0];
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) twice += geom::cross(loop[i] - o, loop[i + 1] - o);
     return twice / 2;
@@ -23,7 +23,7 @@ Vec2 centroid(const Loops& loops) {
     Vec2 sum;
     for (std::size_t l = 0; l < loops.size(); ++l) {
         const auto loop = loops[l];
-        for (std::size_t i = 1; i + 1 < loop.size(); ++i) { // triangles about the loop's first point
+        for (std::size_t i = 1; i + 1 < loop.size(); ++i) { // triangles from the loop's first point
             const Vec2 a = loop[0] - o, b = loop[i] - o, c = loop[i + 1] - o;
             const double t = geom::cross(b - a, c - a);
             twice += t;

@@ -1,4 +1,4 @@
-// Sets of closed polygons: the shared data of the planar chain.
+// Sets of closed polygons: the data that all planar stages share.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -36,8 +36,8 @@ struct Loops {
 };
 
 double signed_area(std::span<const Vec2> loop); // mm2, positive if counter-clockwise
-double signed_area(const Loops& loops);         // sum over the loops: the area, if holes are clockwise
-Vec2 centroid(const Loops& loops);              // of that area; the first point if there is none
+double signed_area(const Loops& loops);         // mm2, the sum over the loops: the area, if holes are clockwise
+Vec2 centroid(const Loops& loops);              // of the area; the first point if the area is 0
 double perimeter(std::span<const Vec2> loop);   // mm
 Box2 bounds(std::span<const Vec2> points);
 inline Box2 bounds(const Loops& loops) { return bounds(loops.points); }

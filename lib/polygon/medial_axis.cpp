@@ -14,7 +14,7 @@ namespace filum::polygon {
 
 namespace {
 
-constexpr double kNoHeight = 1e-2; // grid units: a focus nearer to its line makes no parabola
+constexpr double kNoHeight = 1e-2; // grid units; a focus nearer to its line makes no parabola
 
 // The point of the cell's part of the outline nearest to p, grid units.
 Vec2 foot_in(const Sites& sites, const Diagram& d, std::uint32_t cell, Vec2 p) {
@@ -22,9 +22,10 @@ Vec2 foot_in(const Sites& sites, const Diagram& d, std::uint32_t cell, Vec2 p) {
     return v != kNone ? sites.at(v) : geom::nearest_point(sites.at(i), sites.at(sites.next[i]), p);
 }
 
-// A curved edge: the place x along its line has radius and slope by the height h alone.  Of a vertex and a segment: a
-// parabola, x along the segment from the focus' foot, h the focus' height.  Of two vertices: a straight line, x from
-// the middle between them, h half their distance; the radius is what is curved.
+// A curved edge. Its radius and slope at the place x along its line depend only on the height h. Between a vertex (the
+// focus) and a segment it is a parabola: x runs along the segment from the focus' foot, and h is the focus' height.
+// Between two vertices it is a straight line: x runs from the middle between them, and h is half their distance. Only
+// its radius is curved.
 struct Curved {
     Vec2 origin, along; // unit
     double h = 0, from = 0, to = 0;
@@ -34,7 +35,7 @@ struct Curved {
         if (!parabola) return origin + x * along;
         return origin + x * along + ((x * x + h * h) / (2 * h)) * geom::left_of(along);
     }
-    // How far from x the next node may be: the sagitta of radius and position is `tolerance` there.
+    // The largest distance from x to the next node for which the sagitta of radius and position is `tolerance`.
     [[nodiscard]] double step(double x, double tolerance) const {
         const double u = 1 + (x / h) * (x / h);
         return std::sqrt(8 * tolerance * h) * (parabola ? std::sqrt(std::sqrt(u)) : std::sqrt(u * std::sqrt(u)));
@@ -64,7 +65,7 @@ Curved curve_of(const Sites& sites, const Diagram& d, std::uint32_t e) {
     return out;
 }
 
-// Adds the places strictly between x0 and x1 > x0: halved until the steps are small enough.
+// Adds places strictly between x0 and x1 > x0, by halving until the steps are small enough.
 void add_steps(const Curved& c, double x0, double x1, double tolerance, std::vector<double>& out) {
     const double nearest = x0 * x1 < 0 ? 0 : std::min(std::abs(x0), std::abs(x1));
     if (x1 - x0 <= c.step(nearest, tolerance)) return;
@@ -74,12 +75,12 @@ void add_steps(const Curved& c, double x0, double x1, double tolerance, std::vec
     add_steps(c, mid, x1, tolerance, out);
 }
 
-// Places of the nodes between the edge's two vertices, from vertex0 to vertex1.
+// The places of the nodes between the edge's two vertices, from its first to its last.
 std::vector<double> places(const Curved& c, double tolerance, double slope) {
     std::vector<double> out;
     if (c.h < kNoHeight) return out;
     const double lo = std::min(c.from, c.to), hi = std::max(c.from, c.to);
-    const double steep = c.h * slope / std::sqrt(1 - slope * slope); // where the slope passes the one given
+    const double steep = c.h * slope / std::sqrt(1 - slope * slope); // where the slope equals `slope`
     double last = lo;
     for (const double x : {-steep, 0.0, steep, hi}) {
         if (x <= last || x > hi) continue;
@@ -133,7 +134,7 @@ class Builder {
         return known = add_node(p, r < kOnOutline ? 0 : r);
     }
 
-    // The pieces of an edge, from its end to its begin: that is along the outline, as cells lie to the left.
+    // Adds the pieces of an edge, from its end to its begin. That is along the outline, because cells lie on the left.
     void add(std::uint32_t e) {
         const std::uint32_t cell = d_.cell[e], other = d_.cell[e + 1];
         std::vector<std::uint32_t> nodes{node_of(d_.from[e], cell)};
@@ -150,7 +151,7 @@ class Builder {
             out_.from.insert(out_.from.end(), {nodes[j + 1], nodes[j]});
             out_.foot.push_back(foot(cell, out_.node[nodes[j + 1]]));
             out_.foot.push_back(foot(other, out_.node[nodes[j]]));
-            out_.next.insert(out_.next.end(), {base + 2 * j - 2, base + 2 * j + 3}); // those at the ends come later
+            out_.next.insert(out_.next.end(), {base + 2 * j - 2, base + 2 * j + 3}); // corrected at both ends later
         }
         first_[e] = base + 2 * (pieces - 1);
         first_[e + 1] = base + 1;
@@ -158,7 +159,8 @@ class Builder {
         last_[e + 1] = base + 2 * (pieces - 1) + 1;
     }
 
-    // The next edge along the outline: the one before in the same cell, or beyond the borders between cells.
+    // The next edge along the outline: the edge before e in the same cell, or in a cell beyond edges that are not
+    // inside.
     [[nodiscard]] std::uint32_t following(std::uint32_t e) const {
         std::uint32_t at = d_.prev[e];
         while (!d_.inside[at]) at = d_.prev[at ^ 1];
@@ -168,8 +170,8 @@ class Builder {
     const Sites* sites_;
     Diagram d_;
     double tolerance_, slope_;
-    std::vector<std::uint32_t> first_, last_; // per edge inside: half-edges
-    std::vector<std::uint32_t> node_;         // per vertex of the diagram
+    std::vector<std::uint32_t> first_, last_; // per edge inside: its first and last half-edge
+    std::vector<std::uint32_t> node_;         // the node of each vertex of the diagram
     MedialAxis out_;
 };
 
@@ -202,7 +204,7 @@ MedialAxis refined(const MedialAxis& axis, const std::vector<double>& cuts, cons
     out.node = axis.node;
     out.radius = axis.radius;
     const std::uint32_t pieces = axis.half_edges() / 2;
-    const auto base = [&](std::uint32_t e) { return e + start[e]; }; // piece e becomes these and those that follow
+    const auto base = [&](std::uint32_t e) { return e + start[e]; }; // the first new piece of piece e
     const auto first = [&](std::uint32_t h) {
         const std::uint32_t e = h / 2;
         return h % 2 == 0 ? 2 * base(e) : 2 * (base(e + 1) - 1) + 1;

@@ -7,13 +7,13 @@ namespace filum::polygon {
 
 namespace {
 
-constexpr int kPasses = 100;     // in practice three
-constexpr std::size_t kFew = 32; // walls that are compared each with each
-constexpr int kDeep = 60;        // halvings
-constexpr double kNoGain = 1.8;  // of the walls, in both halves together: halving separates nothing
-constexpr double kRim = 2;       // grid steps around what is kept of a wall, more than rounding of doubles makes
+constexpr int kPasses = 100;     // limit; three passes are usual
+constexpr std::size_t kFew = 32; // so few walls are compared each with each
+constexpr int kDeep = 60;        // limit of nested halvings
+constexpr double kNoGain = 1.8;  // of the walls; if both halves hold more, halving separates nothing
+constexpr double kRim = 2;       // grid steps of margin around a piece of a wall, more than rounding errors
 
-// The part of a wall that lies in a cell, as a box.
+// The part of a wall in a cell, as a box.
 struct Stretch {
     std::uint32_t wall = 0;
     double lo[2] = {0, 0}, hi[2] = {0, 0};
@@ -31,7 +31,7 @@ bool same_box(const Stretch& s, const Stretch& t) {
 
 int sign(__int128 v) { return v > 0 ? 1 : v < 0 ? -1 : 0; }
 
-// p is on the line through the wall: is it between its ends?
+// Whether p, on the line through the wall, lies between its ends.
 bool between(const GridWall& w, GridPoint p) { return w.a < p && p < w.b; }
 
 GridPoint crossing_of(const GridWall& e, const GridWall& f) {
@@ -45,7 +45,7 @@ class Parting {
   public:
     explicit Parting(const std::vector<GridWall>& walls) : walls_(walls) {}
 
-    // Where walls are to be parted, by wall.
+    // The places where walls must be split, sorted by wall.
     std::vector<Split> run() {
         std::vector<Stretch> all;
         all.reserve(walls_.size());
@@ -98,9 +98,9 @@ class Parting {
         const double d[2] = {static_cast<double>(w.b.x - w.a.x), static_cast<double>(w.b.y - w.a.y)};
         const int m = 1 - k;
         if (d[k] == 0) return s;
-        const double at = a[m] + d[m] * ((cut - a[k]) / d[k]); // along the other axis, where the wall meets the cut
+        const double at = a[m] + d[m] * ((cut - a[k]) / d[k]); // where the wall meets the cut, along the other axis
         const bool rises = (d[m] > 0) == (d[k] > 0);
-        const double reach = kRim * (1 + std::abs(d[m] / d[k])); // the rim of the cut, seen along the other axis
+        const double reach = kRim * (1 + std::abs(d[m] / d[k])); // the margin of the cut, along the other axis
         if (low == rises)
             s.hi[m] = std::min(s.hi[m], at + reach);
         else
@@ -150,7 +150,7 @@ class Parting {
     std::vector<Split> splits_;
 };
 
-// Sorted, each once, from the lesser end to the greater.
+// Sorts the walls, merges copies, and directs each from its lesser end to its greater one.
 void put_in_order(std::vector<GridWall>& walls) {
     for (GridWall& w : walls)
         if (w.b < w.a) {

@@ -1,4 +1,4 @@
-// Segments on a grid of whole numbers, parted where they meet; private to lib/polygon.
+// Splits segments on a grid of whole numbers where they meet. Private to lib/polygon.
 #pragma once
 
 #include <compare>
@@ -13,21 +13,22 @@ struct GridPoint {
     friend auto operator<=>(const GridPoint&, const GridPoint&) = default;
 };
 
-// Positive if c lies left of a -> b, exact.  Precondition: coordinates differ by less than 2^62.
+// Positive if c lies left of a -> b; exact. Precondition: coordinates differ by less than 2^62.
 inline __int128 turn(GridPoint a, GridPoint b, GridPoint c) {
     return static_cast<__int128>(b.x - a.x) * (c.y - a.y) - static_cast<__int128>(b.y - a.y) * (c.x - a.x);
 }
 
-// From a to b, a < b.
+// A segment from a to b, a < b.
 struct GridWall {
     GridPoint a, b;
-    int weight = 0; // times passed from a to b, less those from b to a
+    int weight = 0; // number of passes from a to b, less those from b to a
     bool marked = false;
     bool fresh = true; // not yet compared with the others
 };
 
-// The same walls in pieces that have no points in common but their ends, each piece once, by a, then b.  Crossings are
-// rounded to the grid; what runs through a rounded point is bent there.  Nothing if that goes on for too long.
+// The walls in pieces that share no points except their ends, each piece once, sorted by a, then b. Crossings are
+// rounded to the grid; a wall through a rounded point is bent there. Nothing if this does not end within a fixed number
+// of passes.
 std::optional<std::vector<GridWall>> parted(std::vector<GridWall> walls);
 
 } // namespace filum::polygon

@@ -1,4 +1,4 @@
-// Layers and connected regions: what `slice`, `regions` and `sequence` hand on.
+// Layers and connected regions: the data that `slice`, `regions` and `sequence` pass on.
 #pragma once
 
 #include "base/join.hpp"
@@ -16,7 +16,7 @@ struct Layer {
     std::uint32_t index = 0;
     double z = 0;      // height of the nozzle, mm: the top of the layer
     double height = 0; // thickness, mm
-    double plane = 0;  // where the model was cut, mm
+    double plane = 0;  // height of the cut through the model, mm
     Loops contours;    // outer counter-clockwise, holes clockwise, simple
 };
 
@@ -25,16 +25,16 @@ struct Overlap {
     std::uint32_t below = 0; // id of the lower region
     double area = 0;         // mm2
     double inradius = 0;     // mm; a circle of this radius fits into the common area (a lower bound)
-    bool link = false;       // the curves that fill both pass within about a bead width of each other here
+    bool link = false;       // the curves that fill both regions come within about a bead width of each other here
 };
 
-// What a part of a region is.
+// Kinds of areas within a region.
 enum class AreaKind : std::uint8_t {
     skin_top,    // solid, seen from above
     skin_bottom, // solid, seen from below
-    bridge,      // solid, over air between what carries it; loops: the air
-    sparse,      // filled in part
-    zone,        // with walls and beads of its own
+    bridge,      // solid, over air between its supports; loops: the outline of the air
+    sparse,      // filled with sparse infill
+    zone,        // has walls and beads of its own
 };
 
 // How a sparse area is filled.
@@ -44,24 +44,25 @@ enum class Pattern : std::uint8_t {
     concentric, // lines along the outline
 };
 
-// A part of a region that is not filled like the rest; simple, it may have several pieces.  No two zones overlap.
+// A part of a region that is filled in a way of its own. Its loops are simple; it may have several pieces. No two zones
+// overlap.
 struct Area {
     AreaKind kind = AreaKind::sparse;
     Loops loops;
-    double direction = 0; // rad, of bridges and of rows, from the x axis
-    double spacing = 0;   // mm, sparse: from line to line
+    double direction = 0; // rad, of bridges and rows, from the x axis
+    double spacing = 0;   // mm, sparse: distance between lines
     Pattern pattern = Pattern::rows;
-    double gap = 0; // mm, sparse: no gap is wider, by more lines between those; 0: as the spacing says
-    // zone: rings along its outline, within those that the whole region has
+    double gap = 0; // mm, sparse: the widest gap allowed, kept by extra lines; 0: no limit
+    // zone: number of rings along its outline, within the rings of the whole region
     std::uint32_t walls = 0;
     double width = 0; // mm, zone: of its beads
 };
 
-// What a region is there for.
+// The purpose of a region.
 enum class RegionClass : std::uint8_t {
     part,
-    support, // carries what overhangs, to be taken away
-    rim,     // beside the first layer, to be taken away: brim and skirt
+    support, // carries overhangs; to be removed
+    rim,     // beside the first layer, to be removed: brim and skirt
 };
 
 // One connected region of a layer.
@@ -73,19 +74,21 @@ struct Region {
     double area = 0;          // mm2
     std::int64_t parent = -1; // id of the region whose hole holds this one
     std::vector<Overlap> below;
-    double unsupported = 0;   // mm2 with nothing below
-    std::uint32_t stroke = 0; // set by `sequence`, as is join
+    double unsupported = 0;   // mm2, farther than half a bead from the layer below
+    std::uint32_t stroke = 0; // set by `sequence`, as `join` is
     Join join = Join::start;
     double inradius = 0;     // mm; a circle of this radius fits into the region (a lower bound)
     Box2 box;                // of the outer loop
-    std::vector<Area> areas; // set by `skins`: what is in none is solid
-    std::uint32_t walls = 0; // rings along the whole outline; 0: none are told apart, and it is solid all through
+    std::vector<Area> areas; // set by `skins`; outside all areas the region is solid
+    std::uint32_t walls = 0; // number of rings along the whole outline; 0: no separate walls, solid throughout
     RegionClass is = RegionClass::part;
-    // id of a brim about it, whose beads lie beside its own: one stroke may lay both; set by `supports`
+    // id of a brim around it, set by `supports`; -1 if none. Its beads lie beside those of the region, so one stroke
+    // may print both.
     std::int64_t brim = -1;
 };
 
-// The material of every layer from the first to the last (of one class: `only`); none where a layer is missing.
+// The outlines of the material, per layer from the first to the last, of all regions or of one class (`only`). Empty
+// for a missing layer.
 std::vector<Loops> materials(std::span<const Region> regions, std::optional<RegionClass> only = {});
 
 } // namespace filum::polygon

@@ -8,7 +8,7 @@
 
 namespace filum::polygon {
 
-// One segment per point, from it to the next of its loop, in the order of the points.
+// One segment per point, from it to the next point of its loop, in the order of the points.
 inline std::vector<geom::Segment> segments(const Loops& loops) {
     std::vector<geom::Segment> out;
     out.reserve(loops.points.size());

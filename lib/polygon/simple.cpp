@@ -16,8 +16,8 @@ std::int64_t to_grid(double v) { return static_cast<std::int64_t>(v * kGridPerMm
 
 bool before(const Point& a, const Point& b) { return a.y < b.y || (a.y == b.y && a.x < b.x); }
 
-// Sweeps upwards; among points of one height, to the right.  Edge i runs from point i to the next one of its loop.
-// Wide: an integer that holds the product of two differences of coordinates.
+// Sweeps upwards and, among points of one height, to the right. Edge i runs from point i to the next point of its loop.
+// `Wide` is an integer type that holds the product of two differences of coordinates.
 template <class Wide>
 class Sweep {
   public:
@@ -35,7 +35,7 @@ class Sweep {
     bool run(const std::vector<std::uint32_t>& order) {
         return std::all_of(order.begin(), order.end(), [&](std::uint32_t v) { return pass(v); });
     }
-    // Of each loop, after a run.
+    // The loop around each loop, after a run.
     [[nodiscard]] std::vector<int> within() && { return std::move(within_); }
 
   private:
@@ -48,18 +48,18 @@ class Sweep {
         return Wide{p_[b].x - p_[a].x} * (p_[c].y - p_[a].y) - Wide{p_[b].y - p_[a].y} * (p_[c].x - p_[a].x);
     }
 
-    // True if edge e stays strictly left of edge f up to the lower one of their upper ends, given that it begins so.
+    // Whether edge e, which begins strictly left of edge f, stays so up to the lower one of their upper ends.
     [[nodiscard]] bool stays_left(std::uint32_t e, std::uint32_t f) const {
         const std::uint32_t le = lower(e), ue = upper(e), lf = lower(f), uf = upper(f);
         if (ue == uf) return orient(le, ue, lf) < 0; // they end in a common point
         return before(p_[ue], p_[uf]) ? orient(lf, uf, ue) > 0 : orient(le, ue, uf) < 0;
     }
-    [[nodiscard]] bool fits(std::size_t i) const { // edge i of the active ones, between its neighbours
+    [[nodiscard]] bool fits(std::size_t i) const { // whether active edge i lies between its neighbours
         return (i == 0 || stays_left(active_[i - 1], active_[i])) &&
                (i + 1 >= active_.size() || stays_left(active_[i], active_[i + 1]));
     }
 
-    // Where the active edge e stands; its remembered place may be out of date.
+    // The place of the active edge e; its remembered place may be out of date.
     std::size_t find(std::uint32_t e, std::uint32_t top) {
         if (place_[e] < active_.size() && active_[place_[e]] == e) return place_[e];
         return static_cast<std::size_t>(
@@ -80,8 +80,8 @@ class Sweep {
         return fits(i);
     }
 
-    // v is lower than both its neighbours: two edges begin.  Active edges run down and up in turn, from the left: so
-    // that each has solid on its left, and there is no solid within solid.
+    // Begins two edges at v, which is lower than both its neighbours. From the left, active edges must run down and up
+    // in turn. Then each has solid on its left, and there is no solid within solid.
     bool begin(std::uint32_t v, std::uint32_t in, std::uint32_t out) {
         const auto at = std::partition_point(active_.begin(), active_.end(),
                                              [&](std::uint32_t a) { return orient(lower(a), upper(a), v) < 0; });
@@ -99,7 +99,8 @@ class Sweep {
                (i + 2 >= active_.size() || stays_left(active_[i + 1], active_[i + 2]));
     }
 
-    // Loop l begins before the active edge i.  The edge to its left belongs to a loop around it, or to one beside it.
+    // Places loop l, which begins before the active edge i. The edge to its left belongs to a loop around it, or to one
+    // beside it.
     void place_loop(std::uint32_t l, std::size_t i) {
         hole_[l] = static_cast<char>(i % 2);
         within_[l] = -1;
@@ -122,13 +123,13 @@ class Sweep {
 
     const std::vector<Point>& p_;
     std::vector<std::uint32_t> next_, prev_, loop_;
-    std::vector<std::uint32_t> place_; // of an edge among the active ones, when it was put there
-    std::vector<int> within_;          // of each loop, as nesting() gives it
+    std::vector<std::uint32_t> place_; // place of each edge among the active ones when it was inserted
+    std::vector<int> within_;          // of each loop, as in nesting()
     std::vector<char> hole_;
     std::vector<std::uint32_t> active_; // edges at the height of the sweep, left to right
 };
 
-// All points, lowest first: spread over as many buckets as there are points, then sorted in each.
+// All points, lowest first. They are spread over as many buckets as there are points, then each bucket is sorted.
 std::vector<std::uint32_t> lowest_first(const std::vector<Point>& p) {
     const auto [lo, hi] =
         std::minmax_element(p.begin(), p.end(), [](const Point& a, const Point& b) { return a.y < b.y; });
@@ -163,7 +164,7 @@ std::optional<std::vector<int>> nesting(const Loops& loops) {
     const Point corner{to_grid(box.lo.x), to_grid(box.lo.y)};
     for (const Vec2 q : loops.points) points.push_back({to_grid(q.x) - corner.x, to_grid(q.y) - corner.y});
     const std::vector<std::uint32_t> order = lowest_first(points);
-    for (std::size_t i = 1; i < order.size(); ++i) // one that ends where another begins would pass unseen
+    for (std::size_t i = 1; i < order.size(); ++i) // the sweep does not see a loop that ends where another begins
         if (points[order[i]] == points[order[i - 1]]) return std::nullopt;
     constexpr std::int64_t kNarrow = std::int64_t{1} << 30;
     const auto swept = [&](auto sweep) -> std::optional<std::vector<int>> {

@@ -1,4 +1,4 @@
-// A quick proof that loops need no union.
+// A fast test of whether loops are simple, so that they need no union.
 #pragma once
 
 #include "polygon/loops.hpp"
@@ -8,18 +8,18 @@
 
 namespace filum::polygon {
 
-inline constexpr double kGridPerMm = 1e4;           // grid units: clip.hpp rounds to 0.1 um
+inline constexpr double kGridPerMm = 1e4;           // grid units per mm: clip.hpp rounds to 0.1 um
 inline constexpr double kGridStep = 1 / kGridPerMm; // mm
 
-// True if `loops` are, exactly, the outline of the area they wind round: on the grid of 0.1 um to which clip.hpp
-// rounds, no two edges cross, touch or overlap, and outer loops run counter-clockwise, holes clockwise, nested in turn.
-// Then a union would give them back as they are.  False proves nothing but that a union is in order. A sweep that stops
-// at the first doubt (Shamos and Hoey 1976), with exact integers; some 50 ns per point, against more than 1 us of the
-// union.  Precondition: coordinates within 1e8 mm.
+// Whether `loops` are exactly the outline of the area they wind round, on the grid of 0.1 um to which clip.hpp rounds.
+// No two edges cross, touch or overlap; outer loops run counter-clockwise, holes clockwise, nested in turn. A union
+// would return them unchanged. If false, a union may be needed. The sweep stops at the first doubt (Shamos and Hoey
+// 1976) and uses exact integers. It takes about 50 ns per point, against more than 1 us for the union. Precondition:
+// coordinates within 1e8 mm.
 bool is_simple(const Loops& loops);
 
-// For each loop the smallest one around it: of a hole its outer loop, of an outer loop the hole that it lies in, -1 if
-// none.  Empty optional if the loops are not simple.
+// For each loop the smallest loop around it: for a hole its outer loop, for an outer loop the hole it lies in, -1 if
+// none. Nothing if the loops are not simple.
 std::optional<std::vector<int>> nesting(const Loops& loops);
 
 } // namespace filum::polygon

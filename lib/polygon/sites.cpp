@@ -12,11 +12,11 @@ namespace filum::polygon {
 
 namespace {
 
-constexpr double kWidestRegion = 1e5; // mm: twice that must fit a 32-bit integer on the grid
+constexpr double kWidestRegion = 1e5; // mm; twice this must fit a 32-bit integer on the grid
 
 using GridPoint = std::pair<std::int64_t, std::int64_t>;
 
-// The loop on the grid about `origin`, without doubled vertices and straight angles, but with those that turn back.
+// The loop on the grid about `origin`, without repeated vertices, straight angles and spikes (edges that turn back).
 std::vector<GridPoint> on_grid(std::span<const Vec2> loop, Vec2 origin) {
     std::vector<GridPoint> out;
     const auto straight = [](const GridPoint& a, const GridPoint& b, const GridPoint& c) {
@@ -59,7 +59,7 @@ Sites on_grid(const Loops& loops, Vec2 origin) {
     return out;
 }
 
-// A point of the grid left of the area and below it, as far off as the area is wide.
+// A grid point below and left of the area, at a distance of the area's larger extent.
 Vec2 beside(const Loops& area) {
     const auto box = bounds(area);
     const double size = std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y);

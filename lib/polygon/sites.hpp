@@ -1,4 +1,4 @@
-// The outline of a region as the integer segments that its Voronoi diagram is made of.
+// The outline of a region as the integer segments from which its Voronoi diagram is made.
 #pragma once
 
 #include "polygon/loops.hpp"
@@ -20,17 +20,17 @@ struct Sites {
     [[nodiscard]] Vec2 at(std::size_t i) const { return {static_cast<double>(x[i]), static_cast<double>(y[i])}; }
 };
 
-// The outline of `region` (outer loop, then holes) with fewer vertices, none removed that lies farther than `tolerance`
-// mm from the result; no straight angles, no vertex twice, and no two segments meet but at the vertex between
-// neighbours.  Where simplifying would make the outline touch itself, less is removed; where it touches itself as it
-// is, the region is grown by kGrowBy first, or by four, sixteen, ... times as much until it does not touch itself.
-// Empty if nothing is left.  Throws Error(failure) for a region wider than 100 m.
+// The outline of `region` (outer loop, then holes) with fewer vertices; no removed vertex is farther than `tolerance`
+// mm from the result. There are no straight angles and no repeated vertices, and two segments meet only at the vertex
+// between neighbours. Where simplifying would make the outline touch itself, fewer vertices are removed. Where the
+// outline touches itself in the input, the region is grown by kGrowBy, or by four, sixteen, ... times as much, until it
+// does not. Empty if nothing is left. Throws Error(failure) for a region wider than 100 m.
 Sites sites_of(const Loops& region, double tolerance);
 
 inline constexpr double kGrowBy = 0.001;   // mm: far below any bead, ten grid units
 inline constexpr double kGrowAtMost = 1.0; // mm
 
-// The outline of `region` grown by `by` mm; empty where that touches itself.
+// The outline of `region` grown by `by` mm; empty if that touches itself.
 Sites grown_sites_of(const Loops& region, double by);
 
 } // namespace filum::polygon

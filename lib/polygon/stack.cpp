@@ -15,7 +15,8 @@ std::vector<std::uint32_t> close_gaps(std::vector<Region>& regions, std::uint32_
     for (const Region& r : regions) given.push_back(r.layer);
     std::sort(given.begin(), given.end());
     given.erase(std::unique(given.begin(), given.end()), given.end());
-    std::vector<std::uint32_t> original, now(given.size()); // by new number; by the place in `given`
+    // original: old numbers by new number; now: new numbers by place in `given`
+    std::vector<std::uint32_t> original, now(given.size());
     for (std::size_t i = 0; i < given.size(); ++i) {
         const std::uint32_t before = i == 0 ? given[0] : given[i] - given[i - 1] - 1; // empty layers
         for (std::uint32_t k = std::min(before, most); k > 0; --k) original.push_back(given[i] - k);
@@ -37,7 +38,7 @@ namespace {
 
 std::string number(std::uint32_t n) { return std::to_string(n); }
 
-// A fault of a region that follows `before`, which is null for the first.
+// The fault of a region that follows `before`, which is null for the first region; empty if there is none.
 std::string order_fault(const Region& r, const Region* before) {
     if (before == nullptr) return "";
     if (r.layer < before->layer) return "region " + number(r.id) + " is on a lower layer than the one before it";
@@ -75,7 +76,7 @@ std::string fault(const Loops& loops) {
     if (is_simple(loops)) return "";
     double around = 0;
     for (std::size_t l = 0; l < loops.size(); ++l) around += perimeter(loops[l]);
-    // As far as rounding moves points, to the grid and in the union.
+    // The largest change of the area by rounding, to the grid and in the union.
     const double tolerance = 2 * around / kGridPerMm;
     const double given = signed_area(loops), united = signed_area(unite(loops));
     if (given < -tolerance) return "it runs clockwise";

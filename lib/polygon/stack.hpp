@@ -9,20 +9,20 @@
 
 namespace filum::polygon {
 
-// Renumbers the layers of regions from 0 on, in their order, so that never more than `most` empty layers follow each
-// other: numbers can be indices then, however sparse they were.  Returns the number that each new layer had.
+// Renumbers the layers of regions from 0 on, in their order, so that at most `most` empty layers follow each other.
+// Numbers can then be indices, even if they were sparse. Returns the old number of each new layer.
 std::vector<std::uint32_t> close_gaps(std::vector<Region>& regions, std::uint32_t most);
 
-// The notes with the numbers that their layers had before close_gaps.
+// Gives the layers of `notes` the numbers that they had before close_gaps().
 void restore_layers(Notes& notes, std::span<const std::uint32_t> original);
 
-// What is wrong with the order of regions or with what they say of each other, in plain words; empty if nothing is:
-// each id occurs once, layers come one after the other, each higher than the one before, a region lies on regions of
-// lower layers, and those whose hole or rim it is in are on its own layer.
+// The fault in the order of regions or in their references to each other, in plain words; empty if there is none. Each
+// id must occur once. Layers must ascend, each higher than the one before. A region must lie on regions of lower
+// layers; its parent and its brim must be on its own layer.
 std::string fault(const std::vector<Region>& regions);
 
-// What is wrong with an area's outline, in plain words; empty if nothing is: its outer loops run counter-clockwise,
-// holes clockwise, and none crosses itself or another.  Loops may touch.
+// The fault in an area's outline, in plain words; empty if there is none. Outer loops must run counter-clockwise and
+// holes clockwise, and none may cross itself or another. Loops may touch.
 std::string fault(const Loops& loops);
 
 } // namespace filum::polygon

@@ -1,4 +1,4 @@
-// Level lines across an area.
+// Lines y = const across an area.
 #pragma once
 
 #include "polygon/loops.hpp"
@@ -7,7 +7,7 @@
 
 namespace filum::polygon {
 
-// The points turned by `angle` rad about the origin.
+// The points, rotated by `angle` rad about the origin.
 Loops rotated(const Loops& loops, double angle);
 void rotate(std::vector<Vec2>& points, double angle);
 
@@ -16,8 +16,8 @@ struct LevelStretch {
     double from = 0, to = 0;
 };
 
-// For each y (ascending) the stretches of that line inside `area` (even-odd), from left to right.  An edge belongs to
-// the lines lower <= y < upper, so that no vertex is counted twice.
+// For each y (ascending) the stretches of that line inside `area` (even-odd), from left to right. An edge belongs to
+// the lines lower <= y < upper, so that no vertex counts twice.
 std::vector<std::vector<LevelStretch>> scan(const Loops& area, const std::vector<double>& y);
 
 } // namespace filum::polygon

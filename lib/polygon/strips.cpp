@@ -8,11 +8,11 @@ namespace filum::polygon {
 
 namespace {
 
-constexpr int kSteps = 40;       // per strip height
-constexpr double kFlat = 0.25;   // slope from which an edge counts as upright, not flat
-constexpr double kUneven = 0.15; // cost of a strip twice as high as wanted, as a share of its area
+constexpr int kSteps = 40;       // steps per strip height
+constexpr double kFlat = 0.25;   // slope from which an edge no longer counts as flat
+constexpr double kUneven = 0.15; // cost of a strip twice as high as `height`, as a share of its area
 
-// Length of flat outline per step of y; an edge counts the less the steeper it is.
+// The length of flat outline per step of y; a steeper edge counts less.
 std::vector<double> flats(const Loops& area, double low, double step, std::size_t count) {
     std::vector<double> out(count, 0.0);
     for (std::size_t i = 0; i < area.size(); ++i) {
@@ -31,7 +31,7 @@ std::vector<double> flats(const Loops& area, double low, double step, std::size_
     return out;
 }
 
-// Cost, for each pair of cuts i < j, of the flat outline between them; from running sums, in constant time.
+// The cost of the flat outline between each pair of cuts i < j; constant time by running sums.
 struct Misfit {
     std::vector<double> length, moment; // sums over the steps before i of f and f * i
 
@@ -41,7 +41,7 @@ struct Misfit {
             moment[i + 1] = moment[i] + f[i] * static_cast<double>(i);
         }
     }
-    // Sum of f * steps to the nearer of i and j.
+    // The sum of f * steps to the nearer of i and j.
     [[nodiscard]] double operator()(std::size_t i, std::size_t j) const {
         const std::size_t m = (i + j + 1) / 2;
         const double below = moment[m] - moment[i] - static_cast<double>(i) * (length[m] - length[i]);

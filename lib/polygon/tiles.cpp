@@ -11,19 +11,19 @@ namespace filum::polygon {
 
 namespace {
 
-constexpr std::size_t kTile = 2000;       // points
-constexpr double kClear = 0.01;           // mm: of the margin, besides the reach
-constexpr double kSame = 2e-3;            // mm: crossings of a cut from both sides, at most so far apart, are the same
-constexpr double kWorthwhile = 0.8;       // of the points: a half with more than these is none
-constexpr double kShares[] = {0.5, 0.45}; // of the points below the cut: the second where the first does not do
+constexpr std::size_t kTile = 2000;       // points; larger inputs are halved
+constexpr double kClear = 0.01;           // mm of margin in addition to the reach
+constexpr double kSame = 2e-3;            // mm; nearer crossings of a cut from both sides are the same
+constexpr double kWorthwhile = 0.8;       // of the points; a half with more is not worth a cut
+constexpr double kShares[] = {0.5, 0.45}; // of the points below the cut; the second if the first fails
 
-// How the chains of one side go on at the other.
+// The chain on the other side of a cut at which a chain continues.
 struct Next {
     std::size_t chain = 0;
-    std::optional<Vec2> over; // the point on the cut, if it says more than the points beside it
+    std::optional<Vec2> over; // the point on the cut, if it is not too near to the points beside it
 };
 
-// One for each chain of `from`; nothing if the two sides do not meet.
+// The continuation of each chain of `from`; nothing if the two sides do not meet.
 std::optional<std::vector<Next>> meet(const CutSide& from, const CutSide& to, const Cut& cut) {
     if (from.out.size() != to.in.size()) return std::nullopt;
     std::vector<Next> next(from.chains.size());
@@ -75,7 +75,7 @@ std::size_t count(std::span<const Loops> inputs) {
     return n;
 }
 
-// Across the longer side of the box, with `share` of the points below it.
+// The cut across the longer side of the box, with `share` of the points below it.
 Cut choose(std::span<const Loops> inputs, double share) {
     Box2 box;
     for (const Loops& a : inputs)
@@ -91,8 +91,8 @@ Cut choose(std::span<const Loops> inputs, double share) {
     return cut;
 }
 
-// Nothing if one of the inputs is not simple there: cut as it is, it would have edges to and fro along the cut, which
-// cost Clipper more than the whole.
+// One half of the inputs, with its margin. Nothing if one of the inputs is not simple there. It would get edges to and
+// fro along the cut, which cost Clipper more than the whole.
 std::optional<std::vector<Loops>> half(std::span<const Loops> inputs, const Cut& cut, double reach, bool upper) {
     Cut rim = cut;
     rim.at += (upper ? -1 : 1) * (reach + kClear);

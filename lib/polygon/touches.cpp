@@ -46,7 +46,7 @@ struct Touch {
     Vec2 at;
 };
 
-// All of them, along each edge in order.
+// All touches, sorted by edge and along each edge.
 std::vector<Touch> touches(const Loops& a) {
     const auto edges = segments(a);
     double length = 0;
@@ -62,7 +62,7 @@ std::vector<Touch> touches(const Loops& a) {
                 if (e < a.start[l] || e >= a.start[l + 1]) return;
                 if (!lies_inside(vertex(edges[e].a), vertex(edges[e].b), v)) return;
                 for (std::size_t k = before; k < out.size(); ++k)
-                    if (out[k].edge == e) return; // seen in another cell
+                    if (out[k].edge == e) return; // found in another cell already
                 out.push_back({e, geom::norm2(p - edges[e].a), p});
             });
         }
@@ -72,9 +72,9 @@ std::vector<Touch> touches(const Loops& a) {
     return out;
 }
 
-// Adds the loop as loops that come to no vertex twice.
+// Adds the loop, split into loops that pass no vertex twice.
 void add_parted(const std::vector<Vec2>& loop, Loops& out) {
-    std::vector<Vec2> open; // the points since the last loop that was closed, none of them twice
+    std::vector<Vec2> open; // the points since the last closed loop, none of them twice
     std::unordered_map<Vertex, std::size_t, VertexHash> place(2 * loop.size());
     const auto close = [&](std::size_t from) {
         if (open.size() - from >= 3) out.add(std::span(open).subspan(from));
@@ -113,11 +113,11 @@ Loops parted_at_touches(const Loops& a) {
 }
 
 std::optional<std::vector<int>> nesting_of_touching(const Loops& a) {
-    constexpr double kSomewhere = 0.381966; // golden section: rows and squares touch edges at simple fractions
+    constexpr double kSomewhere = 0.381966; // golden section, because rows and squares touch edges at simple fractions
     struct Outline {
         Box2 box;
         double area;
-        Vec2 point; // of the longest edge, at a place where hardly another loop touches it
+        Vec2 point; // on the longest edge, where other loops rarely touch it
         std::optional<InsideTest> inside;
     };
     std::vector<Outline> all;

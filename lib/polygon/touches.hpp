@@ -1,4 +1,4 @@
-// Loops that touch themselves, parted where they do.
+// Splits loops where they touch themselves.
 #pragma once
 
 #include "polygon/loops.hpp"
@@ -8,13 +8,13 @@
 
 namespace filum::polygon {
 
-// The same area by loops none of which touches itself: a loop that comes to one of its own vertices again, or to one of
-// its own edges by a vertex, becomes two loops there.  Compares coordinates on the grid of clip.hpp.  Different loops
-// may still touch each other.  n log n in the points, where Clipper's StrictlySimple is quadratic.
+// The same area, with loops that do not touch themselves. A loop is split into two where it returns to one of its
+// vertices, or where a vertex lies on one of its edges. Coordinates are compared on the grid of clip.hpp. Different
+// loops may still touch each other. O(n log n) in the points, where Clipper's StrictlySimple is quadratic.
 Loops parted_at_touches(const Loops& a);
 
-// As nesting(), of loops that may touch each other in points, but do not cross.  Empty optional if outer loops and
-// holes do not take turns.
+// The result of nesting() for loops that may touch each other in points, but do not cross. Nothing if outer loops and
+// holes do not alternate.
 std::optional<std::vector<int>> nesting_of_touching(const Loops& a);
 
 } // namespace filum::polygon

@@ -14,7 +14,7 @@ namespace {
 namespace detail = boost::polygon::detail;
 using Usual = detail::voronoi_ctype_traits<std::int32_t>;
 
-// Boost's circles, but sooner where numbers of 64 bits tell them.
+// Boost's circles, replaced by those of circles.hpp where 64-bit numbers are exact enough.
 template <class Site, class Circle>
 struct Circles : detail::voronoi_predicates<Usual>::lazy_circle_formation_functor<Site, Circle> {
     using Base = detail::voronoi_predicates<Usual>::lazy_circle_formation_functor<Site, Circle>;
@@ -23,7 +23,7 @@ struct Circles : detail::voronoi_predicates<Usual>::lazy_circle_formation_functo
         if (!take(touching_circle(at(one.point0()), at(two.point0()), line_of(line), place == 2), out))
             Base::pps(one, two, line, place, out);
     }
-    // The first segment is told from its second end to its first.
+    // Passes the first segment from its second end to its first.
     void pss(const Site& point, const Site& one, const Site& two, int place, Circle& out) {
         const SiteLine first{at(one.point1()), at(one.point0())};
         if (!take(touching_circle(at(point.point0()), first, line_of(two), place == 2), out))
@@ -52,7 +52,7 @@ struct Predicates : detail::voronoi_predicates<Usual> {
                                                                       Circles<Site, Circle>>;
 };
 
-// What the sweep finds, edge by edge.  Edges do not move: the sweep holds pointers to them.
+// Records the result of the sweep, edge by edge. Edges never move, because the sweep holds pointers to them.
 class Record {
   public:
     struct Edge {
@@ -60,13 +60,13 @@ class Record {
         bool between_sites = true;
     };
 
-    std::vector<Edge> edge; // its twin is beside it
+    std::vector<Edge> edge; // the twin of edge e is e ^ 1
     std::vector<Vec2> vertex;
     std::vector<std::uint32_t> segment;
     std::vector<Diagram::Part> part;
 
-    // From here on: what boost::polygon::voronoi_builder calls, and by these names.
-    void _reserve(std::size_t sites) { // three for each segment
+    // The functions that boost::polygon::voronoi_builder calls, by its names.
+    void _reserve(std::size_t sites) { // three sites for each segment
         edge.reserve(6 * sites);
         vertex.reserve(2 * sites);
         segment.reserve(sites);
@@ -76,7 +76,7 @@ class Record {
     void _process_single_site(const Site& site) {
         add_cell(site);
     }
-    // Two sites meet along a new edge, whose ends are not known yet.
+    // Adds an edge along which two sites meet; its ends are not known yet.
     template <class Site>
     std::pair<void*, void*> _insert_new_edge(const Site& one, const Site& two) {
         if (part.empty()) add_cell(one);
@@ -84,7 +84,7 @@ class Record {
         const std::uint32_t e = add_edge(one, two);
         return {&edge[e], &edge[e + 1]};
     }
-    // The edges `in` and `out` end at a new vertex, where one between their outer cells begins.
+    // Adds a vertex at which the edges `in` and `out` end and an edge between their outer cells begins.
     template <class Site, class Circle>
     std::pair<void*, void*> _insert_new_edge(const Site& one, const Site& three, const Circle& circle, void* in,
                                              void* out) {
@@ -129,11 +129,11 @@ class Record {
     }
 };
 
-// Per segment, the edges that part its cell from those of its own ends.  Each segment has one at either end: it begins
-// there and runs away from the outline, on that side of it where the outline's angle is the larger one.
+// For each segment, the edges between its cell and those of its own ends. Each segment has one at either end. It begins
+// there and runs away from the outline, on the side where the outline's angle is larger.
 struct EndEdges {
     std::vector<std::uint32_t> first, second;
-    bool sound = true; // one at each end
+    bool sound = true; // whether there is one at each end
 
     EndEdges(const Sites& sites, const Diagram& d) : first(sites.size(), kNone), second(sites.size(), kNone) {
         for (std::uint32_t e = 0; e < d.edges(); ++e) {
@@ -147,7 +147,8 @@ struct EndEdges {
     }
 };
 
-// Marks the edges after `begin` and before `end` round their cell as inside.  False if they do not follow each other.
+// Marks the edges after `begin` and before `end` round their cell as inside. False if `end` does not follow, or if one
+// of the edges cannot be inside.
 bool mark_between(std::uint32_t begin, std::uint32_t end, const std::vector<std::uint32_t>& next, Diagram& d) {
     for (std::uint32_t e = next[begin]; e != end; e = next[e]) {
         if (e == kNone || !d.between_sites[e] || d.inside[e]) return false;
@@ -156,11 +157,13 @@ bool mark_between(std::uint32_t begin, std::uint32_t end, const std::vector<std:
     return true;
 }
 
-// Marks what is inside, by the order of the edges alone.  Round the cell of a segment, counter-clockwise, come the
-// edges on the segment's left, from its last end to its first, then those on its right; the edges that part the cell
-// from those of the two ends stand between them.  Round the cell of a vertex, the edges inside come after the one
-// beside the segment that begins there and before the one beside the segment that ends there.  False if two cells
-// disagree about the edge between them.
+// Marks the edges inside the region, by the order of the edges alone. False if two cells disagree about the edge
+// between them.
+//
+// Edges round the cell of a segment, counter-clockwise: first those on its left, from its last end to its first, then
+// those on its right. The edges at the cells of its two ends separate both groups. In the cell of a vertex two segments
+// meet. Its inside edges come after the edge beside the segment that begins there. They come before the edge beside the
+// segment that ends there.
 bool mark_inside(const Sites& sites, const std::vector<std::uint32_t>& next, Diagram& d) {
     const EndEdges ends(sites, d);
     if (!ends.sound) return false;
@@ -173,7 +176,7 @@ bool mark_inside(const Sites& sites, const std::vector<std::uint32_t>& next, Dia
     return true;
 }
 
-// Removes edges inside the region whose two ends differ by rounding only, by Boost's own test of equal vertices.  The
+// Removes edges inside the region whose two ends differ only by rounding, by Boost's own test of equal vertices. The
 // edges that met at the two ends then share one vertex.
 void remove_short_edges(std::vector<std::uint32_t>& next, Diagram& d) {
     const boost::polygon::voronoi_diagram_traits<double>::vertex_equality_predicate_type same;
@@ -218,7 +221,7 @@ std::optional<Diagram> voronoi(const Sites& sites) {
         builder.insert_segment(sites.x[i], sites.y[i], sites.x[sites.next[i]], sites.y[sites.next[i]]);
     Record record;
     builder.construct(&record);
-    builder.clear(); // its memory serves for what follows
+    builder.clear(); // frees its memory for the next steps
 
     Diagram out;
     const std::size_t edges = record.edge.size();
