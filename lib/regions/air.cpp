@@ -20,8 +20,8 @@ using geom::Vec2;
 using polygon::Loops;
 using polygon::Region;
 
-constexpr double kArc = 1.0 / 32; // of the bead width: how far the arcs around corners of the layer below may be off
-constexpr int kWays = 36;         // directions in which a bridge is looked for: every 5 degrees
+constexpr double kArc = 1.0 / 32; // of the bead width; tolerance of the arcs around corners of the layer below
+constexpr int kWays = 36;         // directions tried for a bridge: every 5 degrees
 
 Box2 grown(Box2 box, double by) {
     box.lo = box.lo - Vec2{by, by};
@@ -29,7 +29,7 @@ Box2 grown(Box2 box, double by) {
     return box;
 }
 
-// What of the lower regions lies in the box.
+// The part of the lower regions in the box; all of their loops if these lie in the box anyway.
 Loops within(std::span<const Region> lower, const Box2& box) {
     Loops out, frame;
     for (const Region& l : lower)
@@ -46,7 +46,7 @@ Loops farther(const Loops& area, const Loops& lower, double r, double arc) {
     return polygon::subtract(area, polygon::offset(lower, r, arc));
 }
 
-// The shortest straight way through p from the layer below to the layer below; 0 if there is none.
+// The length of the shortest straight way through p that begins and ends at the layer below, mm; 0 if there is none.
 double bridge_over(Vec2 p, std::span<const Region> lower) {
     double best = 0;
     for (int k = 0; k < kWays; ++k) {
@@ -67,8 +67,8 @@ double bridge_over(Vec2 p, std::span<const Region> lower) {
     return best;
 }
 
-// The region that a piece lies in: the one whose outline holds its first point, else the nearest box (the point may be
-// on the outline).
+// The region in which a piece lies: the one whose outline holds one of its points. If they are all on outlines, it is
+// the region whose box is nearest to the first point.
 std::size_t owner(std::span<const Region> upper, const std::vector<std::size_t>& among, const Loops& piece) {
     const Box2 box = polygon::bounds(piece);
     for (const std::size_t i : among)
@@ -85,7 +85,7 @@ std::size_t owner(std::span<const Region> upper, const std::vector<std::size_t>&
 void hang(std::span<Region> upper, std::span<const Region> lower, std::span<const double> covered, const Carried& how,
           Air& air) {
     const double allowed = how.bead_width / 2, arc = kArc * how.bead_width;
-    const double dot = std::numbers::pi * allowed * allowed; // the least that a bead covers: corners and tips have less
+    const double dot = std::numbers::pi * allowed * allowed; // mm2, least area of a bead; corners and tips are smaller
     Loops free;
     std::vector<std::size_t> among;
     Box2 box;

@@ -19,7 +19,7 @@ using polygon::Loops;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-// An area, and how far points are from its outline.
+// An area, and the distances of points from its outline.
 class Outlined {
   public:
     explicit Outlined(Loops loops)
@@ -48,11 +48,11 @@ class Outlined {
     geom::Bvh tree_;
 };
 
-// A square that may hold the point looked for, which is no farther than `bound`.
+// A square that may hold the farthest point, which is at most `bound` mm away from the others.
 struct Square {
     double bound;
     Vec2 middle;
-    double half; // mm of a side
+    double half; // mm, half a side
 
     bool operator<(const Square& o) const { return bound < o.bound; }
 };

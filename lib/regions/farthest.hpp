@@ -1,4 +1,4 @@
-// The point of an area that is farthest from others.
+// Finds the point of an area that is farthest from other areas.
 #pragma once
 
 #include "polygon/region.hpp"
@@ -13,9 +13,9 @@ struct Farthest {
     geom::Vec2 at;
 };
 
-// The point of `area` farthest from `others`, to `tolerance` mm; none unless it is farther than `least`.  Infinitely
-// far if there are no others.  Of several the first found: vertices of `area` in their order, then the middles of ever
-// smaller squares, those that may hold the farthest point first.
+// The point of `area` farthest from `others`, to `tolerance` mm; nothing if it is not farther than `least`. Infinitely
+// far if there are no others. Tie: the first one found. Vertices of `area` come first, in their order. Then come the
+// middles of ever smaller squares, first of those that may hold the farthest point.
 std::optional<Farthest> farthest(const polygon::Loops& area, std::span<const polygon::Region> others, double least,
                                  double tolerance);
 

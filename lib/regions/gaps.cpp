@@ -17,13 +17,13 @@ using geom::Segment;
 using geom::Vec2;
 using polygon::Loops;
 
-constexpr double kReachIn = 0.001; // mm that a patch reaches into the solid, so that rounding leaves no seam
+constexpr double kReachIn = 0.001; // mm that a patch reaches into the solid, so that rounding leaves no slit
 
-// Where the edges are along their loops.
+// The places of the edges along their loops.
 struct Course {
-    std::vector<std::uint32_t> loop; // of each edge
-    std::vector<double> at;          // mm from the loop's first point to the edge's first
-    std::vector<double> around;      // mm, of each loop
+    std::vector<std::uint32_t> loop; // the loop of each edge
+    std::vector<double> at;          // mm, from the loop's first point to the edge's first
+    std::vector<double> around;      // mm, perimeter of each loop
 };
 
 Course course(const Loops& loops) {
@@ -41,7 +41,7 @@ Course course(const Loops& loops) {
     return out;
 }
 
-// The shorter way along the outline between points of two edges; infinite if that is not one outline.
+// The length of the shorter way along the outline between points of two edges, mm; infinite on different outlines.
 double way(const Course& c, std::uint32_t e, double on_e, std::uint32_t f, double on_f) {
     if (c.loop[e] != c.loop[f]) return std::numeric_limits<double>::infinity();
     const double d = std::abs(c.at[e] + on_e - c.at[f] - on_f);
@@ -63,13 +63,13 @@ Nearest nearest(const Segment& e, const Segment& f) {
     return out;
 }
 
-// True if neither point lies on the solid's side of the other's edge.
+// Whether each point is outside the solid beside the other edge.
 bool face_each_other(const Segment& e, const Segment& f, const Nearest& n) {
     const auto outside = [](const Segment& s, Vec2 p) { return geom::cross(s.b - s.a, p - s.a) <= 0; };
     return outside(e, n.q) && outside(f, n.p);
 }
 
-// The part of e that is nearer than `width` to f: an interval, as both are convex.
+// The part of e that is nearer than `width` to f: an interval, because both are convex.
 std::optional<Segment> part_near(const Segment& e, const Segment& f, const Nearest& n, double width) {
     const double l = geom::distance(e.a, e.b);
     if (l == 0) return std::nullopt;
@@ -78,7 +78,7 @@ std::optional<Segment> part_near(const Segment& e, const Segment& f, const Neare
         const Vec2 p = geom::lerp(e.a, e.b, t);
         return geom::point_segment_distance(f.a, f.b, p) < width;
     };
-    const auto end = [&](double from, double to) { // the farthest near place, to a thousandth of the width
+    const auto end = [&](double from, double to) { // the last place that is near, to a thousandth of the width
         if (near(to)) return to;
         while (std::abs(to - from) * l > width / 1000) {
             const double t = (from + to) / 2;
@@ -106,7 +106,7 @@ std::vector<Vec2> hull(std::vector<Vec2> p) {
     return out;
 }
 
-// Both parts and what lies between them, and a little of the solid behind.
+// The patch: the hull of both parts and a little of the solid behind them.
 std::vector<Vec2> patch(const Segment& e, const Segment& f) {
     std::vector<Vec2> points;
     for (const Segment& s : {e, f}) {
@@ -120,7 +120,8 @@ std::vector<Vec2> patch(const Segment& e, const Segment& f) {
     return hull(std::move(points));
 }
 
-// Calls f(j) for the edges near edge i, piece by piece, so that a long slanting one does not ask for all in its box.
+// Calls f(j) for the edges near edge i. It goes along the edge piece by piece, because the box of a long slanting edge
+// would hold too many.
 template <class F>
 void each_near(const geom::SegmentGrid& grid, const Segment& s, double cell, double width, F&& f) {
     const int pieces = std::max(1, static_cast<int>(std::ceil(geom::distance(s.a, s.b) / cell)));

@@ -11,7 +11,8 @@ namespace {
 
 using geom::Vec2;
 
-// Points are grid points: whole numbers below 1e12, exact in a double, as are their differences.
+// Whether a is left of b, or below b if x is equal. All points are grid points: whole numbers below 1e12, exact in a
+// double, and so are their differences.
 bool before(Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
 // The sign of orient(a, b, c), exact.
@@ -23,7 +24,7 @@ int side(Vec2 a, Vec2 b, Vec2 c) {
     return e > 0 ? 1 : e < 0 ? -1 : 0;
 }
 
-// True if the closed segments a-b and c-d share a point; each is given with its lesser end first.
+// Whether the closed segments a-b and c-d share a point; each is given with its lesser end first.
 bool touch(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     const int p = side(a, b, c), q = side(a, b, d), r = side(c, d, a), s = side(c, d, b);
     if (p == 0 && q == 0) return !before(b, c) && !before(d, a); // collinear: do the intervals meet?
@@ -37,8 +38,8 @@ struct Edge {
     bool rightwards = false; // it runs from lo to hi
 };
 
-// The edges that the sweep line now crosses, lowest first.  A chain of edges that runs on to the right keeps its node:
-// only the edge in it changes, never its place.
+// An edge that the sweep line crosses. A chain of edges that continues to the right keeps its node; only the edge in it
+// changes, not its place.
 struct Node {
     mutable std::uint32_t edge;
 };
@@ -55,7 +56,8 @@ struct Below {
         const Edge& e = (*edges)[n.edge];
         return side(e.lo, e.hi, p) < 0;
     }
-    // Two nodes are compared only when inserted, both edges crossing the line through the newer one's lesser end.
+    // Compares two nodes, which happens only at insertion. Both edges cross the upright line through the newer one's
+    // lesser end.
     bool operator()(const Node& m, const Node& n) const {
         const Edge &e = (*edges)[m.edge], &f = (*edges)[n.edge];
         if (e.lo == f.lo) return side(e.lo, e.hi, f.hi) > 0;
@@ -79,7 +81,7 @@ class Sweep {
     std::vector<Vec2> point_;
     std::vector<Edge> edge_;              // edge i starts at point i
     std::vector<std::uint32_t> previous_; // the edge that ends at point i
-    std::vector<double> area_;            // per loop, its sign counts
+    std::vector<double> area_;            // per loop; only its sign is used
     std::vector<int> parent_;
     std::vector<char> placed_;
     Status status_;
@@ -116,7 +118,8 @@ bool Sweep::clash(Status::iterator lower, Status::iterator upper) const {
     return touch(a.lo, a.hi, b.lo, b.hi);
 }
 
-// The first of a loop's vertices to be met is an opening one; the edge below it tells what surrounds the loop.
+// Finds the loop around a loop. The first vertex of a loop in the sweep opens two edges, and the edge below it shows
+// which loop surrounds it.
 void Sweep::place(std::uint32_t loop, Status::iterator at) {
     placed_[loop] = 1;
     if (at == status_.begin()) return;
@@ -125,7 +128,7 @@ void Sweep::place(std::uint32_t loop, Status::iterator at) {
     parent_[loop] = inside ? static_cast<int>(e.loop) : parent_[e.loop];
 }
 
-// Both edges at v run to the right.
+// Opens two edges: both edges at v run to the right.
 bool Sweep::open(std::uint32_t v) {
     const auto at = status_.lower_bound(point_[v]);
     if (at != status_.end() && !status_.key_comp()(point_[v], *at)) return false; // v lies on an edge
@@ -142,7 +145,7 @@ bool Sweep::open(std::uint32_t v) {
     return at == status_.end() || !clash(u, at);
 }
 
-// Both edges at v come from the left: they must be neighbours, or something lies between them.
+// Closes two edges: both edges at v come from the left. They must be neighbours, or something lies between them.
 bool Sweep::close(std::uint32_t v) {
     auto a = where_[v], b = where_[previous_[v]];
     if (std::next(a) != b) std::swap(a, b);
@@ -151,7 +154,7 @@ bool Sweep::close(std::uint32_t v) {
     return after == status_.begin() || after == status_.end() || !clash(std::prev(after), after);
 }
 
-// The edge `in` ends where `out` begins.
+// Replaces the edge `in`, which ends at a vertex, by `out`, which begins there.
 bool Sweep::pass(std::uint32_t in, std::uint32_t out) {
     const auto at = where_[in];
     where_[out] = at;

@@ -18,7 +18,7 @@ using geom::Vec2;
 using polygon::Loops;
 using polygon::Parts;
 
-constexpr double kGrid = 1e4; // points per mm, that of polygon/clip
+constexpr double kGrid = 1e4; // grid units per mm, as in polygon/clip
 
 Loops on_grid(const Loops& a) {
     Loops out;
@@ -43,7 +43,7 @@ Vec2 lowest_left(std::span<const Vec2> loop) {
                              [](Vec2 a, Vec2 b) { return a.y < b.y || (a.y == b.y && a.x < b.x); });
 }
 
-// The parts of strictly simple loops; nullopt if an orientation does not fit its place (outer loops counter-clockwise).
+// The parts of strictly simple loops; nothing if the direction of a loop does not fit its place.
 std::optional<Parts> assemble(const Loops& loops, const std::vector<int>& parent) {
     const std::size_t n = loops.size();
     std::vector<char> hole(n);
@@ -72,7 +72,7 @@ std::optional<Parts> assemble(const Loops& loops, const std::vector<int>& parent
         part.add(loops[l]);
         for (const std::size_t h : holes[l]) part.add(loops[h]);
         out.part.push_back(std::move(part));
-        const int around = parent[l]; // a hole: its own surrounding loop is the outer loop of the parent
+        const int around = parent[l]; // a hole, whose own parent is the outer loop around it
         out.parent.push_back(around < 0 ? -1
                                         : place[static_cast<std::size_t>(parent[static_cast<std::size_t>(around)])]);
     }
@@ -98,7 +98,7 @@ bool crosses_itself(const Loops& loops) {
     return false;
 }
 
-// For outlines that touch: Clipper's parts, mended where its rounding left a crossing.
+// The parts of outlines that touch: those of Clipper, mended where its rounding left a crossing.
 Parts mended(const Loops& loops, Notes& notes) {
     Parts found = polygon::split(loops), out;
     std::vector<int> place(found.part.size(), -1);
@@ -107,7 +107,7 @@ Parts mended(const Loops& loops, Notes& notes) {
         for (double r = 0.0005; r < 0.02 && crosses_itself(part); r *= 2) {
             const Parts opened = polygon::split(polygon::opened(found.part[i], r));
             part = {};
-            double largest = 0; // what an opening by a few um cuts off is dust
+            double largest = 0; // smaller parts that an opening by a few um cuts off are dust
             for (const auto& p : opened.part)
                 if (const double a = polygon::signed_area(p); a > largest) {
                     largest = a;
@@ -122,7 +122,7 @@ Parts mended(const Loops& loops, Notes& notes) {
         }
         place[i] = static_cast<int>(out.part.size());
         out.part.push_back(std::move(part));
-        out.parent.push_back(static_cast<int>(i)); // found's numbers, until all places are known
+        out.parent.push_back(static_cast<int>(i)); // its number in `found`, until all places are known
     }
     for (int& p : out.parent) {
         p = found.parent[static_cast<std::size_t>(p)];
@@ -131,7 +131,7 @@ Parts mended(const Loops& loops, Notes& notes) {
     return out;
 }
 
-// Holes into which no circle of diameter `hairline` fits are filled, but only those that `before` does not have.
+// The loops without new holes into which no circle of diameter `hairline` fits. Holes that `before` has too stay.
 Loops without_remnants(const Loops& loops, const Loops& before, double hairline) {
     std::vector<Vec2> known(before.points);
     const auto less = [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
@@ -151,7 +151,7 @@ Loops without_remnants(const Loops& loops, const Loops& before, double hairline)
     return out;
 }
 
-// Closes the gaps of simple loops that are narrower than `hairline`, and notes it.
+// Closes the gaps of simple loops that are narrower than `hairline`, and adds a note.
 void close_gaps(Loops& loops, double tolerance, double hairline, Notes& notes) {
     const Loops patches = bridges(loops, hairline);
     if (patches.empty()) return;

@@ -29,7 +29,7 @@ std::vector<std::uint32_t> by_left_end(std::span<const Region> r) {
     return order;
 }
 
-// Pairs whose boxes meet, by a sweep over x with the open boxes of both sides.
+// The pairs of regions whose boxes meet, by a sweep over x with the open boxes of both sides.
 std::vector<Pair> candidates(std::span<const Region> upper, std::span<const Region> lower) {
     const auto us = by_left_end(upper), ls = by_left_end(lower);
     std::vector<std::uint32_t> open_u, open_l;
@@ -57,7 +57,7 @@ std::vector<Pair> candidates(std::span<const Region> upper, std::span<const Regi
     return out;
 }
 
-// The groups of pairs that hang together.
+// The connected groups of pairs: pairs that share a region are in one group.
 std::vector<std::vector<Pair>> groups(const std::vector<Pair>& pairs, std::size_t uppers, std::size_t lowers) {
     geom::DisjointSets sets(uppers + lowers);
     for (const Pair p : pairs) sets.unite(p.upper, static_cast<std::uint32_t>(uppers) + p.lower);
@@ -74,8 +74,8 @@ std::vector<std::vector<Pair>> groups(const std::vector<Pair>& pairs, std::size_
     return out;
 }
 
-// The regions of one side of a group, to be found again from a loop of the common area: by a vertex that is one of
-// theirs, else by a point inside.
+// The regions of one side of a group. It finds the region of a loop of the common area: by a vertex that the region has
+// too, or else by a point inside.
 struct Side {
     std::span<const Region> regions;
     std::vector<std::uint32_t> among; // ascending
@@ -84,7 +84,7 @@ struct Side {
         std::uint32_t region;
         [[nodiscard]] bool operator<(const Vertex& o) const { return p.x < o.p.x || (p.x == o.p.x && p.y < o.p.y); }
     };
-    std::vector<Vertex> vertices; // sorted; empty where there is nothing to tell apart
+    std::vector<Vertex> vertices; // sorted; empty if there is only one region
     Loops all;
 };
 
@@ -101,13 +101,13 @@ Side side(std::span<const Region> regions, std::vector<std::uint32_t> among) {
     return out;
 }
 
-// The region of the side that `loop`, of the common area, lies in, `inside` being a point of it; -1 if none.
+// The region of the side in which `loop`, of the common area, lies; -1 if none. `inside` is a point inside the loop.
 int owner(const Side& s, std::span<const Vec2> loop, Vec2 inside) {
     if (s.among.size() == 1) return static_cast<int>(s.among[0]);
     for (const Vec2 p : loop) {
         const auto at = std::lower_bound(s.vertices.begin(), s.vertices.end(), Side::Vertex{p, 0});
         if (at == s.vertices.end() || at->p != p) continue;
-        const bool shared = std::next(at) != s.vertices.end() && std::next(at)->p == p; // regions that touch there
+        const bool shared = std::next(at) != s.vertices.end() && std::next(at)->p == p; // two regions touch there
         if (!shared) return static_cast<int>(at->region);
     }
     for (const auto i : s.among) {
@@ -119,7 +119,7 @@ int owner(const Side& s, std::span<const Vec2> loop, Vec2 inside) {
     return -1;
 }
 
-// A point of the area just inside the longest edge of one of its loops (which has the area on its left).
+// A point of the area just inside the longest edge of one of its loops. The loop has the area on its left.
 Vec2 just_inside(std::span<const Vec2> loop) {
     std::size_t longest = 0;
     double length = 0;
@@ -137,8 +137,8 @@ struct Common {
     Loops loops;
 };
 
-// The common areas of a group's pairs, each loop given to the pair that it belongs to.  A loop narrower than 1 um at
-// its longest edge may find no owner: its area is nil.
+// The common areas of a group's pairs; each loop goes to its pair. A loop narrower than 1 um at its longest edge may
+// find no pair; its area is practically zero.
 std::vector<Common> intersections(std::span<const Region> upper, std::span<const Region> lower,
                                   const std::vector<Pair>& group) {
     std::vector<std::uint32_t> us, ls;

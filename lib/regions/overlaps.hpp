@@ -1,4 +1,4 @@
-// How the regions of one layer lie on those of the layer below.
+// Finds how the regions of one layer lie on those of the layer below.
 #pragma once
 
 #include "polygon/region.hpp"
@@ -8,12 +8,14 @@
 
 namespace filum::regions {
 
-// Fills `below` (by ascending id) of every upper region, and returns how much of each lies on any lower one, mm2.
-// A common area into which no circle of diameter `hairline` fits is no contact: walls that stand side by side touch by
-// what rounding leaves.  Candidates come from a sweep over bounding boxes; each connected group of them costs one
-// intersection. A link is where a circle of radius w / 4 fits into the common area, or, between walls thinner than
-// that, half the smaller of the two inradii: outermost beads run half a bead inside the outlines, so their curves then
-// come within about one bead width `w` of each other (docs/algorithms/regions.md#why-it-is-right).
+// Fills `below` (by ascending id) of every upper region. Returns the area of each upper region that lies on any lower
+// one, mm2. A common area counts as contact only if a circle of diameter `hairline` fits into it: walls side by side
+// overlap by rounding errors. Candidates come from a sweep over bounding boxes; each connected group of them costs one
+// intersection.
+//
+// A link needs a circle of radius w / 4 in the common area. Between thinner walls, half the smaller of the two inradii
+// is enough. Outermost beads run half a bead inside the outlines. So their curves then come within about one bead width
+// `w` of each other (docs/algorithms/regions.md#why-it-is-right).
 std::vector<double> overlap(std::span<polygon::Region> upper, std::span<const polygon::Region> lower, double w,
                             double hairline);
 

@@ -35,7 +35,7 @@ std::vector<polygon::Region> regions(const polygon::Layer& layer, const Options&
         out.push_back(std::move(r));
     }
     for (std::size_t k = 0; k < out.size(); ++k) {
-        int around = parts.parent[part_of[k]]; // the nearest one that was kept
+        int around = parts.parent[part_of[k]]; // becomes the nearest surrounding part that was kept
         while (around >= 0 && id[static_cast<std::size_t>(around)] < 0)
             around = parts.parent[static_cast<std::size_t>(around)];
         out[k].parent = around < 0 ? -1 : id[static_cast<std::size_t>(around)];

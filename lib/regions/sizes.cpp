@@ -9,10 +9,10 @@ namespace filum::regions {
 
 namespace {
 
-// Squares one bead wide in a layer: what comes behind holds some hundred bytes of each.  A layer of 2 x 2 m and beads
-// of 0.4 mm have as many.
+// Limit on the squares one bead wide in a layer: later stages hold some hundred bytes for each. A layer of 2 x 2 m with
+// beads of 0.4 mm has as many.
 constexpr double kMostBeads = 2.5e7;
-constexpr double kSame = 1 + 1e-9; // rounding of heights
+constexpr double kSame = 1 + 1e-9; // tolerance for the rounding of heights
 
 } // namespace
 

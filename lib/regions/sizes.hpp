@@ -1,4 +1,4 @@
-// Beads that cannot fit the part, told before any work.
+// Checks, before any work, that beads fit the part.
 #pragma once
 
 #include "base/note.hpp"
@@ -6,12 +6,12 @@
 
 namespace filum::regions {
 
-// Takes a layer into `box`, that of the part so far.  Throws Error: usage if the layer is higher than a bead is wide (a
-// bead is laid flat, or it does not touch what is below); bad_input if its beads would take more memory than machines
-// have.
+// Adds a layer to `box`, the bounds of the part so far. Throws Error(usage) if the layer is higher than a bead is wide:
+// a bead is laid flat, or it does not touch the layer below. Throws Error(bad_input) if the layer's beads would take
+// more memory than machines have.
 void check_layer(const polygon::Layer& layer, double bead_width, geom::Box2& box);
 
-// When all layers are known.  Throws Error(usage) if a bead is wider than the part is long and wide; notes a part that
+// Checks the whole part. Throws Error(usage) if a bead is wider than the part is long and wide. Adds a note if the part
 // is narrower than a bead.
 void check_part(const geom::Box2& box, double bead_width, Notes& notes);
 

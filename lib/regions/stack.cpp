@@ -9,7 +9,7 @@ namespace filum::regions {
 
 namespace {
 
-constexpr std::size_t kBatch = 16; // layers: some for each of many threads
+constexpr std::size_t kBatch = 16; // layers; enough for many threads
 
 } // namespace
 
@@ -45,7 +45,7 @@ std::vector<polygon::Region> Stack::done(Notes& notes) {
         const std::int64_t under = k == 0 ? last_ : waiting_[k - 1].index;
         Ground ground{under < 0, k == 0 ? below_ : batch[k - 1]};
         if (waiting_[k].index != under + 1) ground.regions = {}; // a gap in the stack carries nothing
-        air[k].reach = air_.reach;                               // what is worse than all before the batch is sought
+        air[k].reach = air_.reach;                               // only worse places than before count
         lay_on(batch[k], ground, options_, air[k]);
     });
     std::vector<polygon::Region> out;

@@ -8,15 +8,15 @@
 
 namespace filum::regions {
 
-// Takes the layers of a part from the bed up.  What comes out does not depend on the number of threads.  Holds the
-// layers of one batch, and the regions of the one below it.
+// Turns layers, from the bed up, into regions. The result does not depend on the number of threads. Holds the layers of
+// one batch, and the regions of the layer below it.
 class Stack {
   public:
     Stack(const Options& options, int threads) : options_(options), threads_(threads) {}
-    // Takes a layer.  Returns the regions of all layers that are done, in their order, ids counted from the first; none
-    // until a batch is full.
+    // Adds a layer. Returns the regions of all layers that are done, in their order, with ids counted from the first;
+    // none until a batch is full.
     std::vector<polygon::Region> add(polygon::Layer layer, Notes& notes);
-    std::vector<polygon::Region> end(Notes& notes); // of the layers that are left
+    std::vector<polygon::Region> end(Notes& notes); // returns the regions of the remaining layers
     [[nodiscard]] const Air& air() const { return air_; }
 
   private:
