@@ -12,6 +12,7 @@ namespace filum::link3d {
 // direction (an open curve gives itself).
 std::optional<std::vector<Vec2>> leave(State& state, std::uint32_t c, Bead& bead, const std::function<Bead()>& other);
 
+// Prints a thin bead along `way`, on the front region's layer.
 void lay_lane(State& state, const std::vector<Vec2>& way);
 
 } // namespace filum::link3d

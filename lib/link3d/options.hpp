@@ -26,7 +26,7 @@ enum class Strand : std::uint8_t {
 enum class Seam : std::uint8_t {
     nearest, // at the place nearest to the end of the stroke before
     inside,  // near the middle of the last region of the column that it climbs
-    back,    // at the place of that region with the greatest y
+    back,    // near the place with the greatest y in the last region of the column that it climbs
     place,   // at the place nearest to `seam_at`
 };
 
