@@ -74,7 +74,7 @@ std::vector<std::vector<Stretch>> RingGraph::near_others(double reach) const {
     std::vector<std::uint32_t> seen(segments_.size(), kNone); // from which segment
     for (std::uint32_t i = 0; i < segments_.size(); ++i) {
         const std::uint32_t ring = ring_of_[i];
-        const auto& [a, b] = segments_[i];
+        const Vec2 a = segments_[i].a, b = segments_[i].b;
         const double length = geom::distance(a, b);
         if (length < 2 * reach) { // not worth while
             out[ring].push_back({s_[i], s_[i] + length});
