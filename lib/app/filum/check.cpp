@@ -18,9 +18,9 @@ namespace filum::app::filum {
 
 namespace {
 
-constexpr const char* kPatience = "20"; // s that a run may take
+constexpr const char* kPatience = "20"; // s, time limit of a run
 
-// A hollow box and, apart from it, a triangle that closes nothing: a stage before notes that.
+// A hollow box and, beside it, a single open triangle.  The stages before the tested one write a note on the triangle.
 constexpr const char* kPart =
     "OFF\n19 25 0\n0 0 0\n12 0 0\n12 9 0\n0 9 0\n0 0 1\n12 0 1\n12 9 1\n0 9 1\n"
     "4 3 0\n8 3 0\n8 6 0\n4 6 0\n4 3 1\n8 3 1\n8 6 1\n4 6 1\n20 0 0\n22 0 1\n20 2 1\n"
@@ -59,7 +59,7 @@ class Check {
     }
 
   private:
-    static constexpr int kTooLong = 124; // timeout's
+    static constexpr int kTooLong = 124; // exit code of `timeout`
 
     static std::string word(const std::string& text) { return shell_word(text); }
     [[nodiscard]] std::string at(const std::string& name) const { return folder_.file(name); }
@@ -70,7 +70,7 @@ class Check {
                                 : "it ends with " + std::to_string(code);
     }
 
-    // The exit code of a shell's line, without what it says.
+    // Runs a line in a shell without standard error, and returns the exit code.
     static int shell(const std::string& line) {
         return run_piped({{"timeout", kPatience, "sh", "-c", "exec 2>/dev/null; " + line}}).front().code;
     }
@@ -84,13 +84,14 @@ class Check {
         return output_of({stage_program("peek"), "--text", at(name)});
     }
 
-    // The stage's input, by the stages before; and a stream of another payload.
+    // Makes two files: "input", a stream as the tested stage takes it, and "other", a stream of another payload.
     void prepare() {
         write(at("part.off"), kPart);
         std::string line = "cat " + in("part.off");
         for (const char* name : kPlanar) {
             if (as_.name == name) break;
-            if (std::string_view(name) == "vase") continue; // what follows it is to get a whole part
+            if (std::string_view(name) == "vase")
+                continue; // the stages behind `vase` are tested with a part that is no vase
             line += " | " + word(stage_program(name));
         }
         if (shell(line + " > " + in("input")) != 0) throw Error(Exit::failure, "cannot make an input for the check");
@@ -118,7 +119,7 @@ class Check {
         say("it carries " + payload, first.find(payload) != std::string::npos, "it says '" + first + "'");
     }
 
-    // Notes and the history of the stages before go on.
+    // Tests that notes, facts and history of the stages before are passed on.
     void notes() {
         if (!as_.out.starts_with("stream ") || !whole("output")) return;
         const std::string before = told("input"), after = told("output");
@@ -133,7 +134,8 @@ class Check {
         say("the history of the stages before goes on", kept("run "), "a run is lost");
     }
 
-    // What is wrong with how the program takes a broken stream; "" if nothing is.
+    // Runs the program on a damaged stream.  Returns the fault: an exit code that is not in `right`, or a whole stream
+    // as output.  Returns "" if there is no fault.
     [[nodiscard]] std::string taken(const std::string& bytes, const std::vector<int>& right) const {
         write(at("damaged"), bytes);
         const int code = run("damaged", "bad");

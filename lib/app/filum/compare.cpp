@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array kAlgorithms{"fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral", "field", "hybrid"};
 
-// A column of the table: what `metrics` calls the figure, and its heading.
+// A column of the table: the key of the figure in `metrics`, and the heading.
 struct Figure {
     const char *key, *heading;
 };
@@ -45,7 +45,7 @@ Command command_of(const Stage& stage, const std::vector<std::string>& arguments
     return out;
 }
 
-// How one algorithm did; `failed` says why it has no path.
+// The result of one algorithm.  `failed`: why it has no path; "" if it has one.
 struct Row {
     std::string algorithm, failed;
     std::map<std::string, std::string> figures; // by the keys of metrics
@@ -150,7 +150,7 @@ std::string as_page(const std::vector<Row>& rows) {
     return out;
 }
 
-// The algorithms of "fina,hybrid"; all if the text is empty.
+// The algorithms in a list such as "fina,hybrid"; all algorithms if the list is empty.
 std::vector<std::string> wanted(const std::string& names) {
     if (names.empty()) return {kAlgorithms.begin(), kAlgorithms.end()};
     std::vector<std::string> out;
@@ -164,7 +164,7 @@ std::vector<std::string> wanted(const std::string& names) {
     return out;
 }
 
-// Takes the value of --among out of the words.
+// Removes --among from the words and returns its value; "" if it is not given.
 std::string take_among(std::vector<std::string>& words) {
     std::string out;
     for (std::size_t i = 0; i < words.size();) {

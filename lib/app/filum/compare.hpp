@@ -1,4 +1,4 @@
-// `filum compare`: the algorithms of surfpath on one surface, as a table and pictures.
+// `filum compare`: compares the algorithms of surfpath on one surface, in a table and in pictures.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ inline constexpr const char* kCompareHelp =
     "  --among NAME,...      only these algorithms\n"
     "  --dry-run             print the commands instead of running them\n";
 
-// Runs the command with what was typed behind its name, and returns its exit code.  Throws Error.
+// Runs the command; `words` are its arguments.  Returns the exit code.  Throws Error.
 int compare(const std::vector<std::string>& words);
 
 } // namespace filum::app::filum

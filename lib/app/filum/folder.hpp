@@ -1,4 +1,4 @@
-// A folder for a while.
+// A temporary folder.
 #pragma once
 
 #include "stream/unfinished.hpp"
@@ -8,15 +8,16 @@
 
 namespace filum::app::filum {
 
-// In the folder that TMPDIR names, else in /tmp; made when a file in it is first asked for, removed with all that is in
-// it when this ends or a signal ends the program.
+// A temporary folder in the folder that TMPDIR names, else in /tmp.  The first call of file() makes it.  The destructor
+// removes it with its content; so does a signal that ends the program.
 class Folder {
   public:
     Folder() = default;
     ~Folder();
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
-    [[nodiscard]] std::string file(const std::string& name) const; // throws Error(io)
+    // The path of the file `name` in the folder.  Throws Error(io) if the folder cannot be made.
+    [[nodiscard]] std::string file(const std::string& name) const;
 
   private:
     mutable std::string path_; // empty: not made yet

@@ -36,7 +36,7 @@ void list() {
     show(out);
 }
 
-// What the option of a stage can be, as its contract says.
+// The possible values of an option, from the contract of its stage; "" if the stage has no such option.
 std::string choices(const std::string& stage, const std::string& option) {
     std::istringstream answer(output_of({stage_program(stage), "--print-contract"}));
     const std::string key = "option " + option + " ";
@@ -56,7 +56,7 @@ void patterns() {
     show(out + "\nfilum help fill, filum help surfpath explain them.\n");
 }
 
-// Lines for eval in a shell.
+// Prints lines that a shell can evaluate with `eval`.
 void env() {
     std::string out = "export PATH=" + shell_word(stage_folder()) + ":\"$PATH\"\n";
     const std::filesystem::path share = std::filesystem::path(prefix()) / "share";

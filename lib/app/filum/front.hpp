@@ -8,8 +8,8 @@
 
 namespace filum::app::filum {
 
-// Does what the words ask for and returns the exit code; becomes the stage where the first word names one.
-// Throws Error.
+// Runs the command that the first word names, and returns its exit code.  If the first word names a stage, this process
+// is replaced by the stage.  Throws Error.
 int front(const std::vector<std::string>& words);
 
 } // namespace filum::app::filum

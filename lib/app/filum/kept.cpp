@@ -30,7 +30,8 @@ Kept::Kept(const Request& request, const std::vector<Stage>& stages) {
         throw Error(Exit::io, "cannot make the folder '" + request.keep + "': " + failed.message());
     for (const auto& words : request.arguments)
         scaffold_ = scaffold_ || std::find(words.begin(), words.end(), "--pattern=scaffold") != words.end();
-    const std::string own = std::to_string(::getpid()) + ".part"; // another print may keep its streams there, too
+    const std::string own =
+        std::to_string(::getpid()) + ".part"; // another process may keep its streams in the same folder
     for (std::size_t s = 0; s < stages.size(); ++s) {
         const bool stream = stages[s].out.starts_with(kStream);
         payloads_.push_back(stream ? stages[s].out.substr(kStream.size()) : "");

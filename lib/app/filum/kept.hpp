@@ -1,4 +1,4 @@
-// What `filum print` keeps of its stages' streams, and makes of them.
+// The streams that `filum print` keeps of its stages, and the report and picture that it makes of them.
 #pragma once
 
 #include "app/filum/folder.hpp"
@@ -12,31 +12,34 @@ namespace filum::app::filum {
 
 class Kept {
   public:
-    // Makes the folder of --keep, if it is not there, and one for what is needed for a while.  Throws Error(io).
+    // Makes the folder of --keep, if it does not exist, and a temporary one.  Throws Error(io).
     Kept(const Request& request, const std::vector<Stage>& stages);
-    ~Kept(); // takes away what is not kept
+    ~Kept(); // removes the streams that commit() has not kept
     Kept(const Kept&) = delete;
     Kept& operator=(const Kept&) = delete;
 
-    // A file per stage for its output; "" where nobody needs it.
+    // One file for each stage: the copy of its output, or "" if none is needed.
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
     [[nodiscard]] std::string summary() const { return folder_.file("summary"); }
-    // Gives the streams of --keep their names.
+    // Gives the streams of --keep their final names.  Throws Error(io).
     void commit();
-    // Runs `render` on the toolpath with more words.  Throws Error(failure) if that fails: it has said why.
+    // Runs `render` on the toolpath with further options `words`, and writes `output`.  Throws Error with the exit code
+    // of `render` if that fails; `render` itself has reported why.
     void draw(const std::vector<std::string>& words, const std::string& output) const;
-    // Measures the toolpath and makes a page of it, with outlines and figures; `machine`: its profile, or "".
+    // Measures the toolpath and writes a page (HTML) of it to `output`, with outlines and figures.  `input`: the file
+    // of the part, for the title; `machine`: the machine profile, or "".  Throws Error.
     void report(const std::string& input, const std::string& machine, const std::string& output) const;
-    // Five lines: the output's name, and what stands first in the program.
+    // The text at the end of a print: the output's name, then the lines of the summary, which also begin the program.
     [[nodiscard]] std::string told(const std::string& output) const;
 
-    [[nodiscard]] std::string last(const std::string& payload) const; // the file of the last such stream, or ""
+    // The file of the last stream that carries `payload`, or "".
+    [[nodiscard]] std::string last(const std::string& payload) const;
 
   private:
     Folder folder_;
-    bool scaffold_ = false; // its pores are measured for the report
+    bool scaffold_ = false; // --pattern=scaffold: the report measures its pores
     std::vector<std::string> files_, names_, payloads_;
-    std::vector<std::string> unfinished_; // as long as the streams may be incomplete
+    std::vector<std::string> unfinished_; // files that may be incomplete; commit() empties the list
     std::vector<std::unique_ptr<stream::Unfinished>> watched_;
 };
 

@@ -15,7 +15,7 @@ namespace {
 using machine::Feeding;
 using machine::Profile;
 
-constexpr double kFastPaste = 60; // mm/s: pastes and gels are laid more slowly
+constexpr double kFastPaste = 60; // mm/s: pastes and gels are extruded more slowly
 
 int list_machines() {
     std::string out;
@@ -30,7 +30,7 @@ int list_machines() {
     return 0;
 }
 
-// The first of `codes` that is a word of the text; "" if none is.
+// The first of `codes` that is a word in the text; "" if none is.
 std::string first_code(const std::string& text, const std::vector<std::string>& codes) {
     const auto part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.'; };
     for (const std::string& code : codes)
@@ -123,7 +123,7 @@ void write_new(const std::string& file, const std::string& from) {
     std::error_code none;
     if (std::filesystem::exists(file, none))
         throw Error(Exit::usage, "cannot write the profile '" + file + "': it is there already; give another name");
-    machine::load_profile(from); // says what is wrong with it
+    machine::load_profile(from); // throws if the profile is faulty
     std::string text = machine::profile_text(from);
     std::string name = std::filesystem::path(file).stem().string();
     for (char& c : name)

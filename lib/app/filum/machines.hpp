@@ -1,4 +1,4 @@
-// `filum machines`: the profiles there are, one of your own, and what is surprising about one.
+// `filum machines`: lists the machine profiles, writes a copy of one, and checks one.
 #pragma once
 
 #include "machine/profile.hpp"
@@ -22,10 +22,10 @@ inline constexpr const char* kMachinesHelp =
     "  postproc --machine marlin --set bed.x_max=300   changes a key\n"
     "  postproc --machine mine.toml                    reads a file\n";
 
-// Runs the command with what was typed behind its name, and returns its exit code.  Throws Error.
+// Runs the command; `words` are its arguments.  Returns the exit code.  Throws Error.
 int machines(const std::vector<std::string>& words);
 
-// What is surprising about a profile, a sentence each, with what to do; `text` is the profile's file.
+// Surprising settings of a profile: one sentence for each, which says what to do.  `text`: the profile's file (TOML).
 std::vector<std::string> surprises(const machine::Profile& profile, const std::string& text);
 
 } // namespace filum::app::filum

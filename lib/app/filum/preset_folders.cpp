@@ -11,8 +11,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMostEntries = 100'000; // of folders; all presets of OrcaSlicer are 20,000
-constexpr int kDeepestFolder = 6;             // folders below one that slicers keep presets in
+constexpr std::size_t kMostEntries = 100'000; // most entries of folders that are scanned; OrcaSlicer has 20,000 presets
+constexpr int kDeepestFolder = 6;             // most levels of folders that are scanned below a folder of presets
 
 std::string from_environment(const char* name) {
     const char* value = std::getenv(name);
@@ -66,7 +66,7 @@ std::optional<PresetKind> kind_of(std::string_view word) {
     return std::nullopt;
 }
 
-// A preset lies in a folder of its kind, perhaps in folders below that; an .ini file elsewhere is a vendor's bundle.
+// A preset lies in a folder of its kind, or in a folder below that.  An .ini file elsewhere is a vendor's bundle.
 void PresetFolders::add(const fs::path& file, const fs::path& root) {
     const bool ini = file.extension() == ".ini";
     if (!ini && file.extension() != ".json") return;
@@ -98,7 +98,8 @@ void PresetFolders::scan_folder(const fs::path& folder, bool deep) {
     for (const fs::path& file : files) add(file, folder);
 }
 
-// Beside a preset in a folder of its kind stand those of the same vendor, and of others one folder up.
+// If `beside_` lies in a folder of its kind, that folder holds presets of the same vendor.  The folder two levels above
+// holds the vendor's other kinds, and other vendors.
 void PresetFolders::scan() {
     if (scanned_) return;
     scanned_ = true;

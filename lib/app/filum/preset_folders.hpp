@@ -1,4 +1,4 @@
-// Where slicers keep presets.
+// The folders in which slicers keep presets.
 #pragma once
 
 #include <cstdint>
@@ -16,25 +16,29 @@ inline constexpr std::size_t kPresetKinds = 3;
 
 // "printer"
 const char* name_of(PresetKind kind);
-// The kind by the name of a section, a folder or a JSON type: "printer" or "machine", "print" or "process", "filament".
+// The kind that a word names: "printer" or "machine", "print" or "process", "filament"; none for another word.  The
+// word is the name of a section or of a folder, or the type of a JSON object.
 std::optional<PresetKind> kind_of(std::string_view word);
 
-// Files of presets: those beside one file, and those in the folders of PrusaSlicer, SuperSlicer, OrcaSlicer and Bambu
-// Studio, of the user's and of the installed program.  $FILUM_PRESETS names further folders, with ':' between.
+// Files of presets: those beside one file, and those that PrusaSlicer, SuperSlicer, OrcaSlicer and Bambu Studio keep.
+// Each slicer has a folder of the user's and one of the installed program.  $FILUM_PRESETS names further folders, with
+// ':' between.
 class PresetFolders {
   public:
-    // `beside`: a file, or "".
+    // `beside`: the file whose neighbours are presets, too, or "".
     explicit PresetFolders(std::string beside) : beside_(std::move(beside)) {}
 
-    // The file that holds the preset of that name; of several the nearest in the tree of folders.
+    // The file of the preset `name`; none if there is no such file.  Of several files the one that shares most folders
+    // with `beside`; of equals the one that was found first.
     std::optional<std::string> find(PresetKind kind, const std::string& name);
-    // All bundles, and all files of that kind.
+    // All bundles: files that hold many presets.
     const std::vector<std::string>& bundles();
+    // All files that hold one preset of the kind.
     std::vector<std::string> files(PresetKind kind);
 
   private:
     struct Place {
-        std::optional<PresetKind> kind; // nothing says which: any
+        std::optional<PresetKind> kind; // none: unknown, fits every kind
         std::filesystem::path file;
     };
     void scan();
@@ -43,7 +47,7 @@ class PresetFolders {
 
     std::string beside_;
     bool scanned_ = false;
-    std::size_t entries_ = 0; // seen so far
+    std::size_t entries_ = 0; // of folders, scanned so far
     std::multimap<std::string, Place> places_;
     std::vector<std::string> bundles_;
 };

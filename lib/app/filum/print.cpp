@@ -109,7 +109,7 @@ std::string print_help(const std::vector<Stage>& stages) {
     return out + "\nfilum help STAGE explains them.\n";
 }
 
-// What --NAME= says in the words of a stage, the last time; else `otherwise`.
+// The value of the last --NAME=VALUE in the words of a stage; `otherwise` if there is none.
 std::string value_in(const std::vector<std::string>& words, const std::string& name, const std::string& otherwise) {
     const std::string start = "--" + name + "=";
     std::string out = otherwise;
@@ -118,7 +118,7 @@ std::string value_in(const std::vector<std::string>& words, const std::string& n
     return out;
 }
 
-// Reads the profiles that stages will read, so that what is wrong with one is told once, before any work.
+// Reads the profiles that stages will read, so that a fault in one is reported once, before any work.
 void check_profiles(const Request& request, const std::vector<Stage>& stages) {
     std::set<std::pair<std::string, std::string>> seen; // name, --set
     for (std::size_t s = 0; s < stages.size(); ++s) {
@@ -160,7 +160,8 @@ std::string pipeline(const std::vector<Command>& commands, const std::vector<Sta
     return line + "\n";
 }
 
-// The same, with the profile of a slicer's printer as a file that the reader can make.
+// The text of the pipeline.  If a slicer's printer is the machine, the temporary file of its profile is replaced by a
+// file that the user can make, and the command that makes it comes first.
 std::string shown_pipeline(std::vector<Command> commands, const std::vector<Stage>& stages,
                            const SlicerMachine* machine) {
     if (machine == nullptr) return pipeline(commands, stages);
@@ -171,7 +172,7 @@ std::string shown_pipeline(std::vector<Command> commands, const std::vector<Stag
     return machine->command() + pipeline(commands, stages);
 }
 
-// What of files of settings is not used; first what can do harm.
+// Reports the settings of files that are not used; first those without which a print can go wrong.
 void tell_left(const Translated& from) {
     const auto list = [](const std::string& what, const std::vector<std::string>& names) {
         if (names.empty()) return;
@@ -190,12 +191,13 @@ void tell_idle(const std::vector<std::string>& options) {
     std::cerr << "filum: a vase is empty above its floor: no effect of " << all << std::endl;
 }
 
-// The exit code of the chain, where it is not 0 and the stage has said why; else throws.
+// The exit code of the chain.  If it is not 0, the failed stage has reported why; where it cannot, this throws Error
+// with the reason.
 int judge(const std::vector<Ended>& ended, const std::vector<Stage>& stages) {
     std::size_t who = 0;
     const int code = verdict(ended, who);
     if (code == 0) return 0;
-    if (code == 128 + SIGPIPE) return code; // whoever read the program had enough
+    if (code == 128 + SIGPIPE) return code; // the reader of the program closed the pipe
     if (ended[who].by_signal)
         throw Error(Exit::failure,
                     "stage '" + stages[who].name + "' was killed by signal " + std::to_string(code - 128));
@@ -210,13 +212,13 @@ std::vector<std::string> names_of(const std::vector<Stage>& stages) {
     return out;
 }
 
-// Nobody pipes a part to it: it is a terminal, /dev/null, or closed.
+// Whether no part is piped to standard input: it is a terminal, /dev/null, or closed.
 bool stdin_is_empty() {
     struct stat about {};
     return ::fstat(STDIN_FILENO, &about) != 0 || S_ISCHR(about.st_mode);
 }
 
-// Puts the programs that --stage names in place of the stages.
+// Replaces stages by the programs that --stage names.
 void swap(const std::vector<std::string>& words, std::vector<Stage>& stages) {
     const std::string option = "--stage";
     for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
@@ -237,7 +239,7 @@ void swap(const std::vector<std::string>& words, std::vector<Stage>& stages) {
     }
 }
 
-// Makes what was asked for beside the program.
+// Keeps the streams and makes the picture and the report, as far as the request asks for them.
 void finish(const Request& request, Kept& kept) {
     kept.commit();
     if (!request.picture.empty()) kept.draw({}, request.picture);
@@ -247,7 +249,7 @@ void finish(const Request& request, Kept& kept) {
     kept.report(named ? request.inputs[0] : request.inputs.size() > 1 ? "plate" : "part", machine, request.report);
 }
 
-// Which file stands under a name: another number once it was replaced, 0 for none and for what is no file.
+// The inode number of a regular file; 0 if there is none of that name.  The number changes when the file is replaced.
 ino_t number_of(const std::string& name) {
     struct stat info {};
     return name != "-" && ::stat(name.c_str(), &info) == 0 && S_ISREG(info.st_mode) ? info.st_ino : 0;
@@ -294,7 +296,7 @@ int print_part(const std::vector<std::string>& typed) {
     const bool talks = ::isatty(STDERR_FILENO) != 0 && !request.quiet;
     Kept kept(request, stages);
     if (talks) commands.back().push_back("--summary=" + kept.summary());
-    // A program of the user's own at the end knows nothing of the notes of the stages before.
+    // If the last stage is a program of the user's own, each stage prints its notes, since that program may not do so.
     const Speakers speakers =
         stages.back().program == stage_program(stages.back().name) ? Speakers::last : Speakers::each;
     const ino_t before = number_of(request.output);

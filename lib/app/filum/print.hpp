@@ -1,4 +1,4 @@
-// `filum print`: the whole planar chain as one command.
+// `filum print`: runs the whole planar chain as one command.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace filum::app::filum {
 
-// Runs the chain that the words ask for, or tells of it, and returns its exit code.  On a terminal it shows how far the
-// slowest stage is, and at the end what was made.  Throws Error.
+// Runs the chain with the options `words`, and returns its exit code.  With --help or --dry-run it prints text instead.
+// On a terminal it shows the progress of the slowest stage, and at the end a summary of the program.  Throws Error.
 int print_part(const std::vector<std::string>& words);
 
 } // namespace filum::app::filum

@@ -15,9 +15,9 @@ namespace filum::app::filum {
 
 namespace {
 
-constexpr std::size_t kMostNamed = 8; // candidates in a message
+constexpr std::size_t kMostNamed = 8; // most candidates in a message
 
-// What common filaments need, for printers without presets of them.
+// Settings of a common filament, for printers without a preset of it.
 struct CommonFilament {
     const char* name;
     int first_nozzle, nozzle, first_bed, bed; // degrees Celsius
@@ -34,7 +34,7 @@ std::string in_lower_case(std::string text) {
     return text;
 }
 
-// Whether a name holds all words, whatever their case.
+// Whether a name holds all words, in upper or lower case.
 bool answers(const std::string& name, const std::vector<std::string>& words) {
     const std::string in = in_lower_case(name);
     return std::ranges::all_of(
@@ -48,7 +48,7 @@ std::vector<std::string> words_of(const std::string& text) {
     return out;
 }
 
-// The one name that is meant: the only one, or one that all others begin with.
+// The name that is meant: the only one, or the one that all others begin with; "" if there is none.
 std::string meant_of(std::vector<std::string> names) {
     if (names.empty()) return "";
     std::ranges::sort(names, {}, [](const std::string& n) { return std::pair(n.size(), n); });
@@ -58,7 +58,7 @@ std::string meant_of(std::vector<std::string> names) {
     return variants ? shortest : "";
 }
 
-// The preset that a name stands for.  Throws Error(usage).
+// The name of the preset that the user's `name` means.  Throws Error(usage) if it is unknown or ambiguous.
 std::string preset_name(PresetShelf& shelf, PresetKind kind, const std::string& name) {
     if (shelf.find(kind, name)) return name;
     std::vector<std::string> all, found;
@@ -86,7 +86,7 @@ const CommonFilament* common(const std::string& name) {
     return at == std::end(kFilaments) ? nullptr : at;
 }
 
-// A filament by the keys of the printer's slicer.
+// The settings of a filament, with the keys of the printer's slicer.
 SlicerFile settings_of(const CommonFilament& f, Slicer slicer) {
     SlicerFile out;
     out.slicer = slicer;

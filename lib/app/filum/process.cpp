@@ -17,7 +17,7 @@ namespace filum::app::filum {
 namespace {
 
 constexpr int kPipe = 1 << 20;
-constexpr const char* kTee = "tee"; // of coreutils
+constexpr const char* kTee = "tee"; // program of coreutils that copies a pipe to a file
 
 [[noreturn]] void fail(const std::string& what) {
     throw Error(Exit::failure, "cannot " + what + ": " + std::strerror(errno));
@@ -46,16 +46,16 @@ void close_if_open(int& fd) {
     fd = -1;
 }
 
-// Where in a chain a child stands.
+// The place of a child in a chain.
 struct Place {
-    bool chained = false;        // it reads from a stage whose own failure is reported
-    const char* notes = nullptr; // FILUM_NOTES: "later" if the last stage says its notes, "all" if it says those of all
+    bool chained = false;        // another stage writes its input, and reports its own failure
+    const char* notes = nullptr; // FILUM_NOTES: "later": the last stage prints its notes; "all": it prints all notes
 };
 
-// The child's side of a fork: only what is allowed between fork and exec.
+// Runs in the child after a fork.  It only calls functions that are allowed between fork and exec.
 [[noreturn]] void start(char** argv, pid_t parent, int in, int out, const Place& place) {
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-    if (::getppid() != parent) ::_exit(1); // it died before we asked
+    if (::getppid() != parent) ::_exit(1); // the parent ended before prctl took effect
     if (in >= 0) ::dup2(in, STDIN_FILENO);
     if (out >= 0) ::dup2(out, STDOUT_FILENO);
     if (place.chained) ::setenv("FILUM_CHAIN", "1", 1);
@@ -95,7 +95,7 @@ std::optional<Ended> ended_by_now(pid_t pid) {
 
 std::string output_of(const Command& command, bool silently) {
     Pipe pipe;
-    int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC); // who does not know the question may wait for input
+    int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC); // a program without --print-contract could wait for input
     const pid_t pid =
         spawn(silently ? Command{"/bin/sh", "-c", "exec \"$0\" \"$@\" 2>/dev/null", command[0], command[1]} : command,
               nothing, pipe.write, {});
@@ -121,7 +121,7 @@ void become(const Command& command) {
 
 namespace {
 
-// The children of a chain, each with the place of its command; those that copy have none.
+// The children of a chain, in their order.  `copies`: whether the child copies a stream instead of running a command.
 struct Children {
     std::vector<pid_t> pids;
     std::vector<bool> copies;

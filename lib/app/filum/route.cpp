@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kSee = "; see 'filum help print'";
 
-// An option as it was written: --stage.name=value.
+// An option as the user typed it: --stage.name=value.  `stage` is empty for an option for all stages.
 struct Word {
     std::string stage, name;
     std::optional<std::string> value;
@@ -41,7 +41,7 @@ const StageOption* find(const Stage& stage, const std::string& name) {
     return at == stage.options.end() ? nullptr : &*at;
 }
 
-// What is written twice: once for all stages, and for one alone, which must come last to win.
+// The options of one stage.  `all`: those that were given to all stages; `own`: those for this stage, which win.
 struct Given {
     std::vector<std::string> all, own;
 };
@@ -73,7 +73,7 @@ const std::string* last(const Given& given, const std::string& start) {
     return nullptr;
 }
 
-// Stages that keep clear of a head take that of the machine, unless they are told another.
+// Gives --head=MACHINE to each stage that has the option --head, unless it has a value for it.
 void hand_on_machine(const std::vector<Stage>& stages, std::vector<Given>& to) {
     const std::string machine = "--machine=";
     const std::string* word = nullptr;
@@ -86,7 +86,7 @@ void hand_on_machine(const std::vector<Stage>& stages, std::vector<Given>& to) {
             to[s].all.push_back("--head=" + name);
 }
 
-// Gives each stage that has the option this value, unless it was given one.
+// Gives the option to each stage that has it, unless the stage has a value for it.
 void hand_on(const std::string& name, const std::string& value, const std::vector<Stage>& stages,
              std::vector<Given>& to) {
     const std::string start = "--" + name + "=";
@@ -94,7 +94,7 @@ void hand_on(const std::string& name, const std::string& value, const std::vecto
         if (find(stages[s], name) != nullptr && last(to[s], start) == nullptr) to[s].all.push_back(start + value);
 }
 
-// The value that some stage was given for an option; "" for none.
+// The value of an option in the first stage to which it was given; "" for none.
 std::string value_of(const std::string& name, const std::vector<Given>& to) {
     const std::string start = "--" + name + "=";
     for (const Given& given : to)
@@ -102,8 +102,9 @@ std::string value_of(const std::string& name, const std::vector<Given>& to) {
     return "";
 }
 
-// What one option says of others: the wall of a vase is a helix, but two beads side by side are laid flat, layer by
-// layer, as a helix cannot go there and back.  A bead is as wide as the nozzle.  Wells have walls, and stay in place.
+// Sets options that follow from others.  The single wall of a vase is a helix.  Two or more walls side by side are
+// printed flat, layer by layer, since a helix cannot return to its start.  A bead is as wide as the nozzle.  Parts in
+// wells and grids stay in place, and travels rise above the walls of wells.
 void hand_on_meant(const Request& request, const std::vector<Stage>& stages, std::vector<Given>& to) {
     const std::string walls = value_of("walls", to), nozzle = value_of("nozzle", to), wells = value_of("wells", to);
     if (request.vase) hand_on("lift", walls.empty() || walls == "1" ? "helical" : "ramp", stages, to);
@@ -113,7 +114,8 @@ void hand_on_meant(const Request& request, const std::vector<Stage>& stages, std
         hand_on("wall-height", shortest_text(plate::well_plate(std::stol(wells)).depth), stages, to);
 }
 
-// How an option of the stage stands after the words that it is given.
+// Looks up options of the stage: the value in `given`, else the default, and whether the value differs from the
+// default.
 cli::Lookup lookup(const Stage& stage, const Given& given) {
     return [&](const std::string& name) -> cli::Standing {
         const StageOption* option = find(stage, name);
@@ -132,8 +134,8 @@ bool idle(const Stage& stage, const Given& given, const std::string& name) {
     return option != nullptr && cli::fault(name, option->needs, lookup(stage, given)).has_value();
 }
 
-// An option that was given for all stages goes only to those where it does something.  Where it does nothing in any,
-// all get it, and say what it needs.
+// Removes options for all stages from each stage where they have no effect.  If an option has no effect in any stage,
+// all stages keep it, and report what it needs.
 void keep_effective(const std::vector<Stage>& stages, std::vector<Given>& to) {
     const std::vector<Given> before = to;
     const auto works = [&](const std::string& name) {
@@ -171,13 +173,13 @@ void keep_effective(const std::vector<Stage>& stages, std::vector<Given>& to) {
 
 namespace {
 
-// Where the value of an option of `print` itself goes; nothing for an option of the stages.
+// The member of `to` that holds the value of an option of `print` itself; null for an option of the stages.
 std::string* own_option(const std::string& word, Request& to) {
     const std::string name = word.substr(0, word.find('='));
     if (name == "--keep") return &to.keep;
     if (name == "--picture") return &to.picture;
     if (name == "--report") return &to.report;
-    if (name == "--stage") return &to.swapped; // taken before
+    if (name == "--stage") return &to.swapped; // swap() in print.cpp has used it
     return nullptr;
 }
 

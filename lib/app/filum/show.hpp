@@ -1,4 +1,4 @@
-// Text of the front command's own commands on standard output.
+// Prints text of the front command on standard output.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@ namespace filum::app::filum {
 
 void show(const std::string& text);
 
-// The text, left-aligned in a column of that width, and two blanks at least.
+// The text, padded with blanks to `width` characters; at least two blanks follow it.
 std::string cell(std::string text, std::size_t width);
 
 } // namespace filum::app::filum

@@ -14,7 +14,7 @@ namespace filum::app::filum {
 
 namespace {
 
-constexpr std::size_t kLongest = 40; // characters of a value that are shown
+constexpr std::size_t kLongest = 40; // most characters of a value that are printed
 
 std::string shown(const std::string& value) {
     const std::string text = printable(value);
@@ -49,7 +49,7 @@ std::string report(const std::string& file) {
     return out + (all.remarks.empty() ? "" : "\n");
 }
 
-// The machine profile of the printer that files describe.
+// Prints the machine profile of the printer that the files describe.
 int show_machine(const std::vector<std::string>& files) {
     PrinterNames names;
     std::vector<SlicerFile> read;

@@ -1,4 +1,4 @@
-// filum settings FILE: what Filum makes of a slicer's settings.
+// `filum settings FILE`: shows how Filum translates the settings of a slicer.
 #pragma once
 
 #include <string>
@@ -6,8 +6,10 @@
 
 namespace filum::app::filum {
 
-// Prints the settings of each file in four groups: used, with our options; not followed, which can do harm; not used
-// yet; without meaning here.  Returns the exit code.  Throws Error as slicer_file.
+// Prints the settings of each file in groups: used, with the options of Filum; not followed although that can do harm;
+// not used yet; not known; without meaning here.  With --machine as the first word it prints the machine profile of the
+// printer that the files describe.  Returns the exit code.  Throws Error as slicer_file; bad_input for files without a
+// printer.
 int show_settings(const std::vector<std::string>& files);
 
 } // namespace filum::app::filum

@@ -18,7 +18,7 @@ bool has_key(const std::vector<SlicerSetting>& settings, std::initializer_list<c
                                [&](const SlicerSetting& s) { return std::ranges::find(keys, s.key) != keys.end(); });
 }
 
-// Of a program, the comments between the marks of its slicer's block; all of them if there are no marks.
+// The part of a G-code file between the marks of the slicer's block of settings; the whole text if it has no marks.
 std::string config_block(const std::string& text) {
     constexpr std::pair<const char*, const char*> kMarks[] = {
         {"; CONFIG_BLOCK_START", "; CONFIG_BLOCK_END"},
@@ -33,7 +33,7 @@ std::string config_block(const std::string& text) {
     return text;
 }
 
-// A program begins with a comment, or its name says it.
+// Whether the text is G-code: it begins with a comment, or the file's name has the ending of a program.
 bool is_program(const std::string& text, const std::string& file) {
     const auto first = text.find_first_not_of(" \t\r\n");
     if (first != std::string::npos && text[first] == ';') return true;
@@ -72,7 +72,7 @@ SlicerFile of_text(const std::string& text, const NamedPresets& named) {
     return !is_json(text) && is_bundle(text) ? bundle_settings(text, named) : preset_settings(text, named.file);
 }
 
-// Whether settings of both can be read as those of one slicer.
+// Whether settings of the two can be read as those of one slicer.
 bool fit(Slicer a, Slicer b) { return a == b || a == Slicer::unknown || b == Slicer::unknown; }
 
 } // namespace
@@ -160,7 +160,7 @@ ProjectBodies project_bodies(const std::string& file) {
             out.wanted = out.wanted || b.what == What::enforcer || b.what == What::painted;
             out.unwanted = out.unwanted || b.what == What::blocker || b.what == What::painted_blocker;
         }
-    } catch (const Error&) { // settings only
+    } catch (const Error&) { // the file holds settings only
     }
     return out;
 }

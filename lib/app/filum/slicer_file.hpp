@@ -1,4 +1,4 @@
-// Settings as slicers keep them.
+// Reads the settings in files of slicers.
 #pragma once
 
 #include <cstdint>
@@ -9,38 +9,44 @@ namespace filum::app::filum {
 
 enum class Slicer : std::uint8_t { unknown, slic3r, prusa, super, orca, bambu };
 
-// "PrusaSlicer"; of an unknown one "a slicer that the file does not name".
+// The name, such as "PrusaSlicer"; for Slicer::unknown "a slicer that the file does not name".
 const char* name_of(Slicer slicer);
 
 struct SlicerSetting {
-    std::string key, value; // as they stand in the file; the items of a list with commas between them
+    std::string key, value; // as in the file; the items of a list have commas between them
 };
 
 struct SlicerFile {
-    Slicer slicer = Slicer::unknown; // that wrote it, as far as it says so
+    Slicer slicer = Slicer::unknown; // the slicer that wrote the file
     std::vector<SlicerSetting> settings;
-    std::vector<std::string> remarks{}; // on presets that were not found
+    std::vector<std::string> remarks{}; // presets that were not found, a sentence for each
 };
 
-// The slicer that wrote a text: by the name at its beginning, or by keys that only it has.
+// The slicer that wrote a text.  It is known by its name in the first 16 KiB of the text, or by keys that only this
+// slicer has.
 Slicer writer_of(const std::string& text, const std::vector<SlicerSetting>& settings);
 
-// The settings of a file, in its order (of JSON, by key): lines "name = value", as PrusaSlicer and SuperSlicer export
-// them; a JSON object, as OrcaSlicer and Bambu Studio do; a project of any of them (3MF) that holds one of both; the
-// comments of a G-code file, where these slicers write theirs down; or presets of a bundle, which `word` names as in
-// "FILE:printer=NAME,print=NAME,filament=NAME".  What a preset inherits is in front of its own settings.
-// Throws Error: io for a file that cannot be read; bad_input for one without settings, and for a bundle of which
-// nothing says which presets hold; usage for an unknown preset.
+// The settings of a file, in its order; those of JSON are sorted by key.  The file is one of these:
+//   - lines "name = value", as PrusaSlicer and SuperSlicer export them
+//   - a JSON object, as OrcaSlicer and Bambu Studio export it
+//   - a project (3MF) of one of these slicers
+//   - a G-code file, which holds the settings as comments
+//   - a bundle of presets; `word` names some of them as in "FILE:printer=NAME,print=NAME,filament=NAME"
+// Settings that a preset inherits come before its own ones.
+// Throws Error: io for a file that cannot be read; bad_input for a file without settings, and for a bundle if no preset
+// of it is chosen; usage for an unknown preset.
 SlicerFile slicer_file(const std::string& word);
 
-// Files that one slicer wrote, as one: a printer, a print and a filament in three files.  Later files win.
+// Joins consecutive files of the same slicer to one, such as a printer, a print and a filament.  A file of an unknown
+// slicer joins any other.  Where several files have a key, the last one counts.
 std::vector<SlicerFile> merged(std::vector<SlicerFile> files);
 
-// What a file holds beside its part and its settings; nothing of one that holds no part, or is no project.
+// The kinds of bodies in a slicer's project, beside the part.
 struct ProjectBodies {
     bool modifiers = false;                // bodies with settings of their own
-    bool wanted = false, unwanted = false; // bodies or painted faces that ask for supports, or for none
+    bool wanted = false, unwanted = false; // bodies or painted faces that ask for supports, or forbid them
 };
+// All false for a file that is no project, holds no part or cannot be read.
 ProjectBodies project_bodies(const std::string& file);
 
 } // namespace filum::app::filum

@@ -31,7 +31,7 @@ preset::Preset preset_of(const SlicerFile& file, const std::string& input) {
     preset::Preset out;
     out.slicer = word_of(file.slicer);
     out.input = input.empty() || input == "-" ? "" : std::filesystem::path(input).stem().string();
-    // Texts of JSON hold their line ends as they are.
+    // Texts from JSON hold line ends as such; lines "name = value" hold them as the letters \n.
     const bool json = of_orca(file.slicer) && std::ranges::any_of(file.settings, [](const SlicerSetting& s) {
                           return s.value.find('\n') != std::string::npos;
                       });
@@ -40,7 +40,8 @@ preset::Preset preset_of(const SlicerFile& file, const std::string& input) {
     return out;
 }
 
-// A text of TOML.  Control characters other than line ends and tabs, which no program may hold, become blanks.
+// The text as a string of TOML.  Carriage returns are dropped.  Other control characters become blanks, except line
+// ends and tabs, since no program may hold them.
 std::string quoted(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) {
@@ -73,7 +74,7 @@ Extent bed_of(const Settings& settings, bool orca) {
     return out;
 }
 
-// Letters, digits, '.', '_' and '-' of a name.
+// The name with letters, digits, '.', '_' and '-', at most 60 characters.  Runs of other characters become one '-'.
 std::string plain(const std::string& text) {
     std::string out;
     for (const char c : text) {
@@ -107,13 +108,13 @@ std::string extrusion_text(const Settings& settings, preset::Flavor flavor) {
     return out;
 }
 
-// Limits of the machine where the slicer knows them.
+// The sections [motion] and [feeds] of the profile, with the limits that the slicer knows.
 std::string motion_text(const Settings& settings, preset::Flavor flavor) {
     std::string out = std::string("[motion]\ncontroller = \"") + controller(flavor) + "\"\n";
     const auto add = [&](const char* key, double value) {
         if (value > 0) out += std::string(key) + " = " + shortest_text(value) + "\n";
     };
-    const auto fastest = [&](const std::string& axis) { // of PrusaSlicer, of OrcaSlicer
+    const auto fastest = [&](const std::string& axis) { // OrcaSlicer's key, else PrusaSlicer's
         const std::string name =
             settings.find("machine_max_speed_" + axis) ? "machine_max_speed_" : "machine_max_feedrate_";
         return settings.number(name + axis);
@@ -145,7 +146,7 @@ std::string settings_text(const preset::Preset& from) {
     return out;
 }
 
-// Writes its G-code for a job without a part, so that a fault is found before anything is computed.
+// Expands the printer's G-code for a job without a part, so that a fault is found before anything is computed.
 void try_codes(const preset::Preset& from) {
     preset::Program program(from, {});
     (void)program.start();

@@ -39,7 +39,7 @@ const OtherName* known(const std::vector<Stage>& stages, const std::string& thei
     return cli::other_name(theirs, [&](std::string_view ours) { return has(stages, ours); });
 }
 
-// The bodies of a project whose part is printed; of another part's they are left out.
+// Makes options of the bodies in a project, if its part is printed.  Otherwise a remark reports that they are left out.
 void load_bodies(const std::string& file, bool printed, bool supports, const std::vector<Stage>& stages,
                  Translated& out) {
     const ProjectBodies there = project_bodies(file);
@@ -57,12 +57,12 @@ void load_bodies(const std::string& file, bool printed, bool supports, const std
     }
 }
 
-// Whether a value of a slicer's file asks for nothing: it is empty, off, or G-code without a command.
+// Whether a value of a slicer's file has no effect: it is empty, off, or G-code without a command.
 bool says_nothing(const std::string& value) {
     for (const char* off : {"", "0", "0%", "\"\"", "none", "nil", "disabled", "no", "by layer", "FFF", "E", "0x0"})
         if (value == off) return true;
     std::size_t at = 0;
-    while (at < value.size()) { // lines end with the letters \n in such files
+    while (at < value.size()) { // in such files the letters \n stand for a line end
         const std::size_t end = std::min(value.find("\\n", at), value.size());
         const std::size_t first = value.find_first_not_of(" \t\"", at);
         if (first < end && value[first] != ';') return false;
@@ -71,7 +71,7 @@ bool says_nothing(const std::string& value) {
     return true;
 }
 
-// The last value of an option among the user's own words; "" if it is not there.
+// The last value of an option among the words; "" if the option is not there.
 std::string last_value(const std::vector<std::string>& words, const std::string& name) {
     std::string out;
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -81,7 +81,7 @@ std::string last_value(const std::vector<std::string>& words, const std::string&
     return out;
 }
 
-// The profile of the job's machine; none if it cannot be read, which is reported where it is used.
+// The profile of the job's machine; none if it cannot be read, which print.cpp reports.
 std::optional<machine::Profile> machine_profile(const std::vector<std::string>& words,
                                                 const std::vector<Stage>& stages) {
     std::string machine = last_value(words, "--machine");
@@ -96,7 +96,7 @@ std::optional<machine::Profile> machine_profile(const std::vector<std::string>& 
     }
 }
 
-// Leaves out settings for which the machine has no code: the fan's, accelerations of roles.
+// Removes settings for which the machine has no code: those of the fan, and accelerations by role.
 void leave_out_codes(SlicerWishes& all, const machine::Profile& machine) {
     const auto drop = [&](const std::string& codes, const char* start, const char* end, const char* key,
                           const char* what) {
@@ -113,7 +113,7 @@ void leave_out_codes(SlicerWishes& all, const machine::Profile& machine) {
          "accelerations by role");
 }
 
-// Speeds of a file that are beyond the machine become its own.
+// Limits the speeds of a file to those of the machine, with a remark on each change.
 void limit_speeds(SlicerWishes& all, const machine::Motion& motion) {
     const std::string start = "--set=feeds.";
     for (const ReadSetting& s : all.settings)
@@ -128,7 +128,7 @@ void limit_speeds(SlicerWishes& all, const machine::Motion& motion) {
         }
 }
 
-// The printer that the files describe becomes the machine, unless the user names another one.
+// Makes the printer that the files describe the machine, unless the user names another one.
 void use_machine(const std::vector<SlicerFile>& read, std::vector<std::string> sources,
                  const std::vector<std::string>& words, Translated& out) {
     auto machine = std::make_shared<SlicerMachine>(read, std::move(sources));
@@ -142,7 +142,7 @@ void use_machine(const std::vector<SlicerFile>& read, std::vector<std::string> s
     out.machine = std::move(machine);
 }
 
-// Leaves out what the G-code of the files' own printer does itself: it heats.
+// Removes temperatures, since the G-code of the files' own printer heats.
 void leave_to_machine(SlicerWishes& all) {
     std::erase_if(all.words, [](const std::string& word) {
         for (const char* name : {"nozzle_temp=", "first_nozzle_temp=", "bed_temp=", "first_bed_temp="})
@@ -152,7 +152,8 @@ void leave_to_machine(SlicerWishes& all) {
     std::erase_if(all.remarks, [](const std::string& remark) { return remark.ends_with("its machine profile says"); });
 }
 
-// What of settings has a meaning here, on that machine.  Returns whether they ask for supports.
+// Adds to `out` the options that the settings make on this machine, and lists the settings that are not used.  Returns
+// whether the settings ask for supports.
 bool use_settings(const SlicerFile& file, const std::optional<machine::Profile>& machine,
                   const std::vector<Stage>& stages, Translated& out) {
     constexpr std::string_view kVase = "vase"; // an option of `filum print` itself
@@ -174,7 +175,7 @@ bool use_settings(const SlicerFile& file, const std::optional<machine::Profile>&
     return all.supports;
 }
 
-// The settings of the printer and of all files, then the bodies of those that are projects; `words`: the user's own.
+// Adds the settings of the printer and of all files, then the bodies in projects.  `words`: those that the user typed.
 void load(const PrinterNames& printer, const std::vector<std::string>& files, const std::vector<std::string>& words,
           const std::vector<Stage>& stages, Translated& out) {
     if (files.empty() && !printer.any()) return;
@@ -196,7 +197,7 @@ void load(const PrinterNames& printer, const std::vector<std::string>& files, co
         load_bodies(file, std::ranges::find(words, file) != words.end(), supports, stages, out);
 }
 
-// Where the value of an option goes that names a printer, its print profile or its filament; else null.
+// The member of `names` for an option that names a printer, a print profile or a filament; null for other options.
 std::string* printer_name(PrinterNames& names, const std::string& option) {
     if (option == "printer" || option == "printer-profile") return &names.printer;
     if (option == "print-profile") return &names.print;
@@ -204,7 +205,8 @@ std::string* printer_name(PrinterNames& names, const std::string& option) {
     return nullptr;
 }
 
-// --rotate 45, --scale 150%, --infill 15, --infill-pattern gyroid: our options, values of theirs.
+// Converts a slicer's value of an option that Filum has, as in --rotate 45, --scale 150%, --infill 15 and
+// --infill-pattern gyroid.  Other values stay as they are.
 std::string own_value(const std::string& name, const std::string& value) {
     if (name == "rotate" && value.find(',') == std::string::npos && !value.empty()) return "0,0," + value;
     if (name == "scale" && value.ends_with('%'))
@@ -212,14 +214,14 @@ std::string own_value(const std::string& name, const std::string& value) {
     if (name == "infill" && !value.empty() && value.find_first_not_of("0123456789.") == std::string::npos &&
         parse_number(value, "--infill") > 1)
         return value + "%";
-    if (name == "infill-pattern") { // rows, wave and concentric are ours
+    if (name == "infill-pattern") { // names of Filum, such as rows, stay
         const auto ours = cli::our_word({"fill-pattern", "infill-pattern", Value::pattern}, value);
         if (ours) return ours->substr(ours->find('=') + 1);
     }
     return value;
 }
 
-// All --set as one, where the first of them was.
+// Joins all --set to one, at the place of the first.
 void join_sets(std::vector<std::string>& words) {
     const std::string set = "--set=";
     std::string all;

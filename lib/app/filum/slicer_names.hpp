@@ -1,5 +1,4 @@
-// The words of slicers in ours: options of `filum print` by the names that PrusaSlicer, Cura and others have for them,
-// and their files of settings.
+// Translates the options and the settings files of slicers, such as PrusaSlicer and Cura, to options of `filum print`.
 #pragma once
 
 #include "app/filum/slicer_machine.hpp"
@@ -13,19 +12,23 @@ namespace filum::app::filum {
 
 struct Translated {
     std::vector<std::string> words; // as `route` takes them
-    // Settings of files that say something, but are not used here, in the file's order; first those without which a
-    // print can go wrong: "start_gcode", ...
+    // Settings of the files that are not used, in the order of the files.  `harmful`: a print can go wrong without
+    // them; `left`: the others.  Settings that are empty or off are in neither list.
     std::vector<std::string> harmful, left;
-    std::vector<std::string> remarks; // on what else of files is left out
-    // Where the files describe a printer, and no --machine names another one: its profile, which `words` name.
+    std::vector<std::string> remarks; // other parts of the files that are not used or were changed, a sentence for each
+    // The profile of the printer that the files describe; `words` name its file.  Null if the files describe no printer
+    // or --machine names another one.
     std::shared_ptr<SlicerMachine> machine{};
 };
 
-// The words with each --load FILE replaced by what of its settings has a meaning here, before all others, so that these
-// win; and options that no stage has by that name, but that a slicer has, by ours: --fill-density 15% becomes
-// --infill=15%, --temperature 210 --set=nozzle_temp=210, --rotate 45 --rotate=0,0,45, --scale 150% --scale=1.5.  All
-// --set become one.  What stands behind "--" stays.  Throws Error: usage for a value that does not fit or is missing,
-// io for a file that cannot be read, bad_input for one without settings.
+// The words in the terms of Filum's options.
+//   - The settings of each --load FILE that Filum knows become options.  They come first, so that typed options win.
+//   - An option by a slicer's name becomes one of ours, if no stage has an option of that name: --fill-density 15%
+//     becomes --infill=15%, and --temperature 210 becomes --set=nozzle_temp=210.
+//   - Values in the form of slicers are converted: --rotate 45 to --rotate=0,0,45, --scale 150% to --scale=1.5.
+//   - All --set are joined to one.  Words behind "--" stay as they are.
+// Throws Error: usage for a value that does not fit or is missing, io for a file that cannot be read, bad_input for a
+// file without settings.
 Translated translated(const std::vector<std::string>& words, const std::vector<Stage>& stages);
 
 } // namespace filum::app::filum

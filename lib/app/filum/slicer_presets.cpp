@@ -11,7 +11,7 @@ namespace filum::app::filum {
 
 namespace {
 
-constexpr std::size_t kDeepestPreset = 64; // presets that inherit from each other
+constexpr std::size_t kDeepestPreset = 64; // longest chain of presets that inherit from each other
 constexpr std::size_t kNamesShown = 6;     // in messages
 
 const SlicerSetting* setting(const std::vector<SlicerSetting>& all, std::string_view key) {
@@ -19,7 +19,7 @@ const SlicerSetting* setting(const std::vector<SlicerSetting>& all, std::string_
     return at == all.end() ? nullptr : &*at;
 }
 
-// The names in a list, which are divided by semicolons, and of JSON by commas.
+// The names in a list.  The divider is ';', in lists from JSON ','.
 std::vector<std::string> names_in(const std::string& list, char divider) {
     std::vector<std::string> out;
     std::size_t at = 0;
@@ -160,7 +160,7 @@ std::vector<KnownPreset> PresetShelf::known(PresetKind kind) {
                 out.push_back({key.second, bundled->presets.at(key).file});
     for (const std::string& file : folders_.files(kind)) {
         const std::string name = std::filesystem::path(file).stem().string();
-        if (name.starts_with("fdm_")) continue; // bases that others inherit from
+        if (name.starts_with("fdm_")) continue; // bases of other presets; a user cannot choose them
         const Preset preset = preset_of(content_of(file), file);
         const SlicerSetting* shown = setting(preset.settings, "instantiation");
         const SlicerSetting* type = setting(preset.settings, "type");
@@ -211,7 +211,7 @@ Preset preset_of(const std::string& text, const std::string& file) {
 
 namespace {
 
-// The preset of that kind by its name, which the user or a printer gives.
+// The preset of that kind and name.  `file`: for the message.  Throws Error(usage) if it does not exist.
 Preset wanted_preset(PresetShelf& shelf, PresetKind kind, const std::string& name, const std::string& file) {
     if (auto found = shelf.find(kind, name)) return *found;
     const auto names = shelf.names(kind);
@@ -220,7 +220,7 @@ Preset wanted_preset(PresetShelf& shelf, PresetKind kind, const std::string& nam
                                  (meant.empty() ? "; it has " + shown(names) : meant));
 }
 
-// Names that the section [presets] of an exported bundle gives to kinds that have none yet.
+// Takes names from the section [presets] of an exported bundle, for kinds that have none yet.
 void name_active(const std::string& text, PresetNames& names) {
     for (const Section& section : sections(text, Lines::plain)) {
         if (section.heading != "presets") continue;
@@ -234,14 +234,14 @@ void name_active(const std::string& text, PresetNames& names) {
 
 SlicerFile settings_of_presets(PresetShelf& shelf, PresetNames names, const std::string& file) {
     SlicerFile out;
-    for (std::size_t i = 0; i < kPresetKinds; ++i) { // the printer first, which names defaults for the others
+    for (std::size_t i = 0; i < kPresetKinds; ++i) { // the printer comes first, since it names defaults for the others
         const auto kind = static_cast<PresetKind>(i);
         if (names[i].empty()) continue;
         const Preset preset = wanted_preset(shelf, kind, names[i], file);
         const auto settings = shelf.whole(preset, out.remarks);
         if (out.slicer == Slicer::unknown) out.slicer = preset.slicer;
         for (const SlicerSetting& s : settings) put(out.settings, s);
-        if (kind == PresetKind::print && out.slicer != Slicer::super) // whose defaults depend on each other
+        if (kind == PresetKind::print && out.slicer != Slicer::super) // SuperSlicer's defaults depend on each other
             for (const SlicerSetting& s : defaults_of(out.slicer))
                 if (setting(out.settings, s.key) == nullptr) out.settings.push_back(s);
         if (kind != PresetKind::printer) continue;

@@ -1,5 +1,5 @@
 // Presets of slicers: named sets of settings for a printer, a print or a filament.  A preset can inherit from others.
-// Bundles of PrusaSlicer and SuperSlicer hold many of them; OrcaSlicer and Bambu Studio keep one in each JSON file.
+// Bundles of PrusaSlicer and SuperSlicer hold many presets; OrcaSlicer and Bambu Studio keep one in each JSON file.
 #pragma once
 
 #include "app/filum/preset_folders.hpp"
@@ -18,7 +18,7 @@ struct Preset {
     PresetKind kind = PresetKind::print;
     std::string name, file;
     Slicer slicer = Slicer::unknown;
-    std::vector<SlicerSetting> settings; // its own, without those that it inherits
+    std::vector<SlicerSetting> settings; // its own; inherited ones are not included
 };
 
 // A preset that a user can choose.
@@ -26,18 +26,18 @@ struct KnownPreset {
     std::string name, file;
 };
 
-// A name of each kind, by PresetKind; "": none.
+// One name for each PresetKind; "": none.
 using PresetNames = std::array<std::string, kPresetKinds>;
 
-// What `--load` names: a file, and presets in it.
+// The value of `--load`: a file and names of presets in it.
 struct NamedPresets {
     std::string file;
     PresetNames names;
     [[nodiscard]] bool any() const;
 };
 
-// "FILE:printer=NAME,print=NAME,filament=NAME", in which names may hold spaces and commas; of a file by that whole name
-// no presets are named.  Throws Error(usage) for an empty name.
+// Parses "FILE:printer=NAME,print=NAME,filament=NAME"; names may hold spaces and commas.  If a file has the whole word
+// as its name, the word names no presets.  Throws Error(usage) for an empty name.
 NamedPresets named_presets(const std::string& word);
 
 // The presets that one file can refer to: those of its bundle, those beside it, and those that slicers keep.
@@ -45,14 +45,18 @@ class PresetShelf {
   public:
     explicit PresetShelf(std::string beside) : folders_(std::move(beside)) {}
 
-    // The presets of a bundle; found before all others.
+    // Adds the presets of a bundle.  find() returns them before all others.
     void add_bundle(const std::string& text, const std::string& file);
+    // The preset `name`: first of added bundles, then of files (see PresetFolders), then of bundles in slicers'
+    // folders. A name that a bundle has renamed finds the preset of today's name.
     [[nodiscard]] std::optional<Preset> find(PresetKind kind, const std::string& name);
-    // The names of presets that can be chosen, in the order of their bundle.
+    // The names of presets in added bundles that a user can choose, in the order of the bundle.
     [[nodiscard]] std::vector<std::string> names(PresetKind kind) const;
-    // All that a user can choose: those of bundles, then files of OrcaSlicer, Bambu Studio and the user's own.
+    // All presets that a user can choose: first those in bundles, then those in files of their own.  Presets that only
+    // serve as bases for others are left out.
     [[nodiscard]] std::vector<KnownPreset> known(PresetKind kind);
-    // The settings of a preset with all that it inherits; `missing` gets a sentence for each preset that is not found.
+    // The settings of a preset with all inherited ones.  `missing` gets a sentence for each parent that is not found.
+    // Throws Error(bad_input) for a preset that inherits from itself.
     std::vector<SlicerSetting> whole(const Preset& preset, std::vector<std::string>& missing);
 
   private:
@@ -60,7 +64,7 @@ class PresetShelf {
     struct Bundled {
         std::map<Key, Preset> presets;
         std::vector<Key> order;
-        std::map<Key, std::string> renamed; // an old name: the name of today
+        std::map<Key, std::string> renamed; // by the old name: the present name
     };
     static void read_bundle(const std::string& text, const std::string& file, Bundled& into);
     static const Preset* in(const Bundled& bundled, const Key& key);
@@ -70,23 +74,25 @@ class PresetShelf {
     const Bundled& vendors();
 
     PresetFolders folders_;
-    Bundled own_;                    // of add_bundle
-    std::optional<Bundled> vendors_; // of the slicers' folders, read when first needed
+    Bundled own_;                    // from add_bundle()
+    std::optional<Bundled> vendors_; // from bundles in slicers' folders; none: not read yet
 };
 
-// The preset that a JSON object or lines without sections are.
+// The preset in a text: a JSON object, or lines "name = value" without sections.  `file`: where the text comes from.
 Preset preset_of(const std::string& text, const std::string& file);
 
-// The settings of the named presets; kinds without a name get the preset that the printer names as its default.  `file`
-// is for messages.  Throws Error(usage) for an unknown name.
+// The settings of the named presets.  A kind without a name gets the default preset of the printer.  `file`: for
+// messages.  Throws Error: usage for an unknown name, bad_input for a preset that inherits from itself.
 SlicerFile settings_of_presets(PresetShelf& shelf, PresetNames names, const std::string& file);
 
-// The settings of the presets named in a bundle: what is not named is what the printer names as its default, or what
-// the bundle's section [presets] names. Throws Error: usage for an unknown name, bad_input where nothing says which
-// printer is meant.
+// The settings of presets in the bundle `text`.  If `wanted` names no preset, the bundle's section [presets] names
+// them; without that section, a bundle with a single printer means that printer.  A kind that is still without a name
+// gets the default preset of the printer.  Throws Error: usage for an unknown name, bad_input if no preset is named in
+// any of these ways.
 SlicerFile bundle_settings(const std::string& text, const NamedPresets& wanted);
 
-// The settings of a preset's text with all that it inherits.
+// The settings of the preset in `text`, with all inherited ones.  Presets that PrusaSlicer and SuperSlicer save are
+// complete already.
 SlicerFile preset_settings(const std::string& text, const std::string& file);
 
 } // namespace filum::app::filum

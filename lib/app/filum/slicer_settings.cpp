@@ -22,8 +22,8 @@ std::string set(std::string_view key, double value) { return "--set=" + std::str
 
 constexpr double kNoFlowLimit = 1e5; // mm3/s: more than any hot end melts
 
-// How the words of one setting are made; none: it asks for what Filum does anyway.  Throws Error for a value that has
-// no meaning here.
+// Makes the words of one setting; none if Filum does anyway what the setting asks for.  Throws Error for a value that
+// has no meaning in Filum.
 class Reader {
   public:
     Reader(const SlicerValues& values, Words& remarks) : values_(values), remarks_(remarks) {}
@@ -45,13 +45,13 @@ class Reader {
         }
         if (row.reading == "celsius") return celsius(key, row);
         if (row.reading == "acceleration") return accelerations(key, row);
-        if (row.reading == "flow") // 0: without a limit
+        if (row.reading == "flow") // 0 means no limit
             return {set(row.target, values_.number(key) > 0 ? values_.number(key) : kNoFlowLimit)};
         if (row.reading == "supported")
             return supports() && !values_.percent(key) && values_.number(key) > 0
                        ? Words{option(row.target, values_.number(key))}
                        : Words{};
-        if (row.reading == "base" || row.reading == "machine") return {}; // machine_of reads those
+        if (row.reading == "base" || row.reading == "machine") return {}; // machine_of reads these settings
         return by_name(key, row, value);
     }
 
@@ -66,7 +66,7 @@ class Reader {
   private:
     Words positive(const std::string& key, const SettingRow& row, bool negative_too) {
         double number = values_.percent(key) ? values_.share_of(key, row) : values_.number(key);
-        // PrusaSlicer's is positive, SuperSlicer's negative where the first layer becomes smaller
+        // To make the first layer smaller, the value is positive in PrusaSlicer and negative in SuperSlicer.
         if (row.reading == "foot" && key == "first_layer_size_compensation") number = -number;
         if (number > 0 || (negative_too && number != 0)) return {option(row.target, number)};
         return {};
@@ -78,12 +78,12 @@ class Reader {
         return {option(row.target, 1)};
     }
 
-    // Layers, or as many more as a least thickness needs; none at all is none.
+    // The number of layers, or more if the least thickness (row.of, mm) needs more.  0 layers stay 0.
     Words shell(const std::string& key, const SettingRow& row) {
         const double layers = values_.number(key), height = values_.number_or("layer_height", 0);
         const double thickness = values_.number_or(std::string(row.of), 0);
         if (!(layers > 0 && height > 0 && thickness > 0)) return {option(row.target, layers)};
-        const double needed = std::ceil(std::round(thickness / height * 1e6) / 1e6); // no digits of rounding
+        const double needed = std::ceil(std::round(thickness / height * 1e6) / 1e6); // without rounding errors
         return {option(row.target, std::max(layers, needed))};
     }
 
@@ -99,7 +99,7 @@ class Reader {
         return {};
     }
 
-    // Values that are words, or flags.
+    // Converts values that are words or flags.  Throws Error(usage) for a value that Filum does not have.
     Words by_name(const std::string& key, const SettingRow& row, const std::string& value) {
         constexpr std::pair<std::string_view, Value> kReadings[] = {{"pattern", Value::pattern},
                                                                     {"seam", Value::seam},
@@ -113,7 +113,7 @@ class Reader {
         throw Error(Exit::usage, "Filum has no '" + value + "'");
     }
 
-    // Settings that several keys make together; the first of them that stands in the file makes them.
+    // Settings that depend on several keys.  The first of these keys that is set makes the words, the others make none.
     Words special(const std::string& key, const SettingRow& row) {
         if (row.target == "bead-width")
             return first_of(key, {"extrusion_width", "line_width", "nozzle_diameter"}) ? width() : Words{};
@@ -151,14 +151,14 @@ class Reader {
         std::string key;
         for (const char* k : {"extrusion_width", "line_width", "perimeter_extrusion_width", "inner_wall_line_width"})
             if (key.empty() && values_.number_or(k, 0) > 0) key = k;
-        if (key.empty()) // the slicer chooses it
+        if (key.empty()) // the slicer chooses the width
             return nozzle > 0 ? Words{option("bead-width", nozzle)} : Words{};
         if (!values_.percent(key)) return {option("bead-width", values_.number(key))};
         const double wide = nozzle > 0 ? nozzle : 0.4, layer = values_.number_or("layer_height", 0.2);
         const double share = values_.number(key) / 100;
         const bool of_layer =
             values_.width_is_of_layer() && !(values_.slicer() == Slicer::unknown && share * layer < wide);
-        const double mm = std::round(share * (of_layer ? layer : wide) * 1e6) / 1e6; // no digits of rounding
+        const double mm = std::round(share * (of_layer ? layer : wide) * 1e6) / 1e6; // without rounding errors
         remarks_.push_back(key + " = " + values_.text(key) + " taken of the " + (of_layer ? "layer height" : "nozzle") +
                            ", as " + (values_.slicer() == Slicer::unknown ? "SuperSlicer" : name_of(values_.slicer())) +
                            " does: " + shortest_text(std::max(mm, wide)) + " mm" +
@@ -180,8 +180,8 @@ class Reader {
         return {};
     }
 
-    // The fan by the time that a layer takes, and the least time of a layer, as in PrusaSlicer, OrcaSlicer and Bambu
-    // Studio. The latter two have other names and other defaults.
+    // The fan speed, which depends on the time of a layer, and the least time of a layer.  The rules are those of
+    // PrusaSlicer, OrcaSlicer and Bambu Studio; the latter two have other names and defaults.
     Words cooling() {
         const bool orca = values_.of_orca();
         const auto of = [&](const char* prusa, const char* orcas, double otherwise) {
@@ -222,7 +222,8 @@ class Reader {
         return out;
     }
 
-    // mm/s2; 0 is the acceleration of everything else, and a percentage is one of another acceleration.
+    // The acceleration in mm/s2; 0: unknown.  The value 0 stands for the acceleration of the key row.of, and a
+    // percentage refers to it.
     double acceleration(const std::string& key, const SettingRow& row, int depth = 0) const {
         const std::string base = values_.of_orca() || key != "default_acceleration" ? std::string(row.of) : "";
         const double own = values_.number_or(key, 0);
@@ -241,7 +242,8 @@ class Reader {
         return {};
     }
 
-    // PrusaSlicer says what is lost, at most 10 %; OrcaSlicer and SuperSlicer what is left, partly by the same name.
+    // PrusaSlicer's value is the lost percentage, at most 10.  OrcaSlicer's and SuperSlicer's value is the percentage
+    // that remains, partly under the same key.  So a value above 10 is one that remains.
     Words shrinkage() {
         const auto lost = [&](const char* key, bool left) {
             const double value = values_.text(key).empty() ? (left ? 100 : 0) : values_.number(key);
@@ -255,8 +257,8 @@ class Reader {
         return {"--shrinkage=" + flat + "," + flat + "," + shortest_text(std::max(z, 0.0))};
     }
 
-    // Filum's first value moves all outlines, holes, too; its second one widens holes on top of that.  PrusaSlicer has
-    // the first; OrcaSlicer's and SuperSlicer's leaves holes alone, and another one moves them.
+    // Filum's --xy-compensation moves all outlines, including holes, and --hole-compensation widens holes in addition.
+    // PrusaSlicer has the first.  In OrcaSlicer and SuperSlicer one key moves outer outlines, and others move holes.
     Words compensation() {
         const auto mm = [&](const char* key) { return values_.number_or(key, 0); };
         double outline = mm("xy_size_compensation"), holes = 0;

@@ -1,4 +1,4 @@
-// What the settings of a slicer ask of Filum, each value read as that slicer reads it.
+// Translates the settings of a slicer to options of Filum.  Each value is read as that slicer reads it.
 #pragma once
 
 #include "app/filum/slicer_table.hpp"
@@ -13,22 +13,26 @@ namespace filum::app::filum {
 struct ReadSetting {
     std::string key, value;
     Use use = Use::unknown;
-    std::string why{};                // it is not used
-    std::vector<std::string> words{}; // options of `print`; none where it asks for what Filum does anyway
+    std::string why{};                // why the setting is not used
+    std::vector<std::string> words{}; // options of `print`; none if Filum does anyway what the setting asks for
 };
 
 struct SlicerWishes {
     std::vector<ReadSetting> settings; // in the order of the file
-    std::vector<std::string> words;    // all options, each once
-    std::vector<std::string> remarks;  // on values that were not taken as they stand
-    bool supports = false;             // are asked for,
-    bool supports_by_hand = false;     // only where bodies or painted faces say
+    std::vector<std::string> words;    // the options of all settings
+    std::vector<std::string> remarks;  // values that were changed, a sentence for each
+    bool supports = false;             // the settings ask for supports
+    bool supports_by_hand = false;     // supports are wanted only at bodies and painted faces that ask for them
 };
 
-// Values are read so: 0 is zero, but where a slicer means "by itself" with it; a percentage is one of what that slicer
-// takes it of (a width in SuperSlicer and OrcaSlicer of the nozzle, in PrusaSlicer and Slic3r of the layer; a speed of
-// another speed); a density without "%" up to 1 is a share in Slic3r's files; of a list the item of the extruder that
-// prints perimeters; `nil` is not set.  `has`: whether a stage has an option of that name.
+// The options that the settings of a file ask for.  `has`: whether a stage has an option of that name.  Rules for
+// values:
+//   - 0 means zero, except where the slicer takes it as "automatic".
+//   - A percentage refers to the same quantity as in that slicer.  A width refers to the nozzle in SuperSlicer and
+//     OrcaSlicer, and to the layer height in PrusaSlicer and Slic3r.  A speed refers to another speed.
+//   - A density without "%" that is at most 1 is a fraction, except in OrcaSlicer and Bambu Studio.
+//   - Of a list, the item of the extruder that prints perimeters counts.
+//   - `nil` means not set.
 SlicerWishes wishes(const SlicerFile& file, const std::function<bool(std::string_view)>& has);
 
 } // namespace filum::app::filum

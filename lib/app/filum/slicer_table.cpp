@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-// The file between two labels, by the assembler: FILUM_SETTINGS is given by the build.
+// The assembler embeds the file FILUM_SETTINGS, which the build names, between two labels.
 __asm__(".section .rodata\n.global filum_settings\nfilum_settings:\n.incbin \"" FILUM_SETTINGS
         "\"\n.global filum_settings_end\nfilum_settings_end:\n.byte 0\n.previous\n");
 extern "C" const char filum_settings[], filum_settings_end[];
@@ -44,7 +44,7 @@ std::vector<Line> lines() {
     return out;
 }
 
-// Whether a key is as the pattern, in which one or two * stand for anything.
+// Whether a key matches the pattern; each * in it stands for any text.
 bool fits(std::string_view key, std::string_view pattern) {
     const auto star = pattern.find('*');
     if (star == std::string_view::npos) return key == pattern;

@@ -1,4 +1,4 @@
-// The table of slicers' settings, settings.tsv, which the build puts into the program.
+// The table of slicers' settings, settings.tsv.  The build embeds it in the program.
 #pragma once
 
 #include "app/filum/slicer_file.hpp"
@@ -10,26 +10,26 @@ namespace filum::app::filum {
 
 enum class Use : std::uint8_t {
     used,
-    none,  // it has no meaning here
-    later, // it has one, but Filum does not use it yet
-    harm,  // the same, and a print without it can go wrong
-    unknown
+    none,   // the setting has no meaning in Filum
+    later,  // the setting has a meaning, but Filum does not use it yet
+    harm,   // as `later`, and a print without the setting can go wrong
+    unknown // the table has no row for the setting
 };
 
-// One row; empty where the table has a '-'.
+// One row of the table; a cell with '-' is empty here.
 struct SettingRow {
     Use use = Use::unknown;
-    std::string_view target;  // our option, or a key of the machine's profile
-    std::string_view reading; // how the value becomes one of ours; see slicer_settings.cpp
+    std::string_view target;  // Filum's option, or a key of the machine profile
+    std::string_view reading; // how the value is converted; see slicer_settings.cpp
     std::string_view of;      // the key that a percentage refers to
     std::string_view usual;   // the slicer's default
-    std::string_view why;     // it is not used
+    std::string_view why;     // why the setting is not used
 };
 
-// Keys that the slicer has a value for where a preset lacks it, with that value.
+// The default values of the slicer, for keys that its presets may lack.
 std::vector<SlicerSetting> defaults_of(Slicer slicer);
 
-// The first row that fits; one of unknown use if there is none.
+// The first row of the table that fits the key and the slicer.  Without one, a row whose `use` is Use::unknown.
 SettingRow row_of(std::string_view key, Slicer slicer);
 
 } // namespace filum::app::filum

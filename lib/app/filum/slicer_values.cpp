@@ -11,7 +11,7 @@ namespace filum::app::filum {
 
 namespace {
 
-constexpr int kDeepestShare = 8; // percentages of percentages
+constexpr int kDeepestShare = 8; // most percentages that refer to each other
 
 } // namespace
 

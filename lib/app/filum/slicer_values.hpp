@@ -1,4 +1,4 @@
-// The values of one file of settings, as numbers.
+// Reads the values in one file of a slicer's settings as numbers.
 #pragma once
 
 #include "app/filum/slicer_table.hpp"
@@ -14,29 +14,32 @@ class SlicerValues {
 
     [[nodiscard]] Slicer slicer() const { return slicer_; }
     [[nodiscard]] bool of_orca() const { return slicer_ == Slicer::orca || slicer_ == Slicer::bambu; }
-    // Whether a width in per cent is one of the layer's height, not of the nozzle.
+    // True if a width in percent refers to the layer height, false if it refers to the nozzle.
     [[nodiscard]] bool width_is_of_layer() const { return !of_orca() && slicer_ != Slicer::super; }
 
-    // The item of the extruder that prints perimeters, without quotes; "" for a key that is missing or nil.
+    // The value without quotes; of a list the item of the extruder that prints perimeters, or the first item if the
+    // list is shorter.  "" for a key that is missing or nil.
     [[nodiscard]] std::string text(const std::string& key) const;
     [[nodiscard]] bool percent(const std::string& key) const { return text(key).ends_with('%'); }
-    // Without its '%'.  Throws Error(usage) if it is no number.
+    // The number, without a '%' behind it.  Throws Error(usage) if the value is no number.
     [[nodiscard]] double number(const std::string& key) const;
     [[nodiscard]] double number_or(const std::string& key, double otherwise) const;
 
-    // A percentage of the value of row.of, or of that key's default.
+    // The percentage `key`, applied to the value of the key row.of; without one, to the default value of that key.
     [[nodiscard]] double share_of(const std::string& key, const SettingRow& row) const;
-    // mm/s; 0: the slicer chooses it.
+    // The speed in mm/s; 0: the slicer chooses the speed.  `depth`: how many percentages refer to each other so far.
+    // Throws Error(usage) for a percentage that refers to nothing.
     [[nodiscard]] double speed(const std::string& key, const SettingRow& row, int depth = 0) const;
-    // %; Slic3r kept shares, .4 for 40 %, and PrusaSlicer still reads them so.
+    // The density in percent.  Slic3r wrote fractions (0.4 for 40 %), and PrusaSlicer still reads them so.  Thus a
+    // value up to 1 without '%' is a fraction, except in files of OrcaSlicer and Bambu Studio.
     [[nodiscard]] double density(const std::string& key) const;
-    // Whether the filament has a value of its own for what this key says of the printer.
+    // Whether the key "filament_" + `key` is set, which replaces the value of `key`.
     [[nodiscard]] bool overridden(const std::string& key, const SettingRow& row) const;
 
   private:
     Slicer slicer_;
     std::map<std::string, std::string> values_;
-    std::size_t extruder_ = 0; // from 0
+    std::size_t extruder_ = 0; // the one that prints perimeters, from 0
 };
 
 } // namespace filum::app::filum

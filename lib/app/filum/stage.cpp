@@ -39,7 +39,7 @@ std::vector<std::string> path_folders() {
     return out;
 }
 
-// The first program of that name on the PATH, or "".
+// The path of the first program of that name on the PATH, or "".
 std::string on_path(const std::string& name) {
     for (const std::string& folder : path_folders())
         if (const fs::path file = fs::path(folder) / name; is_program(file)) return file.string();
@@ -84,7 +84,8 @@ std::vector<std::string> stage_names() {
 
 namespace {
 
-// "NAME REST" for the option of that name.
+// Parses the line "NAME REST" and adds REST to the option NAME: as its default if `key` is "default", else as its
+// condition.
 void add_to_option(Stage& stage, const std::string& key, const std::string& line) {
     const auto space = std::min(line.find(' '), line.size());
     const std::string rest = line.substr(std::min(space + 1, line.size()));
@@ -142,7 +143,7 @@ Stage foreign(const Stage& stage, const std::string& file) {
     try {
         text = output_of({found, "--print-contract"}, true);
     } catch (const Error&) {
-        return out; // it knows nothing of contracts: then it takes no options
+        return out; // it has no contract, so it takes no options
     }
     Stage said = answered(out, text);
     const std::vector<StageOption> options = said.options;

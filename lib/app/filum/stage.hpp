@@ -1,4 +1,4 @@
-// The stages as programs: where they are, and what they say about themselves.
+// The stages as programs: finds them and reads their contracts.
 #pragma once
 
 #include <string>
@@ -10,30 +10,31 @@ struct StageOption {
     std::string name;
     bool takes_value = false;
     std::string value = {}; // its default
-    std::string needs = {}; // as cli::Option::when
+    std::string needs = {}; // the condition under which it has an effect, as in cli::Option::when
 };
 
-// What a stage answers to --print-contract.
+// The answer of a stage to --print-contract.
 struct Stage {
     std::string name;
-    std::string program; // its file
+    std::string program; // path of its file
     std::string synopsis, in, out;
     std::vector<StageOption> options;
 };
 
-// The folder of the stages: ../libexec/filum of this program's own folder once installed, else that folder itself.
-// Throws Error(failure).
+// The folder of the stages.  In an installation it is ../libexec/filum, seen from the folder of this program; otherwise
+// it is the folder of this program.  Throws Error(failure) if that is unknown.
 std::string stage_folder();
 
-// The folder above this program's own: the install prefix.
+// The install prefix: the parent of the folder of this program.
 std::string prefix();
 
-// The file of a stage.  Throws Error(usage) if there is none of that name.
+// The path of the program of a stage.  Throws Error(usage) if there is no stage of that name.
 std::string stage_program(const std::string& name);
 
 bool is_stage(const std::string& name);
 
-// The planar chain, first to last, and those of it that take part only where one of their own options is given.
+// The stages of the planar chain, first to last.  kByWish: those that run only if the user gives one of their own
+// options.
 inline constexpr const char* kPlanar[] = {"slice",    "regions", "vase",   "skins",   "supports",
                                           "sequence", "fill",    "link3d", "postproc"};
 inline constexpr const char* kByWish[] = {"vase", "skins", "supports"};
@@ -41,16 +42,17 @@ inline constexpr const char* kByWish[] = {"vase", "skins", "supports"};
 // Names of all stages, in alphabetical order.
 std::vector<std::string> stage_names();
 
-// A program of somebody's own in place of `stage`: it takes the options that it answers with to --print-contract, or
-// none where it does not answer.  Throws Error(usage) if the file is no program.
+// A program of the user's own in place of `stage`.  Its options are those of its answer to --print-contract; without an
+// answer it has none.  `file` without a '/' is searched on the PATH.  Throws Error(usage) if the file is no program.
 Stage foreign(const Stage& stage, const std::string& file);
 
-// Programs "filum-NAME" on the PATH, by NAME and in its order; none that hide a stage.
+// The NAMEs of programs "filum-NAME" on the PATH, in alphabetical order.  Names of stages are left out.
 std::vector<std::string> extra_names();
-// The file of one, or "".
+// The path of the program "filum-NAME", or "".
 std::string extra_program(const std::string& name);
 
-// Asks the stage.  Throws Error: usage if there is none of that name, failure if it gives no answer.
+// Runs the stage with --print-contract and parses its answer.  Throws Error: usage if there is no stage of that name,
+// failure if it gives no answer.
 Stage ask(const std::string& name);
 
 } // namespace filum::app::filum

@@ -14,8 +14,8 @@ namespace filum::app::filum {
 
 namespace {
 
-constexpr int kPoll = 100;    // ms between two looks
-constexpr double kUnseen = 1; // s before anything is shown
+constexpr int kPoll = 100;    // ms between two updates
+constexpr double kUnseen = 1; // s before the line appears
 
 struct Done {
     std::uint64_t done = 0, expected = 0;

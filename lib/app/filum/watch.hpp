@@ -1,4 +1,4 @@
-// How far a chain of stages is, on a terminal.
+// Shows the progress of a chain of stages on a terminal.
 #pragma once
 
 #include "app/filum/process.hpp"
@@ -8,9 +8,9 @@
 
 namespace filum::app::filum {
 
-// run_piped, with a line on standard error that is drawn anew: the first stage that has not ended, how far it says it
-// is, and since when the chain runs.  Stages are told by the environment variable FILUM_PROGRESS where to write lines
-// "NAME DONE EXPECTED" (cli::Progress does).
+// As run_piped, with a line on standard error that is updated: the first stage that has not ended, its progress, and
+// the seconds since the start.  The environment variable FILUM_PROGRESS holds the number of the file descriptor to
+// which stages write lines "NAME DONE EXPECTED" (see cli::Progress).  `names`: the names of the stages.
 std::vector<Ended> run_watched(const std::vector<Command>& commands, const std::vector<std::string>& copies,
                                const std::vector<std::string>& names, Speakers speakers);
 

@@ -7,7 +7,7 @@ namespace filum::app::filum {
 
 namespace {
 
-constexpr const char* kVase = "vase"; // it takes the place of `skins`
+constexpr const char* kVase = "vase"; // it replaces `skins`
 
 bool has(const Stage& stage, const std::string& name) {
     return std::any_of(stage.options.begin(), stage.options.end(),
@@ -18,7 +18,7 @@ std::string option_in(const std::string& word) {
     return word.starts_with("--") ? word.substr(2, word.find('=') - 2) : "";
 }
 
-// Whether one of the words names the stage, as --skins.walls=3 does.
+// Whether one of the words names the stage, such as --skins.walls=3.
 bool named(const std::vector<std::string>& words, const Stage& stage) {
     return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
         return word.starts_with("--" + stage.name + ".") || word.starts_with("--stage=" + stage.name + "=") ||
@@ -26,7 +26,8 @@ bool named(const std::vector<std::string>& words, const Stage& stage) {
     });
 }
 
-// Whether no other stage has the option.  Those that `vase` shares with `skins` do not ask for a vase.
+// Whether the stage has the option and no other stage has it.  Options of `vase` do not count, since it shares them
+// with `skins`.
 bool only_in(const Stage& stage, const std::string& name, const std::vector<Stage>& stages) {
     return has(stage, name) && std::none_of(stages.begin(), stages.end(), [&](const Stage& other) {
                return other.name != stage.name && other.name != kVase && has(other, name);
