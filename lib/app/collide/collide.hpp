@@ -1,4 +1,4 @@
-// The whole job of `collide`: a toolpath or a program in, checked against everything that is given.
+// The whole job of `collide`: checks a toolpath or a program for collisions.
 #pragma once
 
 #include "app/collide/surroundings.hpp"
@@ -10,13 +10,13 @@
 namespace filum::app::collide {
 
 struct Options : Surroundings {
-    std::string program;             // machine code to check instead of a toolpath
-    std::string format = "table";    // of the program's figures
+    std::string program;             // file of machine code, checked instead of a toolpath
+    std::string format = "table";    // format of the program's figures
     std::vector<double> bead, shift; // see collision/program.hpp
 };
 
-// Passes the toolpath on with what was found, or writes the figures of the program.  Throws Error(failure) with the
-// place at a collision, if `strict`; Error(usage) for options that do not go together.
+// Writes the toolpath with notes and facts on its collisions, or the figures of the program.  Throws Error: failure at
+// a collision, with its place, if `strict`; usage for options that do not go together.
 void run(const Options& options, const cli::Io& io);
 
 } // namespace filum::app::collide

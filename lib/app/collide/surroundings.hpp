@@ -1,4 +1,4 @@
-// What the commands about collisions are told of the machine and of what stands there: `collide` and `route` alike.
+// The machine and the obstacles, as `collide` and `route` take them from their options.
 #pragma once
 
 #include "cli/spec.hpp"
@@ -14,13 +14,14 @@ struct Surroundings {
     collision::Options check;
     machine::HeadChoice head;
     std::string machine;       // profile: name or file; "": three axes and the head alone
-    std::string set;           // changes to the profile
-    std::string part, fixture; // mesh files, commas between
-    std::string places;        // file for the list of collisions
+    std::string set;           // changes to the profile: KEY=VALUE,...
+    std::string part, fixture; // names of mesh files, with commas between; obstacles from the start
+    std::string places;        // file for the list of collisions (TSV); "": none
     bool bed = false, strict = true;
 };
 
-// The options that fill it, and those of them that stand together in the help, but for the head's.
+// options(): the options that fill `to`.  group(): those of them that form one group in the help; the options of the
+// head have a group of their own.
 std::vector<cli::Option> options(Surroundings& to);
 cli::Group group();
 
