@@ -10,7 +10,7 @@ namespace filum::app::geodesic {
 
 namespace {
 
-// Notes a surface that faces inwards: its path would be printed from the inside.
+// Adds a note on components that face inwards, since their paths would be printed from the inside.
 void tell_inward(const surface::Surface& s, Notes& notes) {
     const surface::InwardArea in = surface::inward(s);
     if (in.components > 0)
@@ -36,7 +36,7 @@ filum::geodesic::Sources sources(const Options& o, const Model& model, cli::Io& 
 } // namespace
 
 void run(const Options& o, const cli::Io& io) {
-    cli::Io self = io; // with what identifies the input
+    cli::Io self = io; // its settings get the checksum of the input
     Model m = read(o.place, self, o.step);
     if (o.mesh.empty()) cli::step_idle(io, m.step);
     Facts facts = shape(m, o.shape, o.place, self);

@@ -1,4 +1,4 @@
-// The whole job of `geodesic`: a model in, a surface with distances out.
+// The whole job of `geodesic`: reads a model and writes a surface with distances.
 #pragma once
 
 #include "app/geodesic/shape.hpp"
@@ -11,14 +11,14 @@ namespace filum::app::geodesic {
 struct Options {
     mesh::Placement place;
     Shaping shape;
-    std::string source; // where distance is 0, in the words of geodesic::named_sources; none: only the surface is made
-    std::string lines, mesh; // files of further sources
+    std::string source;      // where the distance is 0, as geodesic::named_sources has it; "": no distances
+    std::string lines, mesh; // names of files with further sources
     filum::geodesic::Options measure;
     mesh::step::Tessellation step;
 };
 
-// Reads, shapes, measures and writes the model.  Throws Error as those do; usage for isolines or sides without a
-// source.
+// Reads and shapes the model, measures distances, and writes the surface.  Throws Error as read(), shape(),
+// geodesic::measure and write(); usage for isolines or sides without a source.
 void run(const Options& options, const cli::Io& io);
 
 } // namespace filum::app::geodesic

@@ -13,7 +13,7 @@ using cli::Option;
 
 namespace {
 
-// mm; 0: do not.
+// The side length of triangles, mm; 0: no remeshing.  Throws Error(usage) for other text.
 double side(const std::string& remesh) {
     const double out = parse_number(remesh, "--remesh");
     if (!(out == 0 || (out >= 0.001 && out <= 1e6)))
@@ -73,7 +73,8 @@ Facts shape(Model& model, const Shaping& how, const mesh::Placement& place, cli:
         now = surface::cut(now, solid, how.keep == Keep::inside, model.notes);
     }
     if (remesh) now = remeshed(now, how, model.notes, facts);
-    if (!how.cut.empty() || !how.cut_mesh.empty() || remesh) model.of_file.clear(); // other vertices
+    if (!how.cut.empty() || !how.cut_mesh.empty() || remesh)
+        model.of_file.clear(); // the vertices are no longer those of the file
     sheet.fields = surface::curve::transferred(sheet.surface, sheet.fields, now);
     sheet.faces = surface::curve::transferred_faces(sheet.surface, sheet.faces, now);
     const auto gone = [&](NoteCode code, std::size_t count) {
