@@ -1,4 +1,4 @@
-// The whole job of `ingest`: a program in, a toolpath out.
+// The whole job of `ingest`: reads a program and writes its toolpath.
 #pragma once
 
 #include "cli/command.hpp"
@@ -9,8 +9,8 @@
 namespace filum::app::ingest {
 
 struct Options : filum::ingest::Options {
-    long plate = 0;           // of a project, from 1; 0: the first
-    std::string machine, set; // profile; none: three axes and an extruder word E
+    long plate = 0;           // number of the plate in a project, from 1; 0: the first plate
+    std::string machine, set; // profile and changes to it; "": three axes and an extruder word E
 };
 
 void run(const Options& options, const cli::Io& io);
