@@ -59,7 +59,7 @@ void add_trims(const Laminate& made, std::size_t stroke, std::string& to) {
     }
 }
 
-// Of several surfaces each tells its own name.
+// Adds the notes and facts of one surface to those of all.  They get the name of the surface (`patch`).
 void gather(Laminate& made, const std::string& patch, cli::Whole& all) {
     for (Note& n : made.notes) {
         n.patch = patch;
