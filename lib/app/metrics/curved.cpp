@@ -9,7 +9,7 @@ namespace filum::app::metrics {
 
 namespace {
 
-// Options that speak of layers.
+// Refuses options that have a meaning for layers only.  Throws Error(usage).
 void refuse(const filum::metrics::planar::Options& o) {
     for (const auto& [name, given] : {std::pair{"--regions", !o.regions.empty()},
                                       {"--per-region", !o.per_region.empty()},

@@ -29,7 +29,7 @@ const surface::Field* field(const surface::Sheet& sheet, const std::string& name
     return nullptr;
 }
 
-// The direction that ply k should follow.
+// The requested direction of ply k, counted from 0.
 RequestedDirection requested_direction(const surface::Sheet& sheet, const Facts& facts, std::size_t k) {
     const double* angle = fact(facts, "ply." + std::to_string(k + 1) + ".asked");
     const double *x = fact(facts, "reference-x"), *y = fact(facts, "reference-y"), *z = fact(facts, "reference-z");
@@ -40,7 +40,8 @@ RequestedDirection requested_direction(const surface::Sheet& sheet, const Facts&
     return {{}, 0, cases.empty() ? nullptr : cases.front().d1};
 }
 
-// The surface in triangles with sides of a bead's width, as plies are raised on, with the fields that count here.
+// The surface with triangles whose sides are about `width` (a bead's width, mm) long, with the fields that the map
+// needs.
 surface::Sheet finer(const surface::Sheet& given, double width) {
     surface::Sheet out{surface::finer(given.surface, width).surface, {}, {}};
     std::vector<surface::Field> kept;

@@ -1,4 +1,4 @@
-// The whole job of `metrics`: streams in, figures out.
+// The whole job of `metrics`: reads streams and writes figures.
 #pragma once
 
 #include "cli/command.hpp"
@@ -8,14 +8,14 @@
 namespace filum::app::metrics {
 
 struct Options {
-    filum::metrics::planar::Options plane;   // of layers
-    filum::metrics::surface::Options curved; // of paths on a surface
-    std::string surface, voids, map;         // files
+    filum::metrics::planar::Options plane;   // for toolpaths in layers
+    filum::metrics::surface::Options curved; // for paths on a surface
+    std::string surface, voids, map;         // names of files; "": none
 };
 
-// Measures the input, and writes all tables that are asked for.  With `surface` the input is a path on it, and what
-// tells of layers is left out.  Throws Error(usage) for options that do not go together, Error(bad_input) for streams
-// of another kind.
+// Measures the input and writes all requested tables.  With `surface` the input is a path on that surface, and figures
+// on layers are left out.  Throws Error: usage for options that do not go together, bad_input for a stream of another
+// kind.
 void run(const Options& options, const cli::Io& io);
 
 } // namespace filum::app::metrics

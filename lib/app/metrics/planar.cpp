@@ -35,7 +35,7 @@ filum::metrics::figures::Figures planar(const filum::metrics::planar::Options& g
                                          std::string(stream::name(payload)) + ", not Toolpath or Paths");
     filum::metrics::planar::Pace pace(profile);
     input.whole_program = payload == stream::Payload::toolpath;
-    bool level = true; // no bead lies on a curved surface
+    bool level = true; // all beads are flat, none lies on a curved surface
     while (auto f = reader.next()) {
         if (f->tag == stream::Tag::note) input.notes.push_back(stream::parse_note(f->body));
         if (f->tag == stream::Tag::fact) input.facts.push_back(stream::parse_fact(f->body));
