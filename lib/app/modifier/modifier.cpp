@@ -17,7 +17,7 @@ namespace filum::app::modifier {
 
 namespace {
 
-// Whether a note tells of a body of a slicer's project that reading its mesh leaves out.
+// Whether a note reports that reading the mesh has left out a body of a slicer's project.
 bool of_project(NoteCode code) {
     return code == NoteCode::project_modifier || code == NoteCode::project_support_body ||
            code == NoteCode::project_negative;
@@ -45,7 +45,7 @@ struct Levels {
     }
 };
 
-// The value that `slice` has told by this name; none if there is not exactly one.
+// The value of the setting `name` of `slice` in the history; none if there is not exactly one.
 std::optional<std::string> told(const stream::Header& header, const char* name) {
     std::optional<std::string> out;
     for (const stream::Run& run : header.history)
@@ -57,11 +57,11 @@ std::optional<std::string> told(const stream::Header& header, const char* name) 
     return out;
 }
 
-// A file whose contents go where the part went.
+// A file whose meshes are moved as the part was.
 struct Placed {
     std::string crc32c;
     mesh::File file;
-    geom::Affine map; // of its coordinates
+    geom::Affine map; // from the coordinates of the file to those of the layers
 
     void move(mesh::Mesh& mesh, const std::string& path) const {
         try {
@@ -80,21 +80,21 @@ Placed load(const std::string& path, const stream::Header& header, Notes& notes)
                                          "settings go with a single part, as this 'slice' puts it down");
     const mesh::Bytes bytes = mesh::load(path);
     const std::string crc = stream::crc32c_text(bytes.view());
-    // The part's own project has the same plate; other files have none.
+    // The plate of the part counts only if this file is the part's own project; otherwise plate 1 is read.
     const auto plate = told(header, "plate"), part = told(header, "input_crc32c");
     const int number = plate && part == crc ? std::stoi(*plate) : 1;
     Placed out{crc, mesh::step::read(bytes.view(), mesh::spoken_name(path), {}, number), *map};
-    if (mesh::states_unit(out.file.kind)) { // in mm, where the map takes the unit of the part's file
+    if (mesh::states_unit(out.file.kind)) { // it is in mm, but the map takes the unit of the part's file
         geom::Affine to_unit;
         for (int k = 0; k < 3; ++k) to_unit.a[k][k] = 1 / unit_in(header);
         out.map = geom::then(to_unit, *map);
     }
     for (const Note& n : out.file.notes)
-        if (!of_project(n.code)) notes.push_back(n); // the bodies that reading leaves out are wanted here
+        if (!of_project(n.code)) notes.push_back(n); // reading leaves out these bodies, but this file uses them
     return out;
 }
 
-// The outlines of a body in each layer from the first to the last.
+// The outlines of a body in each layer, indexed by layer number.
 std::vector<polygon::Loops> outlines(mesh::Mesh mesh, const Levels& levels, int threads, Notes& notes) {
     std::vector<polygon::Loops> out = levels.none();
     if (out.empty() || mesh.triangles.empty()) return out;

@@ -1,4 +1,4 @@
-// Bodies that say of places in a part what is to hold there.
+// Bodies that change settings, or ask for supports, in a place of a part.
 #pragma once
 
 #include "base/note.hpp"
@@ -13,53 +13,57 @@
 
 namespace filum::app::modifier {
 
-// The name and value by which `slice` tells where it put a part, a mark and no option: the map from the coordinates of
-// its file, in the file's own unit, to those of the layers.
+// The setting by which `slice` records in the history where it placed a part.  It is a mark, not an option.  Its value
+// is the map from the coordinates of the file, in the file's own unit, to those of the layers.
 stream::Setting placement_setting(const geom::Affine& map);
 
-// How long the unit of the part's file is, mm, told likewise; 1 where nothing is told.  Bodies in files without a unit
-// are in the part's.
+// The setting by which `slice` records the unit of the part's file, mm; and the unit that a history records, else 1.
+// Bodies in files without a unit have the unit of the part.
 stream::Setting unit_setting(double mm);
 double unit_in(const stream::Header& header);
 
-// The map that is told so in a history; none if there is not exactly one, as with several parts on a bed.
+// The map of the part in a history; none if the history does not record exactly one, as with several parts on a bed.
 std::optional<geom::Affine> placement_in(const stream::Header& header);
 
-// A body in a part: its outlines in each layer from the first to the last, empty where it is not, and its checksum.
+// A body in a part: its outlines in each layer, indexed by layer number and empty where the body is absent, and its
+// checksum.
 struct Body {
     std::vector<polygon::Loops> outlines;
     std::string crc32c;
 };
 
-// The body in file `path`, in the coordinates of the part's file: moved as that was, and cut at the same heights.
-// `notes` gets what was repaired, and that it meets no region.  Throws Error(bad_input) for a file that is no mesh, and
-// where nobody says how the part was moved.
+// The body in the file `path`, which has the coordinates of the part's file.  The body is moved as the part was, and
+// cut at the same heights.  `notes` gets a note on each repair, and one if the body meets no region.  Throws
+// Error(bad_input) for a file that is no mesh, and if `header` does not record how the part was moved.
 Body body(const std::string& path, const stream::Header& header, const std::vector<polygon::Region>& regions,
           int threads, Notes& notes);
 
-// Modifiers of a slicer's project, with their settings as that has them.
+// The modifiers of a slicer's project, with their settings as in the project.
 struct Project {
     struct Modifier {
-        std::vector<polygon::Loops> outlines; // as of Body
+        std::vector<polygon::Loops> outlines; // as in Body
         std::vector<std::pair<std::string, std::string>> settings;
     };
     std::vector<Modifier> bodies;
     std::string crc32c;
 };
 
-// Those of the project in file `path`, likewise.  Throws Error(bad_input), too, if it has none.
+// The modifiers of the project in the file `path`, moved and cut as by body().  Throws Error(bad_input) as body(), and
+// if the project has no modifiers.
 Project modifiers(const std::string& path, const stream::Header& header, const std::vector<polygon::Region>& regions,
                   int threads, Notes& notes);
 
-// Where supports are wanted, or not.
+// The places where supports are wanted, or not wanted.
 struct Places {
     Body body;
-    double painted = 0; // mm2 of faces that look down, painted so
+    double painted = 0; // mm2, area of painted faces that face down
 };
 
-// What file `path` says of that: of a slicer's project with enforcers, blockers or painted faces those that are
-// `wanted` or those that are not, where each layer leans out over the one below between painted faces; of others all
-// that lies within.  Throws Error(bad_input), too, for a project that says it of the other only.
+// The places for supports (`wanted`), or without supports, from the file `path`.  In a slicer's project with enforcers,
+// blockers or painted faces the places are the enforcers and the faces painted for supports, or the blockers and the
+// faces painted against them.  A painted face counts where a layer overhangs the one below.  In any other file the
+// place is the inside of the mesh. Throws Error(bad_input) as body(), and for a project that has only places of the
+// other kind.
 Places support_places(const std::string& path, bool wanted, const stream::Header& header,
                       const std::vector<polygon::Region>& regions, int threads, Notes& notes);
 

@@ -10,12 +10,12 @@ namespace {
 
 using geom::Vec3;
 
-// The normal of a triangle, twice as long as its area.
+// The normal of a triangle; its length is twice the area.
 Vec3 normal(const mesh::Mesh& m, const mesh::Triangle& t) {
     return cross(m.vertices[t[1]] - m.vertices[t[0]], m.vertices[t[2]] - m.vertices[t[0]]);
 }
 
-// What of a convex face lies on one side of height z: above (side 1) or below (-1).
+// The part of a convex face above (side 1) or below (side -1) the height z.
 std::vector<Vec3> beyond(const std::vector<Vec3>& face, double z, double side) {
     std::vector<Vec3> out;
     for (std::size_t i = 0; i < face.size(); ++i) {
@@ -36,7 +36,7 @@ std::vector<polygon::Loops> seen_from_below(const mesh::Mesh& faces, std::span<c
         if (normal(faces, t).z >= 0) continue;
         const std::vector<Vec3> face{faces.vertices[t[0]], faces.vertices[t[1]], faces.vertices[t[2]]};
         const auto [low, high] = std::minmax({face[0].z, face[1].z, face[2].z});
-        // the first level whose plane is not below the face
+        // The search begins at the first level whose plane is not below the face.
         auto at = std::ranges::lower_bound(levels, low - filum::slice::kLift, {}, &filum::slice::Level::plane);
         for (; at != levels.end(); ++at) {
             const double from = at == levels.begin() ? low : std::prev(at)->plane;
@@ -45,7 +45,8 @@ std::vector<polygon::Loops> seen_from_below(const mesh::Mesh& faces, std::span<c
                 beyond(beyond(face, from - filum::slice::kLift, 1), at->plane + filum::slice::kLift, -1);
             if (within.size() < 3) continue;
             polygon::Loops& to = out[layer[static_cast<std::size_t>(at - levels.begin())]];
-            for (std::size_t i = within.size(); i-- > 0;) to.points.push_back(within[i].xy()); // from above
+            for (std::size_t i = within.size(); i-- > 0;)
+                to.points.push_back(within[i].xy()); // reversed, so that it is counter-clockwise seen from above
             to.close();
         }
     }

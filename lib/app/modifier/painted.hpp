@@ -1,4 +1,4 @@
-// Painted faces, layer by layer.  Private to lib/app/modifier.
+// The areas of painted faces, layer by layer.  Private to lib/app/modifier.
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -11,12 +11,12 @@
 
 namespace filum::app::modifier {
 
-// What of the faces that look down lies between the plane of each level and that of the level below, seen from below:
-// there the layer leans out over the one below.  By the numbers of the levels' layers.
+// The parts of the downward faces between the plane of each level and that of the level below, projected along z. There
+// the layer overhangs the one below.  `layer`: the layer number of each level; the result is indexed by layer number.
 std::vector<polygon::Loops> seen_from_below(const mesh::Mesh& faces, std::span<const filum::slice::Level> levels,
                                             std::span<const std::uint32_t> layer);
 
-// mm2 of the faces that look down.
+// The area of the downward faces, mm2.
 double area_facing_down(const mesh::Mesh& faces);
 
 } // namespace filum::app::modifier
