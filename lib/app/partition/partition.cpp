@@ -10,8 +10,8 @@ namespace filum::app::partition {
 
 namespace {
 
-// The patches behind what the streams told that they come from, but for facts of this program: they speak of what was
-// before.
+// Writes the notes and facts of the input streams, then the patches.  Earlier facts of this program are left out, since
+// they describe earlier patches.
 void write(const std::vector<cli::Whole>& before, const std::vector<surface::Sheet>& patches, const Notes& notes,
            const Facts& facts, const cli::Io& self) {
     std::vector<const stream::Header*> headers;
@@ -32,7 +32,7 @@ void write(const std::vector<cli::Whole>& before, const std::vector<surface::She
 void run(const Options& o, const cli::Io& io) {
     filum::partition::Options how = o.how;
     how.pull.cases = filum::partition::words(o.cases, "case");
-    cli::Io self = io; // with what identifies the lines
+    cli::Io self = io; // its settings get the checksum of the lines
     if (!o.seam.empty())
         how.lines =
             filum::geodesic::read_lines(geodesic::load(o.seam, "seam_crc32c", self).view(), mesh::spoken_name(o.seam));

@@ -1,4 +1,4 @@
-// The whole job of `partition`: surfaces in, patches out.
+// The whole job of `partition`: reads surfaces and writes patches.
 #pragma once
 
 #include "cli/command.hpp"
@@ -10,13 +10,13 @@ namespace filum::app::partition {
 
 struct Options {
     filum::partition::Options how;
-    std::string cases, names, only; // words with commas between
-    std::string seam;               // file of lines that are borders
-    bool as_is = false;             // surfaces without a name are patches, too
+    std::string cases, names, only; // lists with commas between
+    std::string seam;               // file of lines that no patch crosses; "": none
+    bool as_is = false;             // a surface without a name is a patch, too
 };
 
-// Reads all inputs, divides what is no patch yet, names the patches and writes those asked for, with facts on each.
-// Throws Error as partition::divide, names and readers do.
+// Reads all inputs and divides the surfaces that are no patches yet.  Names the patches and writes the requested ones,
+// with facts on each.  Throws Error as partition::divide, the parsers of names and the readers.
 void run(const Options& options, const cli::Io& io);
 
 } // namespace filum::app::partition
