@@ -10,13 +10,13 @@ namespace {
 
 std::string number(double v) { return std::isfinite(v) ? shortest_text(v) : "null"; }
 
-// "name": value, with a comma before all but the first.
+// Appends "name":value to an object; a comma comes before each member except the first.
 void member(std::string& out, const std::string& name, const std::string& value) {
     if (out.back() != '{') out += ',';
     out += json_text(name) + ":" + value;
 }
 
-// "[f(a),f(b),...]".
+// The array "[f(a),f(b),...]" of all items a, b, ...
 template <class Range, class F>
 std::string array(const Range& all, const F& f) {
     std::string out = "[";

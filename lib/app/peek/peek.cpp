@@ -7,7 +7,7 @@ namespace filum::app::peek {
 
 namespace {
 
-// Prints the frames and sums them up.
+// Prints the frames and returns their summary.
 Summary read_frames(const Options& o, stream::Reader& reader, stream::Sink& out) {
     Summary summary;
     bool first = true;
@@ -37,7 +37,7 @@ void run(const Options& o, const cli::Io& io) {
     try {
         summary = read_frames(o, reader, out);
     } catch (const Error&) {
-        if (io.output == "-") out.commit(); // show how far it goes
+        if (io.output == "-") out.commit(); // show the part before the fault
         throw;
     }
     if (o.json)

@@ -1,4 +1,4 @@
-// A frame as `peek` shows it.
+// The content of a frame, as `peek` prints it.
 #pragma once
 
 #include "wire/record.hpp"
@@ -9,8 +9,8 @@ using wire::Record;
 using wire::Table;
 using wire::Word;
 
-// All that the frame says, and of a surface what follows from it: components, area, and rims as records.
-// Throws Error as wire::record.
+// The content of the frame.  For a surface the record also has derived values: components, area, and rims as nested
+// records.  Throws Error as wire::record.
 Record record(const stream::RawFrame& frame);
 
 } // namespace filum::app::peek

@@ -5,10 +5,10 @@ namespace filum::app::peek {
 
 namespace {
 
-// A setting whose name holds '_' is no option but a mark of the input, such as its checksum.
+// A setting with '_' in its name is not an option but a mark of the input, such as its checksum.
 bool is_option(const stream::Setting& s) { return s.name.find('_') == std::string::npos; }
 
-// The commands that lead to run `i`.  A run of several streams gets each as a process substitution.
+// The commands that lead to run `i`.  A run that reads several streams gets each by a process substitution.
 std::string pipeline(const stream::Header& header, std::size_t i, bool defaults) {
     const auto& run = header.history[i];
     std::string self = shell_word(run.program);

@@ -6,7 +6,7 @@ namespace filum::app::peek {
 
 namespace {
 
-// Those lie on what is told already: their areas and places would count again.
+// Whether other records already include the areas and places of this one, so that they would count twice.
 bool counts_again(const Record& record) {
     return record.kind == "overlap" || record.kind == "sources" || record.kind == "rim";
 }

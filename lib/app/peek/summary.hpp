@@ -12,7 +12,7 @@
 
 namespace filum::app::peek {
 
-// Least and greatest of one quantity.
+// The range of one quantity.
 struct Range {
     double lo = std::numeric_limits<double>::infinity(), hi = -std::numeric_limits<double>::infinity();
     void add(double v) {
@@ -23,18 +23,17 @@ struct Range {
 };
 
 struct Summary {
-    std::map<std::string, std::uint64_t>
-        records;                                // how many of each kind, nested ones included, notes and facts excluded
-    std::map<std::string, std::uint64_t> named; // how many with each role, join and such: "role bead"
-    std::map<std::string, double> areas;        // mm2, summed by name: "area", "unplaced"
-    std::map<std::string, Range> ranges;        // mm, by name: x, y, z, width, height
+    std::map<std::string, std::uint64_t> records; // count of each kind; with nested records, without notes and facts
+    std::map<std::string, std::uint64_t> named;   // count of each word value, such as "role bead"
+    std::map<std::string, double> areas;          // mm2, summed by name: "area", "unplaced"
+    std::map<std::string, Range> ranges;          // mm, by name: x, y, z, width, height
     std::uint64_t points = 0;
     std::int64_t layers = 0, strokes = 0; // one more than the greatest index
-    Facts facts;                          // as they come
+    Facts facts;                          // in the order of the stream
     Notes notes;                          // summed by stage and kind, in the order of their first case
 };
 
-// Adds a frame, of which `record` is the content.
+// Adds a frame to the summary.  `record`: the content of the frame.
 void add(Summary& summary, const stream::RawFrame& frame, const Record& record);
 
 } // namespace filum::app::peek
