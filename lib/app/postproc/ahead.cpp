@@ -11,7 +11,7 @@ struct Ahead::Item {
     std::size_t index = 0;
     stream::RawFrame frame;
     toolpath::Span span;
-    toolpath::Merged moves; // unless they were kept
+    toolpath::Merged moves; // empty if an earlier call has kept them
 };
 
 void Ahead::each(stream::Spool& spool, const Take& take) {

@@ -1,4 +1,4 @@
-// Spans made moves on all cores, ahead of the walker that takes them one after the other.
+// Computes the moves of spans on all cores, ahead of the walker that takes them one after the other.
 #pragma once
 
 #include "postproc/walk.hpp"
@@ -8,15 +8,16 @@
 
 namespace filum::app::postproc {
 
-// Moves of a machine of three axes; those of rotary axes need to know how all axes stood before.
+// The moves of a machine with three axes.  With rotary axes none are computed, since their moves depend on the previous
+// positions of all axes.
 class Ahead {
   public:
-    // `joins`: of the whole toolpath, when each() is first called.
+    // `joins`: those of the whole toolpath; they must be complete when each() is called first.
     Ahead(const machine::Profile& profile, const filum::postproc::Joins& joins, int threads)
         : profile_(&profile), joins_(&joins), threads_(threads) {}
 
-    // Hands on what `spool` still has, in its order, with the moves of what is laid (else none).  Those of the first
-    // time are kept for the second, up to kMost; the others are worked out again.
+    // Passes the remaining spans of `spool` to `take`, in their order.  `moves` is null for a span that does not
+    // extrude. The first call keeps up to kMost moves for later calls, which compute the others again.
     using Take = std::function<void(toolpath::Span span, const toolpath::Merged* moves)>;
     void each(stream::Spool& spool, const Take& take);
 
@@ -26,8 +27,8 @@ class Ahead {
     const machine::Profile* profile_;
     const filum::postproc::Joins* joins_;
     int threads_;
-    std::vector<toolpath::Merged> kept_; // of the first spans, one for each
-    std::size_t moves_ = 0;              // of all of them
+    std::vector<toolpath::Merged> kept_; // moves of the first spans, one item for each
+    std::size_t moves_ = 0;              // number of moves in kept_
     bool first_ = true;
 };
 

@@ -21,12 +21,12 @@ namespace filum::app::postproc {
 
 namespace {
 
-// The files of a program's modules, in a folder.
+// Writes the files of a program's modules to a folder.
 class Modules {
   public:
     explicit Modules(std::string folder) : folder_(std::move(folder)) {}
 
-    // None without a folder.  Good as long as this lives.
+    // The function that adds a module; empty without a folder.  It is valid as long as this object.
     filum::postproc::ModuleFile file() {
         if (folder_.empty()) return {};
         return [this](const std::string& name) {
@@ -56,7 +56,7 @@ std::vector<filum::postproc::Stage> stages(const stream::Header& before, const c
     return out;
 }
 
-// What stood on the bed for the last stage that put several parts there.
+// The parts on the bed, from the last run in the history that placed several parts; empty if there is none.
 std::vector<filum::postproc::Labelled> parts_on_bed(const stream::Header& header) {
     std::vector<filum::postproc::Labelled> out;
     for (const stream::Run& run : header.history) {
@@ -69,7 +69,7 @@ std::vector<filum::postproc::Labelled> parts_on_bed(const stream::Header& header
     return out;
 }
 
-// Refuses paths that were laid farther beyond a part's rims than the machine allows.
+// Refuses paths that reach farther beyond a part's rims than the machine allows.  Throws Error(usage).
 void check_outside(const stream::Header& header, const machine::Profile& profile) {
     for (const stream::Run& run : header.history)
         for (const auto& s : run.settings)
@@ -93,7 +93,7 @@ void tell_idle(const filum::postproc::FirstPass& found, const cli::Io& io) {
     if (beyond) io.idle("by-layer", "the part has " + std::to_string(found.layers) + " layers");
 }
 
-// Writes the summary's lines to the file `path`, if it has a name.
+// Writes the lines of the summary to the file `path`; nothing if the path is empty.
 void write_summary(const std::string& path, const std::vector<std::string>& lines) {
     if (path.empty()) return;
     std::string text;
@@ -101,8 +101,8 @@ void write_summary(const std::string& path, const std::vector<std::string>& line
     cli::write_text(path, text);
 }
 
-// Draws the pictures that `sizes` asks for and those that the file needs, and puts them where they belong: in a table
-// of the file, or in comments at the head of a text.
+// Draws the pictures of the given sizes and those that the file requires.  They become tables of the file, or comments
+// at the head of a text.
 void add_pictures(stream::Spool& spool, const std::vector<PictureSize>& sizes, int threads, ProgramFile& file,
                   std::vector<std::string>& about) {
     auto all = file.own_pictures();
@@ -145,11 +145,11 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
             spool.add(std::move(*frame));
             progress.step();
         }
-    } catch (const Error&) { // notes of the stages before may tell why one of them fails
+    } catch (const Error&) { // notes of the stages before may explain why a stage failed
         say(notes, io);
         throw;
     }
-    // Walkers begin behind the first reading, so the feeds of layers can still change.
+    // The walkers start after the first pass over the spans, so the feeds of layers can still change.
     if (profile.limits.layer_time > 0) machine::set_pace(profile, machine::pace(times, profile.limits.layer_time));
     Ahead ahead(profile, *measure.joins(), io.threads);
     for (; measure.again(); spool.rewind())

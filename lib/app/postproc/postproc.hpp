@@ -1,4 +1,4 @@
-// The whole job of `postproc`: a toolpath in, a program out, or several files of one.
+// The whole job of `postproc`: reads a toolpath and writes a program of one or several files.
 #pragma once
 
 #include "cli/command.hpp"
@@ -6,7 +6,7 @@
 
 namespace filum::app::postproc {
 
-// Throws as what it calls; no file appears unless all do.
+// Reads the toolpath and writes the program.  Files appear only if all of them are complete.  Throws Error.
 void run(const filum::postproc::Options& options, const cli::Io& io);
 
 } // namespace filum::app::postproc

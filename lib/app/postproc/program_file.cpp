@@ -10,10 +10,10 @@ namespace filum::app::postproc {
 
 namespace {
 
-constexpr double kCubicMm = 1000; // per cm3
+constexpr double kCubicMm = 1000; // mm3 per cm3
 constexpr double kMmPerM = 1000;
 
-// "2h 5m 7s", as PrusaSlicer writes it.
+// The duration as PrusaSlicer writes it, such as "2h 5m 7s".
 std::string duration(double seconds) {
     const auto s = static_cast<long long>(std::llround(seconds));
     std::string out;
@@ -22,14 +22,14 @@ std::string duration(double seconds) {
     return out + std::to_string(s % 60) + "s";
 }
 
-// A table has one line for a value.
+// The text with blanks instead of line ends, since a value in a table has one line.
 std::string one_line(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     return text;
 }
 
-// Everything that the tables of binary G-code say.
+// Fills the tables of binary G-code.
 void describe_binary(bgcode::File& file, const machine::Profile& profile, const filum::postproc::FirstPass& first_pass,
                      const std::vector<filum::postproc::Stage>& stages) {
     const auto used = filum::postproc::used(profile, first_pass);
@@ -53,7 +53,7 @@ void describe_binary(bgcode::File& file, const machine::Profile& profile, const 
             file.slicer.emplace_back("filum_" + stage.program + "_" + name, one_line(value));
 }
 
-// The parts as they stand on the plate: those with a name, or the box of all that is printed.
+// The parts on the plate: those with a name, or else the box of everything printed.
 std::vector<archive::PlatePart> plate_parts(const filum::postproc::FirstPass& first_pass, geom::Vec2 shift) {
     std::vector<archive::PlatePart> out;
     for (const auto& part : first_pass.parts) {

@@ -1,5 +1,5 @@
-// The file that a program becomes, by the ending of its name: text, binary G-code (.bgcode), or a print file of Bambu
-// Studio (.gcode.3mf).
+// The file of a program.  The ending of its name gives the form: text, binary G-code (.bgcode), or a print file of
+// Bambu Studio (.gcode.3mf).
 #pragma once
 
 #include "app/postproc/thumbnails.hpp"
@@ -17,19 +17,19 @@ namespace filum::app::postproc {
 
 class ProgramFile {
   public:
-    // Throws Error(usage) for a .bgcode or .gcode.3mf of a machine that reads no G-code, and for another .3mf.
+    // Throws Error(usage) for a .bgcode or .gcode.3mf if the machine does not read G-code, and for any other .3mf.
     ProgramFile(const std::string& path, const machine::Profile& profile);
 
-    // True where pictures that a user asks for go into a table of the file; elsewhere they are comments of the program.
+    // True if requested pictures go into a table of the file; false if they are comments of the program.
     [[nodiscard]] bool tables() const { return form_ == Form::binary; }
-    // The sizes of the pictures that the file needs of its own accord.
+    // The sizes of the pictures that the form of the file requires.
     [[nodiscard]] std::vector<PictureSize> own_pictures() const;
     void write(std::string_view text);
-    // What the tables of the file say: the machine, what the print takes, where its parts stand after they were moved
-    // by `shift`, how it was made.
+    // Fills the tables of the file: the machine, time and material of the print, the places of its parts after a move
+    // by `shift` (mm), and the stages that made it.
     void describe(const machine::Profile& profile, const filum::postproc::FirstPass& first_pass, geom::Vec2 shift,
                   const std::vector<filum::postproc::Stage>& stages);
-    // One of the pictures: of own_pictures() in their order, or of those for a table.
+    // Adds a picture (PNG): one of own_pictures(), in their order, or one for a table.
     void add(const PictureSize& size, const std::string& png);
     void commit();
 

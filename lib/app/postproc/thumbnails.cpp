@@ -13,8 +13,9 @@ namespace filum::app::postproc {
 
 namespace {
 
-constexpr int kLeastSide = 8, kMostSide = 2000; // pixels: below nothing shows, above no printer has room
-constexpr std::size_t kLine = 78;               // letters, as readers expect
+constexpr int kLeastSide = 8,
+              kMostSide = 2000;   // pixels: smaller pictures show nothing, and no printer displays larger ones
+constexpr std::size_t kLine = 78; // letters per line of base64, as readers expect
 
 int side(const std::string& text, const std::string& word) {
     const double value = parse_number(text, "--thumbnails");
