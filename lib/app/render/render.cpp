@@ -15,7 +15,8 @@ using filum::render::Options;
 using filum::render::Range;
 using filum::render::Scene;
 
-// Adds what lies in `range` of `file` to the scene; `seen`: payload frames, in the range or not.
+// Adds the part of `file` in `range` to the scene.  `seen`: increased by the number of payload frames, also of those
+// outside the range.
 stream::Payload load(const std::string& file, stream::Payload expected, Range range, Scene& scene, std::size_t& seen) {
     stream::Reader reader(file, expected);
     while (auto f = reader.next()) {
@@ -34,7 +35,8 @@ stream::Payload load(const std::string& file, stream::Payload expected, Range ra
     return reader.header().payload;
 }
 
-// What only a report shows, and what it does not.
+// Warns of options of pictures for a report, which ignores them.  Throws Error(usage) for options of a report without
+// one, and for --machine where it has no effect.
 void check_report(const Options& o, const cli::Io& io) {
     const std::string shown[] = {"machine", "regions", "surface", "collisions", "figures", "beside", "title"};
     const auto both = [](const std::string& name) { return name != "figures" && name != "beside" && name != "title"; };

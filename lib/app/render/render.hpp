@@ -1,4 +1,4 @@
-// The whole job of `render`: a stream in, and those that its options name; a picture or a page out.
+// The whole job of `render`: reads a stream, and those that the options name, and draws a picture or a page.
 #pragma once
 
 #include "cli/command.hpp"
@@ -6,8 +6,8 @@
 
 namespace filum::app::render {
 
-// Draws the stream that `io` names as its output's name asks: x.html a report, x.svg, x.vtp, else PNG.  Throws
-// Error(usage) for options that have no effect together, or where nothing is left to draw.
+// Draws the stream that `io` names.  The ending of the output's name gives the format: .html (report), .svg, .vtp, else
+// PNG.  Throws Error(usage) for options that have no effect together, and if nothing is left to draw.
 void run(const filum::render::Options& options, const cli::Io& io);
 
 } // namespace filum::app::render
