@@ -37,7 +37,7 @@ std::vector<std::vector<std::string>> rows(const std::string& file) {
     return out;
 }
 
-// A table's cells under the named heads, row by row; throws where one is missing.
+// The cells of a table in the columns `heads`, row by row.  Throws Error if a column is missing.
 std::vector<std::vector<std::string>> table(const std::string& file, const std::vector<std::string>& heads) {
     auto all = rows(file);
     std::vector<std::size_t> at;
@@ -77,7 +77,7 @@ void add_machine(Content& to, const machine::Profile& p) {
                  size(p.bed.y_min, p.bed.y_max) + " x " + size(p.bed.z_min, p.bed.z_max) + " mm";
 }
 
-// One frame that is no remark.
+// Adds the content of a payload frame to the page.
 void add_frame(Content& to, const stream::RawFrame& f, const machine::Profile& profile) {
     if (f.tag == stream::Tag::span) add(to, wire::span(f), &profile);
     if (f.tag == stream::Tag::paths) add(to, wire::paths(f), &profile);
