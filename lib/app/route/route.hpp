@@ -1,4 +1,4 @@
-// The whole job of `route`: a toolpath in, the same with ways for its travels out.
+// The whole job of `route`: plans the travels of a toolpath so that they do not collide.
 #pragma once
 
 #include "app/collide/surroundings.hpp"
@@ -10,13 +10,13 @@
 namespace filum::app::route {
 
 struct Options : collide::Surroundings {
-    std::vector<double> lift;       // mm; none: the profile's
+    std::vector<double> lift;       // mm; empty: as in the profile
     double tilt = 0, tilt_rate = 5; // deg, deg/mm
-    std::string leaning;            // file for the list of strokes whose tool leans
+    std::string leaning;            // file for the list of strokes with a tilted tool; "": none
 };
 
-// Throws Error(failure) with the place at a collision that remains, if `strict`; Error(usage) for options that do not
-// go together.
+// Writes the toolpath with the planned travels.  Throws Error: failure at a remaining collision, with its place, if
+// `strict`; usage for options that do not go together.
 void run(const Options& options, const cli::Io& io);
 
 } // namespace filum::app::route
