@@ -19,8 +19,8 @@ namespace {
 using filum::skins::Modifier;
 using polygon::Region;
 
-// FILE:SETTINGS, both as they stand; the last colon counts, as files may have one in their names.  Without settings:
-// the modifiers of a project.
+// One item of --modifier: FILE:SETTINGS, or FILE alone for the modifiers of a project.  The last colon divides the two,
+// since names of files may hold colons.
 struct Asked {
     std::string file, settings;
 };
@@ -34,7 +34,7 @@ bool is_ours(std::string_view name) {
     return std::ranges::find(filum::skins::kModifierSettings, name) != filum::skins::kModifierSettings.end();
 }
 
-// A setting by our name, if it has that of another slicer: infill=40% of fill_density=40%.
+// The setting with Filum's name instead of another slicer's: infill=40% for fill_density=40%.
 std::string in_our_words(const std::string& setting) {
     const auto equals = setting.find('=');
     const std::string name = setting.substr(0, equals);
@@ -48,7 +48,7 @@ std::string in_our_words(const std::string& setting) {
     return word->substr(2); // without "--"
 }
 
-// All of "A=1,B=2".
+// The settings "A=1,B=2" with Filum's names.
 std::string settings_in_our_words(const std::string& settings) {
     std::string out;
     for (std::size_t from = 0; from <= settings.size();) {
@@ -79,7 +79,7 @@ std::vector<Asked> asked(const std::string& text) {
     return out;
 }
 
-// A setting of a project's modifier in our names; none if it, or its value, has no meaning here.
+// A setting of a project's modifier, with Filum's name.  None if the setting or its value has no meaning in Filum.
 std::optional<std::string> in_our_words(std::string key, const std::string& value, const filum::skins::Options& part) {
     std::ranges::replace(key, '_', '-');
     const cli::OtherName* other = cli::other_name(key, is_ours);
@@ -90,7 +90,7 @@ std::optional<std::string> in_our_words(std::string key, const std::string& valu
         std::string out = word->substr(2); // without "--"
         filum::skins::modified(part, out);
         return out;
-    } catch (const Error&) { // a value of another kind, or out of bounds
+    } catch (const Error&) { // the value has another form or is out of bounds
         return std::nullopt;
     }
 }
@@ -99,7 +99,8 @@ void tell_left_out(const std::string& key, const std::string& value, Notes& note
     notes.push_back({.code = NoteCode::modifier_setting, .detail = key + "=" + value});
 }
 
-// All of them; notes tell those that are left out, but for widths that are 0, which slicers choose themselves.
+// All settings of a project's modifier, with Filum's names.  Notes report the settings that are left out, except widths
+// of 0, which mean that the slicer chooses them.
 std::string settings_of_project(const std::vector<std::pair<std::string, std::string>>& all,
                                 const filum::skins::Options& part, Notes& notes) {
     std::string out;
@@ -113,10 +114,10 @@ std::string settings_of_project(const std::vector<std::pair<std::string, std::st
     return out;
 }
 
-// Bodies in the order in which they count, and what the history says of them.
+// The modifiers in their order of precedence, and the text that records them in the history.
 struct Read {
     std::vector<Modifier> modifiers;
-    std::string said, crc; // there a file has no name
+    std::string said, crc; // in the history, where files have no names
 
     void add(std::vector<polygon::Loops> where, const std::string& settings, const filum::skins::Options& part) {
         said += (said.empty() ? "FILE:" : ";FILE:") + settings;
