@@ -19,8 +19,8 @@ using filum::slice::kLift;
 using filum::slice::Level;
 using polygon::Loops;
 
-constexpr std::size_t kMostPlanes = 20000; // on which parts are looked for
-constexpr int kHalvings = 20;              // of the step between two planes; more than double precision needs
+constexpr std::size_t kMostPlanes = 20000; // most planes that are searched for material
+constexpr int kHalvings = 20;              // most halvings of the step between two planes
 
 void append(const mesh::Mesh& from, mesh::Mesh& to) {
     const auto first = static_cast<std::uint32_t>(to.vertices.size());
@@ -33,7 +33,7 @@ Loops contours(const Carved::Group& group, polygon::Layer& part, const polygon::
     return polygon::subtract(part.contours, away->contours);
 }
 
-// The layers of what is left, between neighbouring planes of the list as levels.
+// The contours of the remaining material in each of the planes (z, mm).
 std::vector<Loops> sections(Carved& carved, const std::vector<double>& planes, int threads) {
     std::vector<Level> levels;
     levels.reserve(planes.size());
@@ -48,13 +48,13 @@ std::vector<Loops> sections(Carved& carved, const std::vector<double>& planes, i
     return out;
 }
 
-// The height at which what is left ends, between a plane that meets it and one that does not.
+// The height where the remaining material ends, between a plane that meets it and one that does not.
 double end_between(Carved& carved, double inside, double outside) {
     for (int i = 0; i < kHalvings && std::abs(outside - inside) > kLift / 10; ++i) {
         const double middle = (inside + outside) / 2;
         (sections(carved, {middle}, 1)[0].empty() ? outside : inside) = middle;
     }
-    // Where parts end is most often where a face of them or of what is cut away lies.
+    // The end usually is at a vertex of the part or of a negative body, so the nearest one within 2 kLift is taken.
     double out = (inside + outside) / 2;
     double nearest = 2 * kLift;
     for (const auto& group : carved.groups)
@@ -95,7 +95,7 @@ geom::Box3 box_left(Carved& carved, const geom::Box3& whole, double step, int th
 bool is_carved(const mesh::File& file) { return !file.items.empty(); }
 
 Carved carve(const mesh::File& file, double hairline, double step, int threads, Notes& notes) {
-    std::map<std::uint32_t, std::pair<mesh::Mesh, mesh::Mesh>> cut; // by item: the part, and what is cut away
+    std::map<std::uint32_t, std::pair<mesh::Mesh, mesh::Mesh>> cut; // by item: the part and its negative bodies
     std::uint64_t bodies = 0;
     for (const mesh::Body& body : file.bodies) {
         if (body.what != mesh::Body::What::negative) continue;

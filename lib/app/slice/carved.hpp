@@ -1,7 +1,7 @@
 // Parts of a slicer's project from which negative bodies are cut away.
 //
-// Bodies are cut away layer by layer, from the contours: that is exact where layers are all that counts, and meshes
-// that no Boolean operation on triangles would take, open or crossing themselves, need no other way.
+// The contours of the negative bodies are subtracted from those of the part, layer by layer.  That is exact for layers.
+// It also works for open and self-intersecting meshes, where Boolean operations on triangles fail.
 #pragma once
 
 #include "mesh/read.hpp"
@@ -12,32 +12,32 @@
 namespace filum::app::slice {
 
 struct Carved {
-    // The parts that the same bodies are cut away from; all parts that nothing is cut away from are one group.
+    // Parts from which the same bodies are cut away.  All parts without negative bodies form one group.
     struct Group {
         filum::slice::Part part, away;
-        filum::slice::Sweep of_part, of_away; // refer to the above
-        bool cut = false;                     // something is cut away
+        filum::slice::Sweep of_part, of_away; // refer to `part` and `away`
+        bool cut = false;                     // there are bodies to cut away
     };
     std::vector<std::unique_ptr<Group>> groups;
-    geom::Box3 box; // of what is left
+    geom::Box3 box; // of the remaining material, mm
 };
 
-// Whether bodies of the file are to be cut away.
+// Whether the file has negative bodies.
 bool is_carved(const mesh::File& file);
 
-// Makes the parts of a placed file ready, and finds the box of what is left of them, in z to 2.5 um.  `hairline` as in
-// slice::Options; `step`: mm, the thickness below which parts may be overlooked.
-// Throws Error(bad_input) if nothing is left.
+// Prepares the parts of a placed file, and finds the box of the remaining material; its z is exact to 2.5 um.
+// `hairline`: as in slice::Options; `step`: the thickness in mm below which remaining material may be missed. Throws
+// Error(bad_input) if nothing remains.
 Carved carve(const mesh::File& file, double hairline, double step, int threads, Notes& notes);
 
-// Makes the levels ready to be cut.
+// Prepares the cuts at `levels`; cut() needs them.
 void sweep(Carved& carved, const filum::slice::Options& options, const std::vector<filum::slice::Level>& levels,
            int threads);
 
-// The layers of one chunk, as slice::cut.
+// The layers of one chunk, as slice::cut returns them.
 filum::slice::Cut cut(const Carved& carved, std::size_t chunk);
 
-// The mesh with all heights outside the box brought to its bottom or top: it has the levels of what is left.
+// The mesh with all z clamped to the range of the box, so that it has the levels of the remaining material.
 mesh::Mesh within_heights(mesh::Mesh mesh, const geom::Box3& box);
 
 } // namespace filum::app::slice

@@ -1,4 +1,4 @@
-// Parts in the places of a grid, as in the wells of a plate.
+// Places parts in a grid, such as in the wells of a plate.
 #pragma once
 
 #include "app/slice/plate.hpp"
@@ -12,12 +12,13 @@ namespace filum::app::slice {
 // The options that put several parts on a bed.
 std::vector<cli::Option> plate_options(Options& options);
 
-// How often each of `inputs` parts is made: in a grid one part stands in each place, or as many parts as places.
-// Throws Error(usage) for other numbers of parts, and for --copies beside a grid.
+// The number of copies of each of `inputs` parts.  In a grid, a single part gets a copy in each place; several parts
+// must be as many as there are places.  Throws Error(usage) for other numbers of parts, and for --copies with a grid.
 std::size_t copies(const Options& options, std::size_t inputs);
 
-// Where the parts stand in the grid: the middle of each part's box over the middle of its place.  `names` get those of
-// the places.  Throws Error(bad_input) for a part larger than the distance of places.
+// The places of the parts in the grid.  The centre of each part's box is over the centre of its place.  `names`:
+// each becomes PART_PLACE, such as "part_A1".  Throws Error(bad_input) for a part that is larger than the pitch of the
+// grid.
 std::vector<plate::Place> in_places(const std::vector<OnBed>& parts, const Options& options,
                                     std::vector<std::string>& names);
 

@@ -20,7 +20,7 @@ namespace {
 using filum::slice::kLift;
 using filum::slice::Level;
 
-// The file's name without folder and ending, as letters, digits, '-' and '_': firmware takes no others.
+// The file's name without folder and ending.  It only has letters, digits, '-' and '_', since firmware takes no others.
 std::string label(const std::string& path) {
     std::string name = path.substr(path.find_last_of('/') + 1);
     const auto dot = name.find_last_of('.');
@@ -28,18 +28,18 @@ std::string label(const std::string& path) {
     return path == "-" ? "part" : plain_word(name, "part");
 }
 
-// The scale that a part needs so as to have its size once it has cooled; both lists hold one number or three.
+// The scale that compensates for the shrinkage (%) of a cooling part.  Both lists hold one number or three.
 std::vector<double> enlarged(const std::vector<double>& scale, const std::vector<double>& shrinkage) {
     if (shrinkage.size() != 1 && shrinkage.size() != 3)
         throw Error(Exit::usage, "cannot use --shrinkage: it takes one number or three");
-    if (scale.size() != 1 && scale.size() != 3) return scale; // refused where it is used
+    if (scale.size() != 1 && scale.size() != 3) return scale; // refused when the part is placed
     std::vector<double> out(std::max(scale.size(), shrinkage.size()));
     for (std::size_t k = 0; k < out.size(); ++k)
         out[k] = scale[k % scale.size()] / (1 - shrinkage[k % shrinkage.size()] / 100);
     return out;
 }
 
-// Cuts the negative bodies of a placed file away, and sets what is left on the bed.
+// Cuts away the negative bodies of a placed file, and puts the rest on the bed.
 void cut_away(mesh::File& file, const Options& o, int threads, OnBed& part) {
     for (mesh::Body& b : file.bodies)
         if (b.what == mesh::Body::What::negative) mesh::move(b.mesh, part.placement.map);
@@ -70,7 +70,7 @@ OnBed read_part(const std::string& path, const Options& o, const cli::Io& io, bo
     check_precision(file.mesh, out.notes);
     mesh::Placement placement = o.place;
     placement.scale = enlarged(o.place.scale, o.shrinkage);
-    if (several) { // of the whole, not of each
+    if (several) { // these apply to all parts together, not to each
         placement.center.clear();
         placement.translate = {0, 0, o.place.translate[2]};
     }
@@ -89,20 +89,22 @@ OnBed read_part(const std::string& path, const Options& o, const cli::Io& io, bo
         for (const geom::Vec3& v : file.mesh.vertices) flat.push_back(v.xy());
         out.outline = geom::convex_hull(flat);
     }
-    Notes of_heights; // dropped: of a carved part this mesh gives the heights only, `carved` says what is wrong with it
+    Notes of_heights; // dropped for a carved part: this mesh only gives the heights, and `carved` has notes of its own
     out.part = std::make_unique<filum::slice::Part>(
         filum::slice::make_part(std::move(file.mesh), out.carved ? of_heights : out.notes, o.slice.hairline));
     return out;
 }
 
-// Names of all things, each its own: the copies of "a" are a, a_2, a_3.
+// The names of all copies of all parts, each different: the copies of "a" are a, a_2, a_3.
 std::vector<std::string> names_of(const std::vector<OnBed>& parts) {
     std::vector<std::string> words;
     for (const OnBed& part : parts) words.insert(words.end(), part.at.size(), part.name);
     return told_apart(words);
 }
 
-// With the first spacing with which all find a place; turned only if they find none as they are, then all alike.
+// Packs the things with the first of the spacings `tries` at which all find a place.  At each spacing the things are
+// tried as they are, then all turned alike, then each turned by itself.  `taken`: the last spacing that was tried.  If
+// some things find no place, the result lists them.
 plate::Packed packed(const std::vector<plate::Thing>& things, const std::vector<plate::Spacing>& tries, Vec2 size,
                      plate::Spacing& taken) {
     plate::Packed out;
@@ -118,7 +120,7 @@ plate::Packed packed(const std::vector<plate::Thing>& things, const std::vector<
 
 [[noreturn]] void refuse(const plate::Packed& packed, const std::vector<std::string>& names,
                          const plate::Spacing& spacing, const std::string& machine, Vec2 size) {
-    constexpr std::size_t kNamed = 3; // a line is to be read
+    constexpr std::size_t kNamed = 3; // so that the message stays short
     std::string left;
     for (std::size_t k = 0; k < std::min(kNamed, packed.left.size()); ++k)
         left += (k == 0 ? "'" : ", '") + names[packed.left[k]] + "'";
@@ -129,7 +131,7 @@ plate::Packed packed(const std::vector<plate::Thing>& things, const std::vector<
                                      " mm apart; print them by themselves, or give a smaller --apart");
 }
 
-// A little room for the head to say why parts stand as they do.
+// Adds a note if the parts are nearer to each other than the head needs.
 void tell_spacing(const plate::Spacing& taken, const std::vector<plate::Spacing>& tries, Notes& notes) {
     if (taken.clear) return;
     const double wanted = std::max(tries.front().x, tries.front().y), got = std::max(taken.x, taken.y);
@@ -142,11 +144,11 @@ void tell_turned(const plate::Packed& packed, Notes& notes) {
     if (turned > 0) notes.push_back({.code = NoteCode::parts_turned, .amount = turned});
 }
 
-// Places packed on the bed.
+// The places of all parts, packed on the bed.  Throws Error(bad_input) if a part finds no place.
 std::vector<plate::Place> packed_places(const std::vector<OnBed>& parts, const Options& o,
                                         const machine::Profile& profile, const std::vector<std::string>& names,
                                         Notes& notes) {
-    const double wider = std::max(0.0, o.compensation.xy); // at each side
+    const double wider = std::max(0.0, o.compensation.xy); // mm at each side
     const Vec2 size{profile.bed.x_max - profile.bed.x_min - 2 * wider,
                     profile.bed.y_max - profile.bed.y_min - 2 * wider};
     std::vector<plate::Thing> things;
@@ -223,7 +225,7 @@ std::vector<Level> prepare(std::vector<OnBed>& parts, const Options& o, int thre
     if (parts.size() == 1) {
         parts[0].sweep = filum::slice::prepare(*parts[0].part, o.slice, threads, parts[0].notes);
     } else {
-        mesh::Mesh all; // for the levels alone
+        mesh::Mesh all; // used only for the levels
         for (const OnBed& part : parts) {
             const auto first = static_cast<std::uint32_t>(all.vertices.size());
             const mesh::Mesh& mesh = part.part->mesh;
@@ -236,7 +238,7 @@ std::vector<Level> prepare(std::vector<OnBed>& parts, const Options& o, int thre
             std::vector<Level> own;
             for (const Level& l : levels)
                 if (l.plane + 2 * kLift <= top) own.push_back(l);
-            if (own.empty()) { // it has what there is of one layer, or is refused
+            if (own.empty()) { // the part has a single layer, or is refused
                 Options low = o;
                 low.slice.adaptive = false;
                 own = filum::slice::levels(part.part->mesh, low.slice, part.notes);

@@ -1,4 +1,4 @@
-// The parts of one run of `slice`: each read and made ready, and where it stands on the bed.
+// Reads and prepares the parts of one run of `slice`, and places them on the bed.
 #pragma once
 
 #include "app/slice/carved.hpp"
@@ -14,44 +14,46 @@ namespace filum::app::slice {
 
 using geom::Vec2;
 
-// One mesh, cut once however often it stands there.
+// One mesh with the places of its copies.  It is cut once for all of them.
 struct OnBed {
     std::string name;
     mesh::Box3 box;
-    mesh::Placed placement{};  // from the file's coordinates
-    std::vector<Vec2> outline; // its convex hull seen from above; of several things only
+    mesh::Placed placement{};  // map from the file's coordinates
+    std::vector<Vec2> outline; // its convex hull seen from above; only if there are several things on the bed
     std::unique_ptr<filum::slice::Part> part;
-    std::optional<Carved> carved{};   // where bodies are cut away; then `part` only has the heights of what is left
-    std::vector<plate::Place> at{{}}; // where each copy stands
+    std::optional<Carved> carved{};   // if bodies are cut away; then `part` only gives the heights of the rest
+    std::vector<plate::Place> at{{}}; // the place of each copy
     filum::slice::Sweep sweep;
     std::optional<filum::slice::Measured> measured;
-    std::vector<double> area;          // of each of its layers, mm2
-    std::vector<polygon::Loops> bores; // of each of its layers: outlines of those that it leaves open
-    Notes notes;                       // on the mesh, where it was read
+    std::vector<double> area;          // mm2, of each layer
+    std::vector<polygon::Loops> bores; // of each layer: outlines of bores that the layer leaves open
+    Notes notes;                       // on the mesh, in the coordinates before copies are placed
 };
 
-// Reads and places every input, checks its size and makes it ready.  The settings of `self` get what the files are
-// known by.
+// Reads and places every input, checks its size and prepares it.  The checksum of the files is added to the settings of
+// `self`.  Throws Error as the readers and checks.
 std::vector<OnBed> read_parts(const Options& options, cli::Io& self);
 
-// Finds places for several, on the bed of options.machine, and moves them by what --center and --translate say of
-// the whole.  What they are called and where they stand.  Throws Error(bad_input) if they don't fit.
+// Finds places for several parts on the bed of options.machine, and moves them all by --center and --translate. Returns
+// the names and outlines of all copies; empty for a single part.  Throws Error(bad_input) if the parts do not fit.
 std::vector<stream::Object> place_on_bed(std::vector<OnBed>& parts, const Options& options, const cli::Io& io,
                                          Notes& notes);
 
-// Notes on a part for all of its copies, with the place of the first.
+// The notes on a part, with count and amount for all copies and the place of the first copy.
 Notes as_placed(const OnBed& part, Notes notes);
 
-// The layers of all: of one part as slice::prepare; of several those of the highest, each cut by those below its own
-// top, judged; `notes` gets those of all parts.  Throws Error(bad_input) for a part lower than half a layer.
+// Prepares the cuts of all parts and returns the levels of all layers.  One part has the levels of slice::prepare.
+// Several parts share the levels of their joint mesh; each is cut at the levels below its own top.  `notes` gets the
+// notes of all parts, also those on the quality of their meshes.  Throws Error(bad_input) for a part lower than half a
+// layer.
 std::vector<filum::slice::Level> prepare(std::vector<OnBed>& parts, const Options& options, int threads, Notes& notes);
 
-// The layers that are wanted of all: those between the cuts, from `first` on to before `last`; `down` is how far they
-// come down, mm.  Throws Error(bad_input) if none is.
+// The range of wanted layers: from `first` to before `last`.  `down`: the distance in mm by which they are lowered.
 struct Wanted {
     std::size_t first = 0, last = 0;
     double down = 0;
 };
+// The layers between --cut-below and --cut-above, from --from-layer on.  Throws Error(bad_input) if there is none.
 Wanted wanted(std::span<const filum::slice::Level> levels, const Options& options);
 
 } // namespace filum::app::slice

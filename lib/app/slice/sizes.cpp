@@ -13,10 +13,10 @@ namespace filum::app::slice {
 
 namespace {
 
-constexpr double kInch = 4, kTiny = 1; // mm: parts whose longest side is less are likely to be in inches; to be wrong
-constexpr double kHuge = 1000;         // mm: beyond what common machines reach
-constexpr double kTold = 0.02;         // of the volume
-constexpr double kRounding = 1e-6;     // mm
+constexpr double kInch = 4, kTiny = 1; // mm: a part with a shorter longest side is probably in inches; is faulty
+constexpr double kHuge = 1000;         // mm: beyond the reach of common machines
+constexpr double kTold = 0.02;         // smallest change of the volume that is noted, as a fraction
+constexpr double kRounding = 1e-6;     // mm by which a part may exceed the bed
 
 Note unlikely(NoteCode code, double longest) { return {.code = code, .amount = longest}; }
 
@@ -24,7 +24,7 @@ std::string spoken(const geom::Vec3& size) {
     return fixed_text(size.x, 2) + " x " + fixed_text(size.y, 2) + " x " + fixed_text(size.z, 2) + " mm";
 }
 
-// The distance of neighbouring numbers in single precision.
+// The distance between neighbouring numbers in single precision at the value `at`.
 double spacing(double at) {
     const auto f = static_cast<float>(std::abs(at));
     return std::nextafter(f, std::numeric_limits<float>::infinity()) - f;
@@ -53,7 +53,8 @@ void check_precision(const mesh::Mesh& mesh, Notes& notes) {
         if (!single(v.x) || !single(v.y) || !single(v.z)) return;
     double area = 0;
     for (const auto& t : mesh.triangles) area += mesh::area(mesh, t);
-    const double moved = area * step / 2, volume = std::abs(mesh::volume(mesh)); // half a step, all outwards
+    const double moved = area * step / 2,
+                 volume = std::abs(mesh::volume(mesh)); // if each face moves outwards by half a step
     if (!(moved > kTold * volume)) return;
     notes.push_back({.code = NoteCode::coordinates_rounded, .amount = moved, .detail = shortest_text(step)});
 }

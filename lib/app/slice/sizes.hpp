@@ -1,4 +1,4 @@
-// Parts of unlikely size, told before any work.
+// Checks the size of parts before any work is done.
 #pragma once
 
 #include "base/note.hpp"
@@ -9,20 +9,20 @@
 
 namespace filum::app::slice {
 
-// Notes a part that is so small, or so large, that its file is likely to be in another unit than it was taken to be:
-// `unit_known` if the file states it or the caller chose one.
+// Adds a note for a part that is so small or so large that the unit of its file is probably wrong.  `unit_known`: the
+// file states the unit or the caller chose it; then the limit for small parts is 1 mm instead of 4 mm.
 void check_size(const mesh::Box3& box, bool unit_known, Notes& notes);
 
-// Notes how much of its volume a part can have lost, or gained, because its file gives coordinates in single precision
-// far from the origin, if that is more than 2 %.  `mesh` as the file gives it.
+// Adds a note if rounding can have changed the volume of a part by more than 2 %.  That happens if a file has
+// coordinates in single precision, far from the origin.  `mesh`: as in the file, before it is placed.
 void check_precision(const mesh::Mesh& mesh, Notes& notes);
 
-// Throws Error(bad_input) if the part is larger than the bed of the machine, or higher than that reaches; `machine` as
-// machine::load_profile takes it.  Machines that turn the part or the head are not checked: what they reach
+// Throws Error(bad_input) if the part is larger than the bed of the machine, or higher than its reach.  `machine`: a
+// name or file for machine::load_profile.  Machines that turn the part or the head are not checked, since their reach
 // depends on the path.
 void check_bed(const mesh::Box3& box, const std::string& machine);
 
-// "40.0 x 26.5 mm".
+// The size as text, such as "40.0 x 26.5 mm".
 std::string size_text(geom::Vec2 size);
 
 } // namespace filum::app::slice

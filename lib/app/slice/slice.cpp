@@ -14,7 +14,7 @@ namespace filum::app::slice {
 
 namespace {
 
-// The layer of one part, once for each of its copies.
+// Appends the contours of one layer of a part, once for each of its copies.
 void add_copies(const polygon::Loops& loops, const std::vector<plate::Place>& at, polygon::Loops& to) {
     for (const plate::Place& place : at)
         for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -30,13 +30,15 @@ struct Job {
     Wanted wanted;
     std::atomic<bool> holed = false; // a layer has a hole
 
-    // The layer that is the lowest on the bed has an elephant's foot; not so the lowest of a print that goes on.
+    // 0 for the layer on the bed, which has an elephant's foot, and 1 for layers above.  The lowest layer of a print
+    // that continues another (from_layer) is not on the bed.
     [[nodiscard]] std::uint32_t above_bed(std::size_t layer) const {
         return layer == wanted.first && o.from_layer == 0 ? 0 : 1;
     }
 };
 
-// What of notes is on layers that are wanted, by their numbers among these.
+// Moves notes on wanted layers to `to`, and numbers their layers from the first wanted one.  Notes without a layer are
+// moved, too.
 void take_notes(const Job& job, const OnBed& part, Notes found, Notes& to) {
     const auto first = static_cast<std::int64_t>(job.wanted.first), last = static_cast<std::int64_t>(job.wanted.last);
     for (Note& note : as_placed(part, std::move(found))) {
@@ -46,7 +48,7 @@ void take_notes(const Job& job, const OnBed& part, Notes found, Notes& to) {
     }
 }
 
-// Finds the bores that layers leave open, which only the layers above and below can tell.
+// Finds bores that some layers leave open.  This needs the layers above and below, so it cannot be done chunk by chunk.
 void find_bores(Job& job, int threads, Notes& notes) {
     if (job.o.compensation.holes == 0) return;
     for (OnBed& part : job.parts) {
@@ -61,7 +63,7 @@ void find_bores(Job& job, int threads, Notes& notes) {
     }
 }
 
-// The layers of a chunk, of all parts together.
+// The layers of a chunk, with all parts together.
 std::vector<stream::RawFrame> cut_all(Job& job, std::size_t chunk, Notes& notes) {
     const std::size_t first = chunk * filum::slice::kChunk;
     std::vector<polygon::Loops> contours(std::min(job.levels.size() - first, filum::slice::kChunk));
@@ -126,7 +128,7 @@ void run(const Options& o, const cli::Io& io) {
         [&](Notes& last) {
             tell_idle(job, io);
             for (const OnBed& part : parts) {
-                if (part.carved) continue; // the volume of its mesh says nothing
+                if (part.carved) continue; // its mesh includes material that is cut away
                 Notes found;
                 filum::slice::compare(part.sweep, part.measured, part.area, io.threads, found);
                 take_notes(job, part, std::move(found), last);
