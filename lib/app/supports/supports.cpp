@@ -17,10 +17,10 @@ namespace filum::app::supports {
 
 namespace {
 
-// Supports stand in empty layers below and between parts, so these take memory: 20,000 are a metre of thin layers.
+// Most layers without regions.  Supports can stand in them, so they take memory.  20,000 thin layers are a metre high.
 constexpr std::uint32_t kMostEmptyLayers = 20000;
 
-// Makes the layer numbers of regions indices.  Returns the number that each had.
+// Renumbers the layers of the regions so that the numbers can be indices.  Returns the original number of each layer.
 std::vector<std::uint32_t> usable_as_indices(std::vector<polygon::Region>& regions,
                                              const filum::supports::Options& options) {
     if (const std::string fault = polygon::fault(regions); !fault.empty())
@@ -67,7 +67,7 @@ void run(const Options& o, const cli::Io& io) {
             modifier::support_places(file, option == "support-in", whole.header, given, io.threads, notes);
         to = std::move(body.outlines);
         if (painted > 0) facts.push_back({"", option + "-painted", painted, "mm2"});
-        self.settings.push_back({option, "FILE", true}); // in the history a file has no name
+        self.settings.push_back({option, "FILE", true}); // files have no names in the history
         self.settings.push_back({option + "_crc32c", body.crc32c});
     };
     read("support-in", o.wanted, options.wanted);
@@ -78,7 +78,7 @@ void run(const Options& o, const cli::Io& io) {
     for (polygon::Region& r : all) r.layer = numbers[r.layer];
     polygon::restore_layers(found, numbers);
     notes.insert(notes.end(), found.begin(), found.end());
-    // what hung without supports; this stage tells what still does
+    // Notes on overhangs without supports are dropped, since this stage writes its own on those that remain.
     if (options.carries()) std::erase_if(whole.notes, [](const Note& n) { return regions::of_air(n.code); });
     whole.header.expected = all.size();
     cli::Output output(io, cli::header(self, stream::Payload::regions, {&whole.header}));

@@ -1,4 +1,4 @@
-// The whole job of `supports`: regions in, the same with those that carry them out.
+// The whole job of `supports`: reads regions and writes them with regions of supports.
 #pragma once
 
 #include "cli/command.hpp"
@@ -10,10 +10,11 @@ struct Options {
     filum::supports::Options how;
     double angle_deg = 45, taper_deg = 30;
     std::string on = "everywhere";
-    std::string wanted, unwanted; // files of bodies
+    std::string wanted, unwanted; // files of bodies; "": none
 };
 
-// Throws Error for bodies that cannot be read or placed.
+// Reads regions and writes them with supports.  Throws Error as supports(), and for bodies that cannot be read or
+// placed.
 void run(const Options& options, const cli::Io& io);
 
 } // namespace filum::app::supports
