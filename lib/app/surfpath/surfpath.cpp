@@ -35,7 +35,7 @@ filum::surfpath::Plan plan_sheet(const surface::Sheet& sheet, const Flange* flan
     paper.algorithm = algorithm;
     paper.spacing = asked.spacing;
     if (const auto& p = o.plane; !p.empty()) paper.plane = {{p[0], p[1], p[2]}, p[3]};
-    const bool ortheo = algorithm == Algorithm::ortheo; // the only one that uses these two
+    const bool ortheo = algorithm == Algorithm::ortheo; // the only algorithm that uses --d-iso and --min-spacing
     for (const auto& [spacing, option] : {std::pair{asked.spacing, "--spacing"},
                                           {ortheo ? paper.iso : 0, "--d-iso"},
                                           {ortheo ? paper.least_spacing : 0, "--min-spacing"},
@@ -50,7 +50,8 @@ filum::surfpath::Plan plan_sheet(const surface::Sheet& sheet, const Flange* flan
         filum::surfpath::plan::report_cuts_bound(sheet.surface, {asked.spacing, asked.cut_length, flange == nullptr},
                                                  out);
     };
-    std::optional<filum::surfpath::rings::RingBound> reach; // needs no lines, so it is found beside them
+    std::optional<filum::surfpath::rings::RingBound>
+        reach; // does not depend on the lines, so it is computed in parallel
     const auto bound = [&] {
         reach = filum::surfpath::rings::ring_bound(sheet.surface, asked.spacing, asked.least_radius);
     };
@@ -65,7 +66,7 @@ filum::surfpath::Plan plan_sheet(const surface::Sheet& sheet, const Flange* flan
     return out;
 }
 
-// Flanges for the surfaces that are filled by rows, which take their sheets; the others stay as they are.
+// Adds flanges to the surfaces that rows fill; these flanges take the sheets.  Other sheets stay as they are.
 std::vector<std::optional<Flange>> flanges(const Options& o, const filum::surfpath::Algorithms& algorithms,
                                            std::vector<surface::Sheet>& sheets) {
     std::vector<std::optional<Flange>> out(sheets.size());
@@ -79,7 +80,7 @@ std::vector<std::optional<Flange>> flanges(const Options& o, const filum::surfpa
     return out;
 }
 
-// Where to cut off what lies outside: a line per place.
+// The table (TSV) of places where material outside the parts must be trimmed: a line for each place.
 std::string trim_table(std::span<const filum::surfpath::Plan> plans, std::span<const std::optional<Flange>> flanges) {
     std::size_t strokes = 0;
     std::string out = "stroke\talong\tx\ty\tz\n";
@@ -90,7 +91,7 @@ std::string trim_table(std::span<const filum::surfpath::Plan> plans, std::span<c
     return out;
 }
 
-// "a, b and c" of all that field can follow.
+// The names of all sources that `field` can follow, as "a, b and c".
 std::string known_sources() {
     std::string out;
     const std::size_t n = std::size(filum::surfpath::field::kNamedWeights);
@@ -99,7 +100,7 @@ std::string known_sources() {
     return out;
 }
 
-// What field is to follow; the angle alone if that is all that is said.
+// The mix of directions that `field` follows; only the angle if --follow is not given.
 filum::surfpath::field::DirectionMix followed(const Options& o) {
     using filum::surfpath::field::kNamedWeights;
     using filum::surfpath::field::NamedWeight;
@@ -117,7 +118,7 @@ filum::surfpath::field::DirectionMix followed(const Options& o) {
     return out;
 }
 
-// Warns of options of algorithms that no patch follows.
+// Warns of options of algorithms that no patch uses.
 void tell_idle(const filum::surfpath::Algorithms& algorithms, const cli::Io& io) {
     const auto used = [&](Algorithm a) {
         return std::find(algorithms.begin(), algorithms.end(), a) != algorithms.end();
@@ -179,7 +180,7 @@ void run(const Options& o, const cli::Io& io) {
     if (std::all_of(sheets.begin(), sheets.end(), [](const auto& sheet) { return sheet.surface.rims.empty(); }))
         for (const char* option : {"turn-outside", "trim-list"}) io.idle(option, "no surface has a rim");
     const auto outside = flanges(o, algorithms, sheets);
-    std::optional<cli::Progress> progress; // one surface alone has no parts that could be counted
+    std::optional<cli::Progress> progress; // progress counts surfaces, so a single one has none
     if (sheets.size() > 1) progress.emplace(io, sheets.size());
     std::mutex telling;
     auto patches = filum::surfpath::each_patch(sheets, algorithms, io.threads, [&](std::size_t k) {
@@ -192,7 +193,7 @@ void run(const Options& o, const cli::Io& io) {
     laying.width = o.plan.spacing;
     laying.layer = static_cast<std::uint32_t>(o.ply);
     const auto spans = filum::surfpath::spans(sheets, patches.plans, laying);
-    cli::Io self = io; // with what was followed
+    cli::Io self = io; // its settings get the algorithms that were used
     for (auto& s : self.settings)
         if (s.name == "algorithm" && sheets.size() == 1) {
             s.value = name(*algorithms[0]);

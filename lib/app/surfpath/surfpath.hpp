@@ -1,4 +1,4 @@
-// The whole job of `surfpath`: surfaces in, a toolpath out.
+// The whole job of `surfpath`: reads surfaces and writes a toolpath.
 #pragma once
 
 #include "baselines/kipping2022/kipping2022.hpp"
@@ -9,29 +9,30 @@
 namespace filum::app::surfpath {
 
 struct Options {
-    std::string algorithm = "planned"; // by what the surfaces carry, or a name
+    std::string algorithm = "planned"; // name of the algorithm; "planned": as each surface's frame says
     filum::surfpath::Options plan;
     filum::surfpath::plan::SpanOptions laying;
-    std::string trim_list;               // file of where to trim; "": none
-    std::string machine;                 // profile that must allow turns outside; "": not asked
-    std::string follow, reference = "X"; // of field, as users have them
+    std::string trim_list;               // file for the list of places to trim; "": none
+    std::string machine;                 // profile that must allow turns outside the part; "": not checked
+    std::string follow, reference = "X"; // options of `field`, as the user types them
     double angle_deg = 0;
     std::int64_t ply = 0;
     std::vector<double>
-        plane; // normal and distance, mm, beside which rows of the paper lie; empty: that of the sources
+        plane; // normal and distance (mm) of the plane beside which the paper's rows lie; empty: from the sources
     baselines::kipping2022::Options paper;
 };
 
-// "X", "Y", "Z" or three numbers, "1,0,0.5", as a direction.  Throws Error(usage).
+// The direction that "X", "Y", "Z" or three numbers such as "1,0,0.5" give.  Throws Error(usage) for other text.
 geom::Vec3 reference(const std::string& words);
 
-// Where a plan on a flange is to be trimmed: a line of stroke, from `stroke` on, mm along it, x, y and z per place,
-// each behind `before`.
+// The places where a plan on a flange must be trimmed, one line (TSV) each: the text `before`, the number of the
+// stroke, counted from `stroke`, the arc length on it (mm), and x, y and z.  `part`: number of triangles of the part,
+// as in Flange.
 std::string trim_lines(const filum::surfpath::Plan& plan, std::uint32_t part, std::size_t stroke,
                        const std::string& before = "");
 
 // Reads surfaces, plans each, and writes one toolpath.  Warns of given options that no surface's algorithm uses.
-// Throws Error as the planners do.
+// Throws Error as the planners.
 void run(const Options& options, const cli::Io& io);
 
 } // namespace filum::app::surfpath
