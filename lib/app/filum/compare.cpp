@@ -48,7 +48,7 @@ Command command_of(const Stage& stage, const std::vector<std::string>& arguments
 // The result of one algorithm.  `failed`: why it has no path; "" if it has one.
 struct Row {
     std::string algorithm, failed;
-    std::map<std::string, std::string> figures; // by the keys of metrics
+    std::map<std::string, std::string> figures; // by the keys of `metrics`
 };
 
 class Comparison {

@@ -70,7 +70,7 @@ void env() {
 
 struct OwnCommand {
     const char* name;
-    void (*run)(); // null: it takes arguments
+    void (*run)(); // null: the command takes arguments
     const char* help;
     int (*run_with)(const std::vector<std::string>& arguments) = nullptr;
 };

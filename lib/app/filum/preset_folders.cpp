@@ -19,7 +19,7 @@ std::string from_environment(const char* name) {
     return value == nullptr ? "" : value;
 }
 
-// The folders in which slicers keep presets, the user's first.
+// The folders in which slicers keep presets: those of FILUM_PRESETS, then the user's, then those of installed programs.
 std::vector<fs::path> kept_folders() {
     std::vector<fs::path> out;
     std::istringstream own(from_environment("FILUM_PRESETS"));
@@ -46,7 +46,7 @@ std::vector<fs::path> kept_folders() {
     return out;
 }
 
-// How many folders two paths share from the root on.
+// The number of folders that two paths share, from the root on.
 std::size_t shared_folders(const fs::path& a, const fs::path& b) {
     const auto end = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
     return static_cast<std::size_t>(std::distance(a.begin(), end));

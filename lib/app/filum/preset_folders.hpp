@@ -14,7 +14,7 @@ namespace filum::app::filum {
 enum class PresetKind : std::uint8_t { printer, print, filament };
 inline constexpr std::size_t kPresetKinds = 3;
 
-// "printer"
+// The name of the kind, such as "printer".
 const char* name_of(PresetKind kind);
 // The kind that a word names: "printer" or "machine", "print" or "process", "filament"; none for another word.  The
 // word is the name of a section or of a folder, or the type of a JSON object.

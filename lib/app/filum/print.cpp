@@ -31,7 +31,7 @@ int tell(const std::string& text) {
     return 0;
 }
 
-// The options that a first print needs; their defaults are the stages'.
+// The options that a first print needs.  Their defaults come from the stages.
 struct FirstOption {
     const char *name, *unit, *help;
 };
@@ -160,8 +160,8 @@ std::string pipeline(const std::vector<Command>& commands, const std::vector<Sta
     return line + "\n";
 }
 
-// The text of the pipeline.  If a slicer's printer is the machine, the temporary file of its profile is replaced by a
-// file that the user can make, and the command that makes it comes first.
+// The text of the pipeline.  If a slicer's printer is the machine, its temporary profile gets another name,
+// SlicerMachine::kShownName, and the command that makes that file comes first.
 std::string shown_pipeline(std::vector<Command> commands, const std::vector<Stage>& stages,
                            const SlicerMachine* machine) {
     if (machine == nullptr) return pipeline(commands, stages);

@@ -13,7 +13,7 @@ struct Request {
     std::vector<std::string> inputs; // files of parts, printed together; none: standard input
     std::string output = "-";
     std::string keep;            // folder for the streams of all stages
-    std::string picture, report; // files
+    std::string picture, report; // names of output files; "": none
     bool dry_run = false;        // print the pipeline instead of running it
     bool quiet = false;
     bool vase = false;                               // --vase: one bead in a helix above a floor

@@ -12,7 +12,7 @@ namespace filum::app::filum {
 namespace {
 
 constexpr std::size_t kDeepestPreset = 64; // longest chain of presets that inherit from each other
-constexpr std::size_t kNamesShown = 6;     // in messages
+constexpr std::size_t kNamesShown = 6;     // most names in a message
 
 const SlicerSetting* setting(const std::vector<SlicerSetting>& all, std::string_view key) {
     const auto at = std::ranges::find(all, key, &SlicerSetting::key);
