@@ -11,7 +11,7 @@ namespace filum::app::geodesic {
 struct Options {
     mesh::Placement place;
     Shaping shape;
-    std::string source;      // where the distance is 0, as geodesic::named_sources has it; "": no distances
+    std::string source;      // words for geodesic::named_sources, where the distance is 0; "": none
     std::string lines, mesh; // names of files with further sources
     filum::geodesic::Options measure;
     mesh::step::Tessellation step;
