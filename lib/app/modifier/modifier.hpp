@@ -60,10 +60,10 @@ struct Places {
 };
 
 // The places for supports (`wanted`), or without supports, from the file `path`.  In a slicer's project with enforcers,
-// blockers or painted faces the places are the enforcers and the faces painted for supports, or the blockers and the
-// faces painted against them.  A painted face counts where a layer overhangs the one below.  In any other file the
-// place is the inside of the mesh. Throws Error(bad_input) as body(), and for a project that has only places of the
-// other kind.
+// blockers or painted faces, `wanted` means enforcers and faces painted for supports.  Otherwise the places are
+// blockers and faces painted against supports.  A painted face counts where a layer overhangs the one below.  In any
+// other file the place is the inside of the mesh. Throws Error(bad_input) as body(), and for a project that has only
+// places of the other kind.
 Places support_places(const std::string& path, bool wanted, const stream::Header& header,
                       const std::vector<polygon::Region>& regions, int threads, Notes& notes);
 
