@@ -38,7 +38,7 @@ std::vector<std::uint32_t> usable_as_indices(std::vector<polygon::Region>& regio
     return polygon::close_gaps(regions, kMostEmptyLayers);
 }
 
-// The numbers of all layers once a raft has raised them.
+// The original numbers of all layers, raised by the layers of a raft and its gap; the new layers come first.
 std::vector<std::uint32_t> raised(const std::vector<std::uint32_t>& original, const filum::supports::Options& options) {
     const auto by = options.raft > 0 ? static_cast<std::uint32_t>(options.raft + options.gap) : 0;
     std::vector<std::uint32_t> out(by);
