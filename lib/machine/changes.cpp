@@ -1,4 +1,4 @@
-// What the user changes of a profile once it is read.
+// Changes of a profile that the user makes after it is read.
 #include "machine/profile.hpp"
 
 #include <utility>
@@ -7,7 +7,7 @@ namespace filum::machine {
 
 namespace {
 
-// Changes the profile and its own tools alike.
+// Applies a change to the profile and to the profiles of its tools.
 template <class Change>
 void change_all(Profile& profile, const Change& change) {
     change(profile);

@@ -59,13 +59,13 @@ namespace {
 
 char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
 
-// "SET_PIN", "print_start", "Tx": a letter that neither a number nor a blank follows begins a name.
+// True if the code begins with a name, that is, a letter followed by a letter or '_': "SET_PIN", "print_start", "Tx".
 bool begins_with_name(std::string_view code) {
     const auto is_letter = [](char c) { return upper(c) >= 'A' && upper(c) <= 'Z'; };
     return code.size() > 1 && is_letter(code[0]) && (is_letter(code[1]) || code[1] == '_');
 }
 
-// The number at the begin of `text`, and how long it is; 0 if there is none.
+// Reads the number at the beginning of `text`; returns the length of its text, or 0 if there is none.
 std::size_t number_at(std::string_view text, Word& to) {
     std::size_t i = 0;
     while (i < text.size() && (is_blank(text[i]) || text[i] == '+')) ++i;
@@ -114,7 +114,7 @@ void split(std::string_view code, Words& to) {
 
 namespace {
 
-// The first word behind the number of the line.
+// The first word after the line number; null if there is none.
 const Word* first_word(const Words& line) {
     for (const Word& w : line.words)
         if (w.letter != 'N') return &w;
@@ -147,7 +147,7 @@ std::map<std::string, std::uint32_t> tool_lines(const Profile& p) {
             constexpr std::string_view number = "{tool_no}";
             if (const auto at = line.find(number); at != std::string::npos)
                 line.replace(at, number.size(), shortest_text(p.tools.first + static_cast<double>(tool)));
-            if (line.find('{') != std::string::npos) continue; // what only the whole job knows
+            if (line.find('{') != std::string::npos) continue; // its value depends on the whole job
             line = std::string(CodeLine(line).code());
             if (line.empty()) continue;
             codes[tool].push_back(line);
@@ -169,7 +169,7 @@ kinematics::Joints joints_of(const Profile& profile, std::uint32_t tool, const A
     const Profile& own = of_tool(profile, tool);
     const geom::Vec3 xyz{a[0], a[1], a[2]};
     if (tip) return kinematics::place(own.axes.chain, xyz, a[3] * kDegree, a[4] * kDegree);
-    return {xyz + own.offset, a[3] * kDegree, a[4] * kDegree}; // the axes count where tool 0's tip is
+    return {xyz + own.offset, a[3] * kDegree, a[4] * kDegree}; // the positions of the axes are those of tool 0's tip
 }
 
 std::size_t axis_of(const Profile& profile, char letter) {

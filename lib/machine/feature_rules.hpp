@@ -1,4 +1,4 @@
-// What beads of one feature have of their own: [features.NAME] of a profile.
+// Flow, acceleration and fan of beads by feature: [features.NAME] of a profile.
 #pragma once
 
 #include "toolpath/path.hpp"
@@ -11,14 +11,14 @@ namespace filum::machine {
 struct FeatureRule {
     double flow = 1;         // factor on the material
     double acceleration = 0; // mm/s2; 0: motion.acceleration
-    double fan = -1;         // as the machine counts it, above the first layer; -1: as elsewhere, values.fan
+    double fan = -1;         // fan speed above the first layer, in the machine's unit; -1: as elsewhere
 };
 
 struct FeatureRules {
     std::array<FeatureRule, toolpath::kFeatures> of;
-    // Codes with {acceleration} and {fan_speed}, where these change; needed if a rule has one.
+    // Codes with {acceleration} and {fan_speed} that change them; required if a rule has such a value.
     std::string set_acceleration, set_fan;
-    bool accelerates = false, blows = false; // whether any rule has one
+    bool accelerates = false, blows = false; // a rule has an acceleration, a fan speed
 
     const FeatureRule& operator[](toolpath::Feature f) const { return of[static_cast<std::size_t>(f)]; }
 };

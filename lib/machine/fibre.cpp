@@ -14,7 +14,7 @@ namespace {
 constexpr double kSpeed = 1e5;      // mm/s
 constexpr double kPath = 1e6;       // mm
 constexpr double kLeast = 1;        // mm from cutter to nozzle
-constexpr double kEvery = 1;        // mm: tension pauses do not come thicker
+constexpr double kEvery = 1;        // mm: least distance between tension pauses
 constexpr double kDwell = 3600;     // s
 constexpr double kNoStretch = 1e-9; // mm
 
@@ -81,7 +81,7 @@ std::vector<Stretch> stretches(const Fibre& f, double length) {
     };
     add({0, anchored, f.anchor_feed, f.ratio, Event::none});
     const double step = pauses && f.tension_every > 0 ? f.tension_every : std::numeric_limits<double>::infinity();
-    // Places by their number, so that no error adds up.
+    // Each place is computed from its number, so that no rounding error adds up.
     for (double k = 0, from = anchored; from < cut; ++k) {
         const double to = std::min(anchored + (k + 1) * step, cut);
         add({from, to, f.feed, f.push ? f.ratio : 0, pauses && from > 0 ? Event::tension : Event::none});

@@ -1,4 +1,4 @@
-// Where profiles and models of robots live.
+// Finds and loads profiles and models of robots.
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "machine/profile.hpp"
@@ -34,7 +34,7 @@ std::vector<fs::path> folders() {
 
 bool is_path(const std::string& name) { return name.find('/') != std::string::npos || name.ends_with(".toml"); }
 
-// `shown` is what messages call the file, which is a `kind`.
+// The text of a file.  `shown` is its name in messages, and `kind` the kind of file that they mention.
 std::string contents(const fs::path& path, const std::string& shown, const std::string& kind = "profile") {
     constexpr std::uintmax_t kMax = 1 << 20;
     const std::string file = kind + " '" + shown + "'";
@@ -50,7 +50,7 @@ std::string contents(const fs::path& path, const std::string& shown, const std::
     return text;
 }
 
-// Where models of robots live: beside the folders of profiles, or within them.
+// The folders of robot models, which are within the folders of profiles or beside them.
 std::vector<fs::path> model_folders() {
     std::vector<fs::path> out;
     for (const auto& folder : folders()) {
@@ -101,7 +101,7 @@ kinematics::Arm load_robot(const std::string& name_or_path, const std::string& b
 
 namespace {
 
-// The text of a profile, and what messages call its file.
+// The text of a profile, and the name of its file in messages.
 struct ProfileText {
     std::string text, file;
 };

@@ -1,4 +1,4 @@
-// The print head's shape above the nozzle tip: what must not touch the part while it grows.
+// The shape of the print head above the nozzle tip, which must not touch the part.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace filum::machine {
 
-// A flat tip, a cone above it, then a carriage box centred on the nozzle, then a gantry that spans the machine.
+// A flat tip, a cone above it, a carriage box centred on the nozzle, and a gantry that spans the machine.
 struct Head {
     double flat_radius = 0.2;               // mm, of the flat at the tip
     double cone_angle = 1.0471975511965976; // rad, the whole angle of the nozzle cone (60 degrees)
@@ -20,29 +20,29 @@ struct Head {
     double gantry_height = std::numeric_limits<double>::infinity(); // mm; above it the head is infinitely wide
     bool none = false;                                              // no head at all: nothing ever collides
 
-    // Radius of the nozzle `dz` mm above the tip; above the cone, that of its wide end.
+    // Radius of the nozzle `dz` mm above the tip, mm; above the cone it is that of the cone's wide end.
     [[nodiscard]] double cone_radius(double dz) const {
         return flat_radius + std::min(dz, cone_height) * std::tan(cone_angle / 2);
     }
 };
 
-// A head as the user says it: by name, and what is to be different about it; empty lists leave it as it is.
+// The user's choice of a head: a name, and sizes that replace those of the named head.  An empty list keeps a size.
 struct HeadChoice {
     std::string name = "ordinary"; // or "none", or a machine profile's name or file
-    std::vector<double> flat_radius, cone_angle_deg, cone_height, gantry_height; // mm, deg; gantry 0: out of reach
+    std::vector<double> flat_radius, cone_angle_deg, cone_height, gantry_height; // mm, deg; gantry_height 0: no gantry
     std::vector<double> carriage;                                                // mm, x and y
 };
 
-// Throws Error like load_profile.
+// The head of a choice.  Throws as load_profile does.
 Head head(const HeadChoice& choice);
 
-// `from` with what the choice has different about it, whatever its name.
+// `from` with the sizes of the choice; the name of the choice is ignored.
 Head altered(const Head& from, const HeadChoice& choice);
 
-// The head, wherever it came from, as names and values of options that give it again.
+// A head as names and values of options that describe it completely.
 struct HeadSetting {
     std::string name, value;
-    bool changed = false; // differs from the ordinary head's
+    bool changed = false; // the value differs from that of the ordinary head
 };
 std::vector<HeadSetting> settings(const Head& head);
 

@@ -9,8 +9,8 @@ namespace filum::machine {
 namespace {
 
 constexpr double kAnySpeed2 = 1e30;
-constexpr std::size_t kHeld = 2048; // legs that are planned together where nothing limits the look-ahead
-// How firmwares but Klipper cut arcs: pieces of a circle, and mm of a piece.
+constexpr std::size_t kHeld = 2048; // legs planned together where the look-ahead has no limit
+// How firmware other than Klipper divides arcs: chords per circle; shortest and longest chord, mm.
 constexpr double kPieces = 72, kShortest = 0.1, kLongest = 1;
 
 double trapezoid(double length, double a, double in2, double cruise2, double out2) {
@@ -25,14 +25,15 @@ double squared(double v) { return v * v; }
 } // namespace
 
 LookAhead::LookAhead(const Profile& p) : motion_(p.motion), axes_(p.axes) {
-    // Of the circle that touches both arms of a square corner at `corner_speed`: r (sqrt 2 - 1), with r = v2 / a.
+    // Times the acceleration a.  The circle that touches both legs of a square corner has r = v2 / a at corner_speed,
+    // and it deviates from the corner by r (sqrt 2 - 1).
     deviation_ = squared(motion_.corner_speed) * (std::numbers::sqrt2 - 1);
     ahead_ =
         motion_.look_ahead > 0 ? std::min<std::size_t>(static_cast<std::size_t>(motion_.look_ahead), kHeld) : kHeld;
     legs_.reserve(2 * kHeld);
 }
 
-// What jumps from one leg to the next besides X, Y and Z.
+// Square of the speed that the jumps of the extruder and the rotary axes allow at a corner.
 double LookAhead::jump2(const Leg& before, const Leg& leg) const {
     double out = kAnySpeed2;
     const auto axis = [&](double from, double to, double bound) {
@@ -44,7 +45,7 @@ double LookAhead::jump2(const Leg& before, const Leg& leg) const {
     return out;
 }
 
-// Square of the speed at which the corner between two legs may be passed.
+// Square of the highest speed at the corner between two legs.
 double LookAhead::corner2(const Leg& before, const Leg& leg) const {
     if (!before.linear || !leg.linear) return 0;
     const double jump = jump2(before, leg);
@@ -54,7 +55,7 @@ double LookAhead::corner2(const Leg& before, const Leg& leg) const {
         return most > 0 ? std::min(jump, squared(motion_.corner_speed / most)) : jump;
     }
     const double c = dot(before.direction, leg.direction), a = std::min(before.acceleration, leg.acceleration);
-    const double half_sine = std::sqrt(std::max(0.0, 0.5 * (1 + c))); // sine of half the angle between the arms
+    const double half_sine = std::sqrt(std::max(0.0, 0.5 * (1 + c))); // sine of half the angle between the legs
     const double half_cosine = std::sqrt(std::max(0.0, 0.5 * (1 - c)));
     if (half_sine >= 1 || half_cosine == 0) return jump;
     const double part = half_sine / (1 - half_sine), tangent = half_sine / half_cosine;
@@ -63,7 +64,7 @@ double LookAhead::corner2(const Leg& before, const Leg& leg) const {
         return std::min({jump, part * motion_.blend * normal * a,
                          0.5 * std::min(before.length, leg.length) * tangent * normal * a});
     }
-    // The circle must touch the arms before their middles.
+    // The circle must touch the legs before their middles.
     const double rule = part * deviation_ * std::min(before.share, leg.share);
     return std::min({jump, rule, 0.25 * tangent * std::min(before.gain2, leg.gain2)});
 }
@@ -113,7 +114,7 @@ void LookAhead::straight(const PlannedMove& m) {
     leg.cruise2 = speed * speed;
     leg.gain2 = 2 * a * l;
     const bool gently = motion_.controller == Controller::klipper;
-    // Klipper keeps the corner speed whatever the acceleration is set to, Marlin the deviation.
+    // If the acceleration is changed, Klipper keeps the corner speed, and Marlin keeps the deviation.
     leg.share = a / (gently && !m.extruding ? motion_.travel_acceleration : laying);
     leg.gentle2 = gently ? std::min(leg.gain2, 2 * l * laying * (1 - motion_.minimum_cruise_ratio)) : leg.gain2;
     if (!legs_.empty()) {
@@ -134,7 +135,7 @@ double LookAhead::total() {
     return seconds_;
 }
 
-// As far ahead as there are legs.
+// Plans the speed at the start of every leg, with all legs as look-ahead.
 void LookAhead::plan_entries() {
     double out2 = 0;
     for (std::size_t i = legs_.size(); i-- > 0;) {
@@ -144,7 +145,8 @@ void LookAhead::plan_entries() {
     }
 }
 
-// As far as the controller holds moves: it must be able to stop at the end of the last of them.
+// Plans the speed at the start of every leg, with a look-ahead of `ahead_` legs: the machine must be able to stop at
+// the end of the last of them.
 void LookAhead::plan_window() {
     for (std::size_t i = 0; i < legs_.size(); ++i) {
         double out2 = 0;
@@ -165,8 +167,8 @@ void LookAhead::time_trapezoids(std::size_t count) {
     speed2_ = in2;
 }
 
-// As if the machine braked by gentle2 only, each stretch peaks where the gentle ways up and down meet; the legs between
-// peaks keep the speed they come with, or slow down.
+// Adds the time of legs as Klipper plans them.  The peak of each stretch is where speeding up and braking by gentle2
+// only would meet.  The legs between peaks keep the speed of the leg before, or slow down.
 void LookAhead::time_smoothed(std::size_t count) {
     const std::size_t n = legs_.size();
     constexpr double unset = -1;

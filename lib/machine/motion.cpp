@@ -15,7 +15,7 @@ std::unique_ptr<Planner> planner(const Profile& p) {
 }
 
 void Clock::pause(double seconds) {
-    (void)planner_->total(); // it stands
+    (void)planner_->total(); // the machine stops
     paused_ += seconds;
 }
 

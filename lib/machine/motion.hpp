@@ -1,4 +1,4 @@
-// How long a machine takes: what its controller's planner makes of moves, one after the other.
+// The time that a machine takes: models of the motion planners of controllers.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -15,30 +15,30 @@ struct PlannedMove {
     double tilt = 0, turn = 0; // rad
     double extruded = 0;       // extruder units
     bool extruding = false;
-    double acceleration = 0; // mm/s2, of what extrudes; 0: motion.acceleration
+    double acceleration = 0; // mm/s2, of an extruding move; 0: motion.acceleration
     double sweep = 0;        // rad of an arc, positive counter-clockwise; 0: straight
-    geom::Vec2 arm{};        // mm, of an arc, from its centre to where it begins
+    geom::Vec2 arm{};        // mm, of an arc, from its centre to its start
 };
 
 class Planner {
   public:
     virtual ~Planner() = default;
     virtual void move(const PlannedMove& move) = 0;
-    virtual double total() = 0; // s of all so far; the machine then stands
+    virtual double total() = 0; // s of all moves so far; the machine then stops
 };
 
-// What profile.motion.controller names; see look_ahead.hpp, parabolic.hpp.
+// The planner of profile.motion.controller; see look_ahead.hpp and parabolic.hpp.
 std::unique_ptr<Planner> planner(const Profile& profile);
 
 // Adds up the time of moves and pauses as they come.
 class Clock {
   public:
     explicit Clock(const Profile& profile) : planner_(planner(profile)) {}
-    // No length and no turn, no time.
+    // A move without length and turn takes no time.
     void move(const PlannedMove& move) { planner_->move(move); }
     // The machine stands for `seconds`.
     void pause(double seconds);
-    // All so far, s; the machine then stands.
+    // All time so far, s; the machine then stops.
     double total() { return paused_ + planner_->total(); }
 
   private:
@@ -46,10 +46,11 @@ class Clock {
     double paused_ = 0;
 };
 
-// s for `length` at up to `speed` from standstill to standstill; `acceleration` may be infinite.
+// Time in s for `length` from standstill to standstill, at `speed` at most; `acceleration` may be infinite.
 double stop_to_stop(double length, double speed, double acceleration);
 
-// What an axis' bounds leave of a speed or acceleration along a way of `length`, of which it does `part`.
+// The largest speed or acceleration along a way of `length` if one axis does `part` of it and is limited to `bound`;
+// infinite if the axis does not move.
 inline double along(double bound, double part, double length) {
     const double own = part < 0 ? -part : part;
     return own > 0 ? bound * length / own : std::numeric_limits<double>::infinity();

@@ -7,9 +7,9 @@ namespace filum::machine {
 
 namespace {
 
-constexpr double kCycle = 1e-3;       // s, of the servo; a move takes one at least
-constexpr double kCurveShare = 0.866; // of the acceleration that an arc may take across
-constexpr double kLeastCosine = 1e-3; // flatter corners are none
+constexpr double kCycle = 1e-3;       // s, cycle of the servo; a move takes at least one
+constexpr double kCurveShare = 0.866; // largest share of the acceleration that an arc may need across the path
+constexpr double kLeastCosine = 1e-3; // a flatter corner counts as straight
 
 } // namespace
 
@@ -51,7 +51,7 @@ Parabolic::Segment Parabolic::segment(const PlannedMove& m) const {
     return out;
 }
 
-// Runs the segment to its end, beside whose slowing down `next` begins.
+// Runs the current segment to its end.  `next` begins while it slows down; null: there is no next segment.
 void Parabolic::run(const Segment* next) {
     const Segment& s = at_;
     const double a = s.acceleration, left = std::max(s.length - begun_, 0.0);
@@ -59,7 +59,7 @@ void Parabolic::run(const Segment* next) {
     if (peak > speed_) {
         const double cruise = left - (2 * peak * peak - speed_ * speed_) / (2 * a);
         seconds_ += (2 * peak - speed_) / a + std::max(0.0, cruise) / peak;
-    } else if (speed_ > 0) { // it has more speed than it can lose
+    } else if (speed_ > 0) { // it is faster than it can brake
         seconds_ += std::max(speed_ / a, left > 0 ? left / speed_ : 0);
     }
     begun_ = speed_ = 0;
@@ -67,7 +67,7 @@ void Parabolic::run(const Segment* next) {
     const Segment& n = *next;
     const double here = std::min(std::sqrt(a * s.length), s.speed);
     const double there = std::min(std::sqrt(n.acceleration * n.length), n.speed);
-    // The longest blend that leaves both halves of the moves alone.
+    // The longest blend that takes no more than half of either move.
     const double time =
         std::min(std::min(s.length / here, n.length / there), std::max(here / a, there / n.acceleration));
     double slows = std::min(here, time * a), grows = std::min(there, time * n.acceleration);

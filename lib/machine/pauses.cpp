@@ -11,7 +11,7 @@ namespace filum::machine {
 
 std::size_t Pauses::before(std::uint32_t layer, double z, double height) const {
     const auto in_layers = std::count_if(layers.begin(), layers.end(), [&](std::uint32_t l) { return l <= layer; });
-    constexpr double rounding = 1e-6; // mm, of the heights of layers
+    constexpr double rounding = 1e-6; // mm, rounding error of the heights of layers
     const auto in_heights =
         std::count_if(heights.begin(), heights.end(), [&](double h) { return h < z - height / 2 - rounding; });
     return static_cast<std::size_t>(in_layers + in_heights);

@@ -193,7 +193,7 @@ void read_format(Document& doc, Format& f) {
                                               : Objects::none;
 }
 
-// A robot's language goes with tool frames, and with nothing else.
+// Checks that a machine has a robot's language if and only if it has tool frames.
 void check_robot(const Document& doc, const Profile& p) {
     const bool frames = p.axes.chain.carrier == kinematics::Carrier::frame;
     if (frames != (p.format.dialect != Dialect::gcode))
@@ -204,7 +204,8 @@ void check_robot(const Document& doc, const Profile& p) {
         doc.fail("extrusion.on_trigger", "only RAPID has triggers: use on and off");
 }
 
-// Speeds of the fibre keep to the machine's own, and a fibre head is reached by a change of tools or is the only one.
+// Checks that the speeds of the fibre are within the machine's, and that there are codes to change to the fibre head
+// unless it is tool 0.
 void check_fibre(const Document& doc, const Profile& p) {
     const Fibre& f = p.fibre;
     if (!f.active()) return;
@@ -217,7 +218,7 @@ void check_fibre(const Document& doc, const Profile& p) {
         doc.fail("tools.change", "a fibre head beside tool 0 needs the codes that change tools");
 }
 
-// Texts that hold placeholders.
+// Checks the placeholders of texts.
 void check_codes(const Document& doc, const Profile& p,
                  std::initializer_list<std::pair<const char*, const std::string*>> texts) {
     Values own = p.values;
@@ -268,7 +269,7 @@ void read_templates(Document& doc, Profile& p) {
                  {"robot.module_unload", &p.robot.module_unload}});
 }
 
-// What a section [tool.N] says differently.
+// Reads a section [tool.N] over a copy of the whole profile.
 void read_own_tool(Document& doc, const std::string& name, Profile& p) {
     const bool letters = p.extrusion.letter == 'E';
     const bool relative = p.extrusion.relative;
@@ -301,7 +302,7 @@ void read_own_tool(Document& doc, const std::string& name, Profile& p) {
         doc.fail("change", "a tool beside tool 0 needs the codes that take it: this, or tools.change");
 }
 
-// Also what holds for all: a valve has nothing to take back.
+// Reads all sections [tool.N].  Also sets retraction to 0 for each tool with a valve, as a valve takes nothing back.
 void read_own_tools(Document& doc, Profile& p) {
     const auto settle = [](Profile& one) {
         if (one.extrusion.feeding == Feeding::valve) one.travel.retract = one.travel.extra = 0;

@@ -9,7 +9,7 @@ namespace filum::machine {
 
 namespace {
 
-// The corners of a bed; none for a rectangle along the axes, and for one that is not convex.
+// Reads the outline of a bed.  There is none if the bed is a rectangle along the axes, or if it is not convex.
 void read_outline(const preset::Preset& preset, Bed& bed) {
     const auto found = preset.settings.find(preset.settings.contains("bed_shape") ? "bed_shape" : "printable_area");
     if (found == preset.settings.end()) return;

@@ -6,7 +6,7 @@
 
 namespace filum::machine {
 
-// A slicer's profile, whose G-code the program is to have.  Throws as Document.
+// Reads the slicer's profile whose G-code the program gets.  Throws as Document does.
 void read_preset(Document& doc, Profile& profile);
 
 } // namespace filum::machine

@@ -12,8 +12,8 @@
 #include <set>
 #include <stdexcept>
 
-// In a release build toml++ 3.3 tells the compiler that its assertions hold, and texts such as "x = [1,}" break them.
-// So they are kept, as exceptions.
+// In a release build toml++ 3.3 lets the compiler assume that its assertions hold, but texts such as "x = [1,}" break
+// them.  So its assertions are kept, and throw exceptions.
 namespace filum::machine {
 [[noreturn]] static void toml_assertion() { throw std::logic_error("malformed"); }
 } // namespace filum::machine
@@ -21,7 +21,7 @@ namespace filum::machine {
 #undef NDEBUG
 #define TOML_ASSERT(expression) ((expression) ? static_cast<void>(0) : filum::machine::toml_assertion())
 #include <toml++/impl/forward_declarations.h>
-// Its tests of letters reach what they call unreachable; there, "no" is an answer.
+// The functions of toml++ that classify letters reach code that is marked unreachable.  There they return false.
 #undef TOML_UNREACHABLE
 #define TOML_UNREACHABLE                                                                                               \
     return {}
@@ -35,14 +35,14 @@ namespace filum::machine {
 
 struct Document::State {
     std::string kind, file;
-    std::string within;                            // "tool.1.": what stands before every key that is asked for
-    toml::node* asked_for(const std::string& key); // that is asked for, within that
+    std::string within;                            // "tool.1.": the prefix of every key that is read
+    toml::node* asked_for(const std::string& key); // finds prefix + key, and marks it as read
     toml::table root;
-    std::set<std::string> asked; // dotted keys
+    std::set<std::string> asked; // dotted keys that were read
     std::set<std::string> set;   // keys that came from `set`
-    std::vector<bool> opens;     // by line: a text of several lines begins at its end, so below it
-    std::string texts;           // all that were asked for: where names in braces may stand
-    std::set<std::string> named; // sections whose keys are such names
+    std::vector<bool> opens;     // by line: a text of several lines opens at its end, and begins below it
+    std::string texts;           // all texts that were read, which may hold names in braces
+    std::set<std::string> named; // sections whose keys are such names, see numbers()
 };
 
 namespace {
@@ -74,7 +74,7 @@ toml::node* Document::State::asked_for(const std::string& key) {
 
 namespace {
 
-// What stands after '=' in `set`: a number, true or false, or else a text as it is.
+// The value after '=' in `set`: a number, true or false, or else an unchanged text.
 void assign(toml::table& to, const std::string& key, const std::string& value) {
     if (value == "true" || value == "false") {
         to.insert_or_assign(key, value == "true");
@@ -165,7 +165,7 @@ void Document::require(const std::string& key) const {
 
 namespace {
 
-// The number in `node`; "" or what is wrong with it.
+// Reads the number in `node`; returns its fault, or "" if there is none.
 std::string number_in(const toml::node& node, const Document::Range& range, double& out) {
     const auto value = node.is_number() ? node.value<double>() : std::nullopt;
     if (!value) return "it must be a number";
@@ -296,7 +296,7 @@ void Document::check_names() const {
             const std::string key(name.str());
             (named.contains(key) ? used : idle).push_back(key);
         }
-        // Templates that --set replaces need not name what the profile's own ones named.
+        // A template from --set need not name the values that the profile's own template named.
         const bool replaced = std::any_of(state_->set.begin(), state_->set.end(),
                                           [](const std::string& key) { return key.starts_with("templates."); });
         if (replaced)
@@ -305,7 +305,7 @@ void Document::check_names() const {
         const auto set = std::find_if(idle.begin(), idle.end(),
                                       [&](const auto& name) { return state_->set.count(section + "." + name) != 0; });
         const std::string& name = set != idle.end() ? *set : idle.front();
-        for (const std::string& key : state_->asked) // "bead" may be feeds.bead
+        for (const std::string& key : state_->asked) // "bead" may be meant as feeds.bead
             if (key.ends_with("." + name)) used = {key};
         const std::string meant = did_you_mean(name, used);
         fail(section + "." + name,
@@ -321,8 +321,8 @@ struct Left {
     toml::source_position at;
 };
 
-// Keys of `table`, whose own key is `above`, that were not asked for; a section is gone through, one that holds
-// nothing asked for is left over as a whole.
+// Collects the keys of `table` that nothing read; `above` is the prefix of its keys.  A section is searched if a key in
+// it was read, else it is left over as a whole.
 void left_over(const toml::table& table, const std::string& above, const std::set<std::string>& asked,
                std::vector<Left>& out) {
     for (const auto& [name, node] : table) {

@@ -18,7 +18,8 @@ using Range = Document::Range;
 constexpr double kFarFrame = 1e5;    // mm, degrees
 constexpr double kMostSingular = 45; // degrees
 
-// [x, y, z, a, b, c]: mm, and degrees about z, the new y, the new x; the same numbers as KUKA's frames.
+// Reads [x, y, z, a, b, c]: mm, and degrees about z, the new y, and the new x, as in KUKA's frames.  False: no such
+// key.
 bool read_frame(Document& doc, const std::string& key, Frame& out) {
     std::array<double, 6> v{};
     if (!doc.list(key, v, {-kFarFrame, kFarFrame})) return false;
@@ -119,7 +120,7 @@ void add_frame(const std::string& name, const Frame& f, std::map<std::string, do
     const auto q = geom::quaternion(f.turn);
     const auto v = geom::rotation_vector(f.turn);
     const double place[] = {f.origin.x, f.origin.y, f.origin.z};
-    // Rounded as templates print, so that a right angle is one.
+    // Numbers are rounded to the decimals of templates, so that a right angle is exact.
     const auto rounded = [](double x) { return std::round(x * 1e9) / 1e9 + 0.0; };
     for (std::size_t k = 0; k < 3; ++k) {
         const std::string xyz(1, "xyz"[k]), abc(1, "abc"[k]);

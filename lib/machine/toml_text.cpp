@@ -11,14 +11,14 @@ bool begins_key(char c) {
            c == '"' || c == '\'';
 }
 
-// True if `rest`, which begins with '[', is a section or a list of sections with something like a name.
+// True if `rest`, which begins with '[', begins a section or a list of sections that has a name.
 bool names_section(std::string_view rest) {
     rest.remove_prefix(rest.substr(0, 2) == "[[" ? 2 : 1);
     const auto name = rest.find_first_not_of(" \t");
     return name != std::string_view::npos && begins_key(rest[name]);
 }
 
-// Where the text in quotes or the comment that begins at `at` ends: one past its last character.
+// The end of the quoted text or comment that begins at `at`: one past its last character.
 std::size_t end_of_quiet(std::string_view text, std::size_t at) {
     const char quote = text[at];
     if (quote == '#') return std::min(text.find('\n', at), text.size());
@@ -37,7 +37,7 @@ std::size_t end_of_quiet(std::string_view text, std::size_t at) {
     return text.size();
 }
 
-// True if `quoted` is a text of several lines that begins on its second.
+// True if `quoted` is a text of several lines whose first line is empty, so that it begins on the next one.
 bool opens_lines(std::string_view quoted) {
     return (quoted.starts_with("\"\"\"") || quoted.starts_with("'''")) &&
            (quoted.substr(3).starts_with('\n') || quoted.substr(3).starts_with("\r\n"));
@@ -58,7 +58,7 @@ TomlText examine(std::string_view text) {
             out.line = line;
         }
     };
-    bool fresh = true; // nothing but blanks on this line so far
+    bool fresh = true; // only blanks on this line so far
     for (std::size_t i = text.starts_with("\xef\xbb\xbf") ? 3 : 0; i < text.size();) {
         const char c = text[i];
         if (c == '#' || c == '"' || c == '\'') {

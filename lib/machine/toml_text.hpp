@@ -1,4 +1,4 @@
-// What has to be known of a TOML text before its parser sees it.
+// Checks of a TOML text before its parser reads it.
 #pragma once
 
 #include <string>
@@ -8,13 +8,14 @@
 namespace filum::machine {
 
 struct TomlText {
-    std::string fault;       // "" or what is wrong with it
+    std::string fault;       // what is wrong with the text; "": nothing
     std::size_t line = 0;    // of the fault, counted from 1
-    std::vector<bool> opens; // by line: it ends by opening a text of several lines, whose first line is the next one
+    std::vector<bool> opens; // by line: a text of several lines opens at its end, and begins on the next line
 };
 
-// toml++ 3.3 is undefined on a section without a name ("[=") and on letters beyond ASCII in keys, so both are found
-// here; in texts in quotes and in comments any UTF-8 is left to it.  Control characters are faults everywhere.
+// Finds the texts on which the behaviour of toml++ 3.3 is undefined: a section without a name ("[="), and letters
+// beyond ASCII in keys.  UTF-8 in quoted texts and comments is left to toml++.  Control characters are faults
+// everywhere.
 TomlText examine(std::string_view text);
 
 } // namespace filum::machine

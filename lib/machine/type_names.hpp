@@ -1,4 +1,4 @@
-// What comments of programs call beads, so that the viewers of slicers colour them: the names of PrusaSlicer.
+// The names of beads in comments of programs.  They are those of PrusaSlicer, so that viewers show their colours.
 #pragma once
 
 #include "toolpath/path.hpp"
@@ -17,7 +17,7 @@ inline constexpr std::array<const char*, toolpath::kFeatures> kTypeNames{
     "Ironing",         "Support material",   "Support material interface",
     "Skirt/Brim",      "Wipe tower"};
 
-// The first feature of that name; several share "Solid infill".
+// The first feature with that name, as several share "Solid infill"; nullopt if there is none.
 inline std::optional<toolpath::Feature> feature_of_type(std::string_view name) {
     for (std::size_t i = 0; i < kTypeNames.size(); ++i)
         if (name == kTypeNames[i]) return static_cast<toolpath::Feature>(i);

@@ -1,4 +1,4 @@
-// Robots by their URDF: of it the joints are read, and nothing else.
+// Robots from URDF files; only their joints are read.
 #include "base/error.hpp"
 #include "base/length_unit.hpp"
 #include "base/number.hpp"
@@ -23,17 +23,17 @@ using kinematics::kAxes;
 
 struct Joint {
     std::string name, type, parent, child;
-    Frame place; // of the child in the parent, at 0
+    Frame place; // the child in the parent's frame, at joint position 0
     kinematics::Axis axis;
     bool mimics = false;
     [[nodiscard]] bool fixed() const { return type == "fixed"; }
     [[nodiscard]] bool turns() const { return type == "revolute" || type == "continuous"; }
 };
 
-// rad, and rad/s: eight turns.  Beyond it a limit is taken for degrees: no axis of a robot of six stops there, and
-// every such robot has axes that go beyond 50 degrees.
+// rad, and rad/s: eight turns.  A larger limit is taken for degrees.  No axis of a robot with six axes has its limit
+// there, and every such robot has axes that turn farther than 50 degrees.
 constexpr double kMostAngle = 50;
-constexpr double kMostLength = 50000; // mm: beyond it a link is taken for one in mm, as no robot is 50 m long
+constexpr double kMostLength = 50000; // mm: a longer link is taken for one in mm, as no robot is 50 m long
 
 constexpr const char* kTypes[] = {"fixed", "revolute", "continuous", "prismatic", "planar", "floating"};
 
@@ -78,7 +78,7 @@ class Tree {
     }
 
   private:
-    // Refuses joints between root and flange that are no axes of a robot of six, as what they are.
+    // Throws for a joint between root and flange that cannot be an axis of a robot with six axes, and names its type.
     void check_turns(const Joint& j) const {
         if (j.type == "prismatic")
             fail("joint '" + j.name +
@@ -90,7 +90,7 @@ class Tree {
         if (j.mimics) fail("joint '" + j.name + "' does not turn on its own: it mimics another one");
     }
 
-    // A URDF counts in rad and m; degrees and mm are found by their size.
+    // A URDF is in rad and m.  Throws for numbers so large that they must be degrees or mm.
     void check_units(const std::vector<const Joint*>& chain) const {
         for (const Joint* j : chain) {
             if (norm(j->place.origin) > kMostLength)
@@ -137,7 +137,7 @@ class Tree {
     }
 
     [[nodiscard]] Joint joint(const pugi::xml_node& node) const {
-        constexpr double mm = kMetre; // URDF counts in m
+        constexpr double mm = kMetre; // URDF is in m
         Joint out;
         out.name = node.attribute("name").value();
         out.type = node.attribute("type").value();
@@ -201,8 +201,8 @@ class Tree {
         return std::ranges::any_of(joints_, [&](const Joint& j) { return j.parent == link || j.child == link; });
     }
 
-    // The link of exactly this name, else the only one with a prefix before it ("left_tool0"), with 6 axes before it;
-    // "" if there is none.
+    // The link with this name, or else the only link with a prefix before the name ("left_tool0"); 6 axes must lead to
+    // it.  "" if there is none.
     [[nodiscard]] std::string tip(const std::string& name) const {
         const auto six = [&](const std::string& link) { return axes_of(up(link)) == kAxes; };
         if (has_link(name) && six(name)) return name;
@@ -218,7 +218,7 @@ class Tree {
     [[nodiscard]] std::string end() const {
         for (const char* name : {"tool0", "flange"})
             if (auto link = tip(name); !link.empty()) return link;
-        std::set<std::string> last; // of a chain of six, before anything fixed
+        std::set<std::string> last; // last links of chains with six axes, without fixed links after them
         for (const Joint& j : joints_)
             if (j.turns() && axes_of(up(j.child)) == kAxes) last.insert(j.child);
         if (last.size() == 1) return *last.begin();
@@ -232,9 +232,9 @@ class Tree {
         fail("it has no chain of 6 turning axes");
     }
 
-    // The frame that the controller counts from, seen from the root: that of robot.base_link; else of the link "base"
-    // or "base_link", with the prefix that the flange has; else of the root.  What turns with an axis is none of these,
-    // as the base of a gripper.
+    // The frame of the robot's base, as its controller counts, seen from the root.  It is that of robot.base_link, or
+    // else that of a link "base" or "base_link" (first with the flange's prefix), or else that of the root.  A link
+    // that turns with an axis, such as the base of a gripper, is not a base.
     [[nodiscard]] Frame base(const RobotLinks& links, const std::vector<const Joint*>& chain) const {
         const auto stands = [&](const std::string& link) {
             return std::ranges::all_of(up(link), [](const Joint* j) { return j->fixed(); });
