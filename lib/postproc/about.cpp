@@ -26,7 +26,7 @@ void pipeline(const std::vector<Stage>& stages, std::vector<std::string>& lines)
     }
 }
 
-// Where the axes pass, which the numbers of joints depend on.
+// The rotary axes at rest: the numbers of joints depend on their place.
 std::string pivots(const kinematics::Chain& c) {
     using kinematics::Carrier;
     const auto text = [](const Vec3& p) {
@@ -40,7 +40,7 @@ std::string pivots(const kinematics::Chain& c) {
     return out;
 }
 
-// How a robot's language says a frame.
+// A frame as a robot's language writes it.
 std::string frames(machine::Dialect dialect) {
     switch (dialect) {
     case machine::Dialect::krl:
@@ -73,7 +73,7 @@ std::vector<std::string> robot(const machine::Profile& profile) {
             " nozzle in the flange's frame: " + frame(r.tool)};
 }
 
-// Which frame the numbers are in: the same words mean other places on other machines.
+// The frame of the program's numbers: the same words mean different places on different machines.
 std::vector<std::string> axes(const machine::Profile& profile) {
     const auto& a = profile.axes;
     if (!a.active()) return {};
@@ -96,7 +96,7 @@ std::vector<std::string> axes(const machine::Profile& profile) {
     return {chain, pivots(a.chain), numbers, " feed: F is " + feed};
 }
 
-// How far the program may be from the toolpath.
+// The largest distance of the program from the toolpath.
 std::string merged(const machine::Profile& profile) {
     const auto& m = profile.merging;
     std::string out = " path: moves merged within " + shortest_text(m.planar) + " mm of the toolpath";
@@ -141,15 +141,15 @@ std::string counted(std::uint64_t n, const std::string& what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
-// The least number of strokes that `sequence` proved, or -1.  An assembled job has none: each bound holds for one of
-// its toolpaths only.
+// The lower bound on strokes that `sequence` proved, or -1.  An assembled job has no such bound, as each bound holds
+// for only one of its toolpaths.
 double least_strokes(const Facts& facts) {
     const auto bounds = [](const Fact& f) { return f.stage == "sequence" && f.name == "lower-bound"; };
     if (std::count_if(facts.begin(), facts.end(), bounds) > 1 || fact(facts, "assemble", "toolpaths") > 1) return -1;
     return fact(facts, "sequence", "lower-bound");
 }
 
-// The strokes of the finished program, and the least number that the part needs.
+// The strokes of the finished program, and their lower bound for the part.
 std::string strokes(const FirstPass& s, const Facts& facts) {
     std::string out = counted(s.strokes, "stroke");
     const double bound = least_strokes(facts);
@@ -185,7 +185,7 @@ std::string size(const machine::Profile& profile, const FirstPass& s, Vec2 shift
     return out;
 }
 
-// A line per kind of note from that grade on, wrapped.
+// Adds the notes from that grade on: one line per kind of note, wrapped.
 void remarks(const Notes& notes, Grade least, std::vector<std::string>& lines) {
     for (const Note& n : summed(notes)) {
         if (grade(n) < least) continue;
@@ -213,7 +213,7 @@ void add_efforts(const machine::Profile& profile, const FirstPass& first_pass, c
         {stage, "segments-merged", static_cast<double>(e.given - std::min(e.given, first_pass.laying)), ""});
     facts.push_back({stage, "largest-merge", e.off, "mm"});
     facts.push_back({stage, "moves-slowed", static_cast<double>(e.slowed), ""});
-    constexpr double told = 0.01; // degrees
+    constexpr double told = 0.01; // degrees; smaller angles are not reported
     if (!a.active() && geom::degrees(e.lean) > told)
         notes.push_back({NoteCode::nozzle_upright, geom::degrees(e.lean), 1, -1, e.lean_at.x, e.lean_at.y});
     if (a.chain.carrier == kinematics::Carrier::frame) return add_arm_efforts(profile, e.arm, stage, notes, facts);

@@ -11,7 +11,7 @@ namespace {
 
 using kinematics::Joints;
 
-constexpr double kTurnStep = 2 * geom::kDegree; // between two tips of a turn
+constexpr double kTurnStep = 2 * geom::kDegree; // largest angle between two poses while the axes turn
 
 } // namespace
 
@@ -31,7 +31,7 @@ Motion approached(const machine::Profile& profile, Motion stroke, std::size_t& a
         out.poses.push_back(kinematics::forward(a.chain, j));
         out.legs.push_back(leg);
     };
-    // Upright, tips rise as the axis does.
+    // If the tilt is 0, a tip rises as Z does.
     const bool alone = a.numbers == machine::Numbers::joints || from.tilt == 0;
     add({{from.xyz.x, from.xyz.y, high}, from.tilt, from.turn}, alone ? Act::climb : Act::travel, profile.feeds.z);
     const double turned = std::max(std::abs(to.tilt - from.tilt), std::abs(to.turn - from.turn));

@@ -17,8 +17,8 @@ using kinematics::Hindrance;
 using kinematics::Trouble;
 using machine::Spin;
 
-constexpr double kLeastAcross = 0.05; // of a unit vector's part across the tool axis, that says where it points
-constexpr double kSlower = 1.001;     // share of its time from which a move is slow
+constexpr double kLeastAcross = 0.05; // least length of a unit vector's part across the tool axis for a heading
+constexpr double kSlower = 1.001;     // a move counts as slowed if it takes longer by this factor
 
 Frame tip(const kinematics::Pose& pose, const Vec3& heading) {
     return {geom::rotation_of(-1.0 * pose.axis, heading), pose.tip};
@@ -74,16 +74,16 @@ void Carrier::carry(const Motion& stroke, std::size_t change, std::vector<double
 
 const kinematics::Posture* Carrier::posture(std::size_t i) const {
     if (!efforts_.known || !jointly(i)) return nullptr;
-    // The last ones, in their order.
+    // The joint moves of the last stroke are the last ones of stood_, in their order.
     return i == jointly_[0] && jointly_[1] != kNone && jointly_[1] != i ? &stood_[stood_.size() - 2] : &stood_.back();
 }
 
-// What lies between two changes of the tool.
+// Moves the arm along the poses [begin, end), which one tool reaches.
 void Carrier::part(const Motion& stroke, std::size_t begin, std::size_t end, std::vector<double>& seconds,
                    std::vector<Vec3>& headings) {
     carried_.tool = machine::of_tool(*profile_, tool_).robot.tool;
     before_.joint = jointly(begin);
-    // A stroke begins where the last one ended, or turns the tool there first.
+    // The first move starts where the last stroke ended, unless it is a joint move.
     const std::size_t ahead = before_.joint ? 0 : 1;
     std::vector<kinematics::Stand> stands(ahead, {last_, 0});
     for (std::size_t i = begin; i < end; ++i)
@@ -167,7 +167,7 @@ void add_arm_efforts(const machine::Profile& profile, const ArmEfforts& e, const
         notes.push_back({NoteCode::robot_unchecked, 1, 1});
         return;
     }
-    if (std::isfinite(e.room)) { // else no axis has limits
+    if (std::isfinite(e.room)) { // infinite if no axis has limits
         facts.push_back({stage, "least-room-of-an-axis", e.room / kDegree, "deg"});
         facts.push_back({stage, "axis-of-least-room", static_cast<double>(e.room_axis + 1), ""});
     }

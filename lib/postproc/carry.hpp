@@ -1,4 +1,4 @@
-// A robot's axes along the strokes of a program: headings of the tool, how long moves take, and what cannot be done.
+// A robot's axes along the strokes of a program: headings of the tool, durations of moves, and places out of reach.
 #pragma once
 
 #include "kinematics/follow.hpp"
@@ -14,19 +14,19 @@ class Carrier {
   public:
     explicit Carrier(const machine::Profile& profile);
 
-    // Headings for the poses of a stroke with the travel that leads to it, before which the arm stands where the last
-    // one ended: where the tool points its x axis, unit and across the tool axis.
+    // The heading at every pose of a stroke and of the travel before it: the direction of the tool's x axis, a unit
+    // vector perpendicular to the tool axis.  The arm comes from the end of the last stroke.
     std::vector<Vec3> headings(const Motion& stroke);
 
-    // Takes the stroke with those headings, which it may turn about the tool axis, and with the seconds that its moves
-    // are to take, which it may lengthen so that the axes can follow; the tool is changed before leg `change` (none:
-    // as many as legs).  Without a model nothing changes.
+    // Moves the arm along the stroke.  `headings` may be turned about the tool axis.  `seconds`, the duration of each
+    // move, may be lengthened so that the axes can follow.  The tool is changed before leg `change`; the number of
+    // legs means no change.  Without a model nothing changes.
     // Throws Error(failure) with stroke, layer, place, axis and amount where the robot cannot follow.
     void carry(const Motion& stroke, std::size_t change, std::vector<double>& seconds, std::vector<Vec3>& headings);
 
-    // Whether the axes go as they like to pose i of the stroke taken last: at first, and behind a change of the tool.
+    // True if a joint move leads to pose i of the last stroke: at the very first pose, and after a change of the tool.
     [[nodiscard]] bool jointly(std::size_t i) const { return i == jointly_[0] || i == jointly_[1]; }
-    // How they stand there, for as long as this lives; none without a model.
+    // The posture at such a pose, valid as long as this Carrier; nullptr elsewhere, and without a model.
     [[nodiscard]] const kinematics::Posture* posture(std::size_t i) const;
     [[nodiscard]] const ArmEfforts& efforts() const { return efforts_; }
 
@@ -40,10 +40,10 @@ class Carrier {
     const machine::Profile* profile_;
     kinematics::Carried carried_;
     kinematics::Before before_;
-    std::deque<kinematics::Posture> stood_; // where it went as the axes like
+    std::deque<kinematics::Posture> stood_; // where joint moves led
     std::array<std::size_t, 2> jointly_{kNone, kNone};
     Vec3 heading_{1, 0, 0};
-    geom::Frame last_; // of the tool's tip, in the robot's base
+    geom::Frame last_; // the tool's tip, seen from the robot's base
     std::uint32_t tool_ = 0;
     std::uint64_t stroke_ = 0; // counted from 1
     ArmEfforts efforts_;

@@ -9,8 +9,8 @@ namespace filum::postproc {
 
 namespace {
 
-// Whether LinuxCNC acts on a comment with this text: it opens files and runs Python by comments.  The interpreter it
-// stems from skips blanks between the letters.
+// True if LinuxCNC executes a comment with this text: comments can open files and run Python.  Blanks between letters
+// are skipped, as in the interpreter that LinuxCNC is derived from.
 bool is_active(std::string_view text) {
     constexpr std::string_view kWords[] = {"msg,",       "debug,",   "print,",    "log,",       "logopen,",
                                            "logappend,", "logclose", "probeopen", "probeclose", "py,",
@@ -29,7 +29,7 @@ void append_comment(std::string& out, std::string_view text, machine::CommentSty
     const bool round = style == machine::CommentStyle::parentheses;
     const char begin[] = {';', '(', '!', '#'};
     out += begin[static_cast<std::size_t>(style)];
-    if (is_active(text)) out += '-'; // makes it a plain comment
+    if (is_active(text)) out += '-'; // now LinuxCNC does not execute it
     for (const char c : printable(text)) {
         if (round && (c == '(' || c == ')'))
             out += c == '(' ? '[' : ']';

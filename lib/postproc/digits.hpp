@@ -1,4 +1,4 @@
-// Text of machine code: whole multiples of the last decimal, and comments that cannot turn into code.
+// Text of machine code: numbers as whole multiples of the last decimal, and comments that a controller cannot execute.
 #pragma once
 
 #include "machine/profile.hpp"
@@ -29,15 +29,16 @@ inline void append_units(std::string& out, std::int64_t units, int decimals) {
     out.append(at, static_cast<std::size_t>(end - at));
 }
 
-// Appends `text` as a comment without a line end: ";text" or "(text)".  Control characters become escapes such as \n,
-// parentheses become brackets where they would end the comment, and what LinuxCNC would act on, such as
-// "(logopen,FILE)", starts with '-'.
+// Appends `text` as a comment without a line end: ";text" or "(text)".  Control characters become escapes such as \n.
+// Parentheses become brackets where they would end the comment.  Comments that LinuxCNC would execute, such as
+// "(logopen,FILE)", get a '-' in front.
 void append_comment(std::string& out, std::string_view text, machine::CommentStyle style);
 
-// `text` cut at spaces into lines of at most `width` characters where it can be; later lines begin with `indent`.
+// `text` broken at spaces into lines of at most `width` characters; lines after the first begin with `indent`.  A word
+// longer than a line is cut.
 std::vector<std::string> wrapped(std::string_view text, std::size_t width, std::string_view indent);
 
-// "1d 2h 3m 4s"; seconds rounded up.
+// A duration as "1d 2h 3m 4s"; seconds are rounded up.
 std::string duration(double seconds);
 
 } // namespace filum::postproc

@@ -5,7 +5,7 @@
 
 namespace filum::postproc {
 
-// What beads of the feature have of their own, where it changes.
+// Writes the codes for the feature's acceleration and fan where these change.
 void Program::feature_codes(const Step& step) {
     const machine::FeatureRules& rules = profile_->features;
     const machine::FeatureRule& rule = rules[step.feature];

@@ -14,8 +14,8 @@ namespace {
 
 using toolpath::Span;
 
-constexpr double kSnap = 1e-3; // mm: a stretch ends at a point of the path that is so near
-constexpr double kOver = 5;    // mm, at least, that a travel leads over a stroke that is left out
+constexpr double kSnap = 1e-3; // mm: a stretch ends at a point of the path within this distance
+constexpr double kOver = 5;    // mm: least height of a travel over an omitted stroke
 
 double length(const std::vector<Span>& spans) {
     double sum = 0;
@@ -29,14 +29,14 @@ std::string place(const Span& span) {
            ", z " + fixed_text(p.z, 3) + " of the toolpath";
 }
 
-// What `from` says beside its points.
+// A span without points that has the other properties of `from`.
 Span like(const Span& from) {
     Span out{from.role, from.stroke, from.layer, from.region, {}, {}, {}, {}};
     out.tool = from.tool;
     return out;
 }
 
-// Appends the place at share `f` from point i to i + 1 of `from`; one that moves nothing is left out.
+// Appends the place at share `f` from point i to i + 1 of `from`, unless it is the last place of `out`.
 void append(Span& out, const Span& from, std::size_t i, double f) {
     const std::size_t j = f > 0 ? i + 1 : i;
     const auto between = [&](const std::vector<double>& v) { return v[i] + f * (v[j] - v[i]); };
@@ -56,7 +56,8 @@ void append(Span& out, const Span& from, std::size_t i, double f) {
     out.normals.push_back(norm(n) > 0.01 ? 1 / norm(n) * n : from.normals[i]);
 }
 
-// One travel for all of them; where one is a stroke that is left out, it leads over that, never down and up.
+// Joins travels and omitted strokes to one travel.  It leads over the omitted strokes by `over` mm, without going down
+// and up between them.
 Span joined(const std::vector<Span>& spans, double over) {
     Span out = like(spans.front());
     out.role = Role::travel;
@@ -71,7 +72,7 @@ Span joined(const std::vector<Span>& spans, double over) {
             if (tilted) out.normals.push_back(s.normals[i]);
         }
     }
-    if (omitted(spans.size() - 1)) { // the next stroke begins where that one ends
+    if (omitted(spans.size() - 1)) { // the next stroke begins where the omitted one ends
         out.points.push_back(spans.back().points.back());
         if (tilted) out.normals.push_back(spans.back().normals.back());
     }
@@ -119,12 +120,12 @@ void FibreWalk::extrude(const Span& span) {
     inner_->add(span, known());
 }
 
-// Hands the travels on, to a stroke of `tool`.
+// Hands on the travels that lead to a stroke of `tool`.
 void FibreWalk::release(std::uint32_t tool) {
     if (any_omitted(travels_)) travels_ = {joined(travels_, std::max(kOver, profile_->travel.lift))};
     for (Span& t : travels_) {
         t.tool = tool;
-        if (begun_) inner_->add(t); // before anything is laid there is nothing to leave
+        if (begun_) inner_->add(t); // before the first stroke no travel is needed
     }
     travels_.clear();
     begun_ = true;
@@ -156,7 +157,7 @@ void FibreWalk::finish() {
 void FibreWalk::hand_on(const Span& piece, bool halt) {
     if (piece.points.size() < 2) return;
     inner_->add_fibre(piece, how_, halt);
-    how_.before = machine::Event::none; // that was its first piece
+    how_.before = machine::Event::none; // the event was before the first piece
 }
 
 void FibreWalk::lay(double length) {
@@ -185,7 +186,7 @@ void FibreWalk::lay(double length) {
 
 void FibreWalk::end() {
     finish();
-    if (any_omitted(travels_)) travels_.clear(); // nothing is to be reached any more
+    if (any_omitted(travels_)) travels_.clear(); // no stroke follows
     release(tool_);
     inner_->end();
 }

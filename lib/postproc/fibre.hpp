@@ -1,4 +1,4 @@
-// Strokes of continuous fibre: where they are anchored and cut, and which cannot be laid.
+// Strokes of continuous fibre: where they are anchored and cut, and which are too short or too long to lay.
 #pragma once
 
 #include "postproc/walk.hpp"
@@ -8,13 +8,16 @@ namespace filum::postproc {
 // Throws Error(bad_input) naming the place if the profile cannot change to the span's tool.
 void check_tool(const machine::Profile& profile, const toolpath::Span& span);
 
-// Stands before another walker.  Strokes of other tools pass as they are.  One of fibre is whatever is laid between two
-// travels by the fibre's tool; it is kept until its end and handed on in pieces, as machine::stretches cuts it by arc
-// length of the tip's path: the cut at cut_to_nozzle from the end, in a point of its own unless one of the path's is
-// within 0.001 mm.  One shorter than least_path is left out: the step Act::omit tells of it, and the travels before and
-// after it become one, which leads over its place.
-// Where the tool changes without a travel, one of no length is put in.  Travels get the tool of the stroke behind them.
-// Throws Error(failure) naming the place of a stroke above most_path, and as check_tool does.
+// Prepares fibre strokes for another walker, to which it hands everything on.  Spans of other tools pass unchanged.
+//
+// A fibre stroke is all that the fibre's tool lays between two travels.  It is kept until its end, then handed on in
+// pieces, as machine::stretches divides it by arc length of the tip's path.  The cut is cut_to_nozzle before the end.
+// Each division gets a point of its own, unless a point of the path is within 0.001 mm.
+//
+// A stroke shorter than least_path is left out: the step Act::omit reports it.  The travels before and after it become
+// one travel, which leads over its place.
+// A change of tool without a travel gets a travel of no length.  A travel gets the tool of the next stroke.
+// Throws Error(failure) with the place of a stroke longer than most_path, and throws as check_tool does.
 class FibreWalk final : public Walker {
   public:
     FibreWalk(const machine::Profile& profile, std::unique_ptr<Walker> inner, Steps out);
@@ -32,9 +35,9 @@ class FibreWalk final : public Walker {
     const machine::Profile* profile_;
     std::unique_ptr<Walker> inner_;
     Steps out_;
-    std::vector<toolpath::Span> travels_; // since the last stroke; those that extrude are fibre that is left out
-    std::vector<toolpath::Span> stroke_;  // of fibre, still open
-    machine::Stretch how_;                // of the piece that comes next
+    std::vector<toolpath::Span> travels_; // since the last stroke; spans that extrude are omitted fibre
+    std::vector<toolpath::Span> stroke_;  // the fibre stroke being collected
+    machine::Stretch how_;                // of the next piece
     std::uint32_t tool_ = 0;
     bool begun_ = false; // something was handed on
 };

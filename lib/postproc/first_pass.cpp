@@ -15,7 +15,7 @@ namespace filum::postproc {
 
 namespace {
 
-constexpr double kUnlimited = 1e6; // what templates are told where there is no limit
+constexpr double kUnlimited = 1e6; // value for templates where there is no limit
 
 std::array<double, 3> coordinates(Vec3 p) { return {p.x, p.y, p.z}; }
 
@@ -51,7 +51,7 @@ void Surveyor::check_section(const Step& step, double length) const {
                                    "' allows; use narrower beads, thinner layers or a larger nozzle");
 }
 
-// The point of an arc that lies farthest out in each direction that it passes.
+// Visits the extreme points of an arc in x and y.
 void Surveyor::visit_arc(const Step& step) {
     const Vec2 arm = at_.xy() - step.centre;
     const double radius = norm(arm), begin = std::atan2(arm.y, arm.x);
@@ -80,7 +80,7 @@ void Surveyor::visit(const Step& step, bool extruding) {
     first_pass_.footprint.add(step.to.xy(), step.width / 2);
 }
 
-// Charges the tool in use with the time since the last charge: for printing within a stroke, else for travel.
+// Charges the time since the last charge to the tool in use: as printing within a stroke, else as travel.
 void Surveyor::spend() {
     const double now = clock_.total(), time = now - std::exchange(spent_, now);
     Timeline& line = first_pass_.timeline;
@@ -95,7 +95,8 @@ void Surveyor::spend() {
     (open_ ? tool.print_seconds : tool.travel_seconds) += time;
 }
 
-// Of machines with rotary axes the program says how long a move is to take; robots are believed to do it.
+// Adds the time of a move.  With rotary axes the program gives the duration, from which the planner gets its feed.  A
+// robot's moves are assumed to take exactly that long.
 void Surveyor::spend_move(const Step& step, const Vec3& d) {
     const bool rotary = profile_->axes.active(), fibre = profile_->fibre.lays(step.tool);
     if (profile_->axes.chain.carrier == kinematics::Carrier::frame) return clock_.pause(step.seconds);
@@ -109,7 +110,7 @@ void Surveyor::spend_move(const Step& step, const Vec3& d) {
         m.arm = at_.xy() - step.centre;
     }
     if (rotary) {
-        if (!placed_ || !(step.seconds > 0)) return; // nobody knows whence it comes
+        if (!placed_ || !(step.seconds > 0)) return; // the start position is unknown
         m.tilt = step.tilt - tilt_;
         m.turn = step.turn - turn_;
         const double way = norm(d);
@@ -120,7 +121,7 @@ void Surveyor::spend_move(const Step& step, const Vec3& d) {
 
 void Surveyor::move(const Step& step) {
     const bool rotary = profile_->axes.active(), fibre = profile_->fibre.lays(step.tool);
-    const Vec3 d = placed_ ? step.to - at_ : Vec3{}; // whence the first comes, nobody knows
+    const Vec3 d = placed_ ? step.to - at_ : Vec3{}; // before the first move the position is unknown
     const double length = rotary            ? step.length
                           : step.sweep != 0 ? std::abs(step.sweep) * geom::distance(at_.xy(), step.centre)
                                             : geom::norm(d);
@@ -197,7 +198,7 @@ void Surveyor::add(std::span<const Step> steps) {
             break;
         case Act::tool:
             spend();
-            placed_ = false; // where it is, nobody knows
+            placed_ = false; // its position is unknown
             break;
         case Act::push:
             clock_.pause(f.prime / f.prime_speed);
@@ -213,7 +214,7 @@ void Surveyor::add(std::span<const Step> steps) {
         case Act::omit:
             omit(step);
             break;
-        case Act::stand: // nobody knows whence, nor how long it takes
+        case Act::stand: // its start and its duration are unknown
             visit(step, false);
             at_ = step.to;
             placed_ = true;
@@ -340,7 +341,7 @@ std::map<std::string, double> placeholders(const FirstPass& s, const machine::Pr
     add("bed_y_min", bed.y_min);
     add("bed_y_max", bed.y_max);
     add("bed_z_max", bed.z_max);
-    // A side of the part that is turned up may be higher than the part is while all axes are at rest.
+    // A tilted part may be higher than the part is while all axes are at 0.
     const double top = profile.axes.active() ? std::max(s.part_high[2], s.high[2].value) : s.part_high[2];
     add("z_park", std::min(std::max(top + 10, profile.travel.above), bed.z_max));
     add("percent", 0);
@@ -371,7 +372,7 @@ std::map<std::string, double> placeholders(const FirstPass& s, const machine::Pr
     add("purge_y", purge.a.y);
     add("purge_x_end", purge.b.x);
     add("purge_y_end", purge.b.y);
-    const auto& a = profile.axes; // where nothing limits an axis, a number that is as good as none
+    const auto& a = profile.axes; // kUnlimited stands for an axis without limit
     const auto degrees = [&](const char* name, double rad) { add(name, std::min(geom::degrees(rad), kUnlimited)); };
     degrees("tilt_axis_speed", a.tilt_speed);
     degrees("turn_axis_speed", a.turn_speed);

@@ -1,4 +1,4 @@
-// Where beads lie, seen from above.
+// The area that beads cover, seen from above.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -7,10 +7,10 @@
 
 namespace filum::postproc {
 
-// Gathers points and keeps only those that can be corners of their convex hull.
+// Collects points, and keeps only those that can be corners of their convex hull.
 class Footprint {
   public:
-    void add(const geom::Vec2& point, double radius); // the circle about it, by the four points of it on the axes
+    void add(const geom::Vec2& point, double radius); // of a circle around `point`: its extreme points in x and y
     [[nodiscard]] std::vector<geom::Vec2> hull() const;
 
   private:

@@ -10,13 +10,13 @@ namespace filum::postproc {
 
 namespace {
 
-// A tool's, or everyone's.
+// The totals of one tool, or of all.
 struct Sum {
-    std::optional<std::uint32_t> tool; // none: everyone's
+    std::optional<std::uint32_t> tool; // none: all tools
     std::string name;
     ToolTotals totals;
     double volume = 0, mass = 0; // mm3 with the flow factor, g
-    bool weighed = true;         // every density is known
+    bool weighed = true;         // the density of every material is known
 };
 
 Sum of_tool(const machine::Profile& p, std::uint32_t number, const ToolTotals& t) {

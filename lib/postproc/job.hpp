@@ -1,4 +1,4 @@
-// What a job takes, tool by tool and in all.
+// The figures of a job: strokes, lengths, material and time, tool by tool and in all.
 #pragma once
 
 #include "base/note.hpp"
@@ -10,15 +10,15 @@
 
 namespace filum::postproc {
 
-// A group of figures per tool, "tool 0", "tool 1 (fibre)", and one of the whole "job": strokes, cuts, length laid,
-// fibre used (laid, and pushed into the air), travel, material as it leaves the nozzle, mass where the profile has the
-// density, time of printing and of travel, each with its pauses.  The codes of templates take no time.
+// A group of figures per tool, "tool 0", "tool 1 (fibre)", and one of the whole "job".  It holds strokes, cuts, length
+// laid, fibre used (laid, and pushed into the air), travel, and material as it leaves the nozzle.  Mass is there if the
+// profile has the density.  Printing and travel have their times, each with its pauses; codes of templates count 0 s.
 metrics::figures::Figures job(const machine::Profile& profile, const FirstPass& first_pass);
 
-// The same as comment lines, if there is more to tell than the totals say: several tools, or fibre.
+// The same figures as comment lines.  Empty if the totals tell everything: one tool, and no fibre.
 std::vector<std::string> job_lines(const machine::Profile& profile, const FirstPass& first_pass);
 
-// A note of `stage` on fibre strokes that are left out, if any are.
+// A note on the fibre strokes that are left out; empty if there are none.
 Notes omissions(const FirstPass& first_pass);
 
 } // namespace filum::postproc

@@ -11,7 +11,7 @@ namespace filum::postproc {
 
 namespace {
 
-// 0 within.
+// The distance from a part's outline, mm; 0 within it.
 double distance_to(const Labelled& part, Vec2 at) {
     const auto& ring = part.outline;
     bool within = true;

@@ -1,4 +1,4 @@
-// Which of several parts on the bed a program is at, as firmware wants to be told so that one of them can be left out.
+// Labels of the parts on a bed, in a program.  Firmware needs them to skip one part of several while it prints.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -17,14 +17,14 @@ struct Labelled {
     std::vector<Vec2> outline; // convex, counter-clockwise, mm, in the toolpath's frame
 };
 
-// The same parts with names that are safe in a program: letters, digits, '-' and '_', no name twice.
+// The same parts with names that are safe in a program: letters, digits, '-' and '_', and no name twice.
 std::vector<Labelled> with_plain_names(std::vector<Labelled> parts);
 
-// The part that `at` lies in, or the nearest; of several as near the first.  Precondition: there is one.
+// The index of the part that `at` lies in, or else of the nearest; the first of equals.  `parts` must not be empty.
 std::size_t part_at(const std::vector<Labelled>& parts, Vec2 at);
 
-// Lines of a program, in the words of `how`: that there are these parts, moved by `shift`; that one begins (the first
-// time so: with its name), that it ends.
+// Lines of a program in the language `how`: define_parts declares the parts, moved by `shift`; begin_part and end_part
+// mark where a part begins and ends.  With `first`, begin_part gives the part's name, too.
 std::vector<std::string> define_parts(machine::Objects how, const std::vector<Labelled>& parts, Vec2 shift);
 std::vector<std::string> begin_part(machine::Objects how, const std::vector<Labelled>& parts, std::size_t part,
                                     bool first);

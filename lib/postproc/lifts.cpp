@@ -15,7 +15,7 @@ class Lifter {
     Lifter(const machine::Profile& profile, Motion& out, double rise, double clear)
         : profile_(profile), chain_(profile.axes.chain), out_(out), rise_(rise), clear_(clear) {}
 
-    // From how the axes stand at the last pose to how they stand at the same one as `to`.
+    // Adds the poses that bring the axes from their positions at the last pose to `to`, which reaches the same pose.
     void change(const Joints& to, bool in_air, std::uint32_t layer, std::uint32_t tool) {
         const Pose at = out_.poses.back();
         const Joints from = out_.joints.back();
@@ -25,7 +25,7 @@ class Lifter {
         const auto& l = profile_.axes.limits;
         const double upright = std::clamp(0.0, l.tilt_min, l.tilt_max);
         Leg over = leg;
-        over.straight = false; // above the part, and of a polar machine the tip goes round
+        over.straight = false; // above the part; on a polar machine the tip goes round
         add(high, {{}, upright, from.turn}, leg);
         add(high, {{}, upright, to.turn}, over);
         add(up, to, leg);

@@ -1,5 +1,4 @@
-// Where a stroke must leave the part so that the axes can stand another way: the poses of lifting, turning, coming
-// back.
+// Breaks of a stroke to turn the axes back: the poses that lift the tool off the part, turn the axes, and come back.
 #pragma once
 
 #include "kinematics/track.hpp"
@@ -7,38 +6,40 @@
 
 namespace filum::postproc {
 
-struct Leg { // to one pose
+struct Leg { // the move to one pose
     Act act = Act::travel;
     Role role = Role::travel;
     std::uint32_t layer = 0;
     double feed = 0, volume = 0, width = 0, height = 0;
     std::uint32_t tool = 0;
     double fed = 0;            // mm of fibre
-    bool halt = false;         // the tool stands at its end
-    Act before = Act::extrude; // what comes before it; Act::extrude for nothing
-    bool straight = true;      // false: the axes go straight, wherever that takes the tip
+    bool halt = false;         // the tool stops at its end
+    Act before = Act::extrude; // the act before it; Act::extrude: none
+    bool straight = true;      // the tip moves straight; false: the axes do
     bool surface = false;      // of a span that leans the tool
     Feature feature = Feature::none;
 };
 
-// What a stroke's axes do, pose by pose.
+// The motion of a stroke, pose by pose.
 struct Motion {
     std::vector<kinematics::Pose> poses;
     std::vector<Leg> legs; // legs[i] leads to poses[i]
     std::vector<kinematics::Joints> joints;
 };
 
-// How many poses a change adds.
+// The number of poses that a lift adds.
 struct Lifts {
     static constexpr std::size_t kFromAir = 3, kFromPart = 5;
 };
 
-// What leaving the part costs at each pose that `legs` lead to; `flying`: the first of them is in the air.
+// The kind of place where the tool would leave the part, for each pose that `legs` lead to: in the air, in a turn, at a
+// join, or on a bead.  `flying`: the first pose is in the air.
 std::vector<kinematics::Lifting> liftings(std::span<const Leg> legs, bool flying);
 
-// `motion` without its joints, and `track` over it, to one with them.  Between two pieces the tool rises along its axis
-// by `rise` mm, then upright to `clear` mm of z (if that is higher), where the axes change over, and comes back the
-// same way; from the air (`places`: liftings) it only rises to `clear`.
+// Returns `motion` with the joints that `track` found for it, and with lifts between the pieces of the track.  In a
+// lift the tool rises along its axis by `rise` mm, then straight up to z = `clear` mm, if that is higher.  There the
+// axes turn over, and the tool comes back the same way.  From a place in the air (`places`, see liftings) it only rises
+// to `clear`.
 Motion lifted(const machine::Profile& profile, Motion motion, const kinematics::Track& track,
               std::span<const kinematics::Lifting> places, double rise, double clear);
 

@@ -15,8 +15,9 @@ namespace {
 
 double um(double v) { return std::round(v * 1000) / 1000; }
 
-// Beneath an upright nozzle the surface rises towards one side of its flat: by the flat's radius times the tangent of
-// the tilt.  Where that is more than the bead is high, the nozzle cuts into the surface.
+// The largest tilt of a surface that an upright nozzle can follow, rad.  Below the nozzle the surface rises towards one
+// side of the flat, by the flat's radius times the tangent of the tilt.  If that exceeds the bead's height, the nozzle
+// cuts into the surface.
 double upright_limit(const machine::Profile& p, double height) {
     return p.head.flat_radius > 0 ? std::atan2(height, p.head.flat_radius) : std::numbers::pi / 2;
 }
@@ -102,7 +103,7 @@ void Measure::check_upright() const {
                     " mm; use a machine with rotary axes, or --flatten to go there upright all the same");
 }
 
-// Before any axis is worked out, so that the message knows the whole job.
+// Checks the tilts before the axes are computed, so that the message holds the largest tilt of the whole job.
 void Measure::check_tilts() const {
     using kinematics::Carrier;
     const auto& a = profile_->axes;

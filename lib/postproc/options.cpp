@@ -17,9 +17,9 @@ namespace {
     throw Error(Exit::usage, "cannot use --" + option + ": " + why);
 }
 
-constexpr double kWidestBead = 4; // squares of the nozzle's diameter: the largest section that Klipper takes
+constexpr double kWidestBead = 4; // largest section of a bead / (nozzle diameter)2, as in Klipper
 
-// What only programs of codes on three axes, or with their templates, can do.
+// Checks options that need G-code, three axes, certain templates or certain comments.
 void check_fit(const Options& o, const machine::Profile& p) {
     const bool codes = p.format.dialect == machine::Dialect::gcode;
     if (!o.z_offset.empty() && p.axes.active())
@@ -58,7 +58,7 @@ namespace {
 
 constexpr double kOverWalls = 2; // mm that travels keep above walls
 
-// The keys of the profile that options of their own change, behind those of --set.
+// The keys of the profile to set: those of --set, then those of other options.
 std::string changed_keys(const Options& o) {
     std::string out = o.set;
     const auto put = [&](const std::string& key, double value) {

@@ -12,10 +12,10 @@ namespace {
 using kinematics::Joints;
 using kinematics::Pose;
 
-constexpr std::uint32_t kParts = 4096; // of a move, at most
-constexpr double kSameFeed = 1.05;     // of legs that become one
+constexpr std::uint32_t kParts = 4096; // most parts of a move
+constexpr double kSameFeed = 1.05;     // largest ratio of the feeds of legs that are merged
 
-// By how much the last decimals may move the tip, mm.
+// The largest error of the tip from rounding to the last decimals, mm.
 double rounding(const machine::Profile& profile, const Joints& at) {
     const double linear = std::pow(10.0, -profile.format.xyz_decimals) / 2;
     const auto& a = profile.axes;
@@ -31,7 +31,8 @@ Joints middle(const Joints& a, const Joints& b, double f) {
     return {a.xyz + f * (b.xyz - a.xyz), a.tilt + f * (b.tilt - a.tilt), a.turn + f * (b.turn - a.turn)};
 }
 
-// In how many parts the axes go straight to pose i, so that the tip keeps to its line.
+// The number of parts into which the move to pose i is divided, so that the tip keeps to its line while the axes move
+// straight.
 std::uint32_t parts(const machine::Profile& profile, const Motion& m, std::size_t i) {
     const auto& a = profile.axes;
     const Joints &from = m.joints[i - 1], &to = m.joints[i];
@@ -39,7 +40,7 @@ std::uint32_t parts(const machine::Profile& profile, const Motion& m, std::size_
     const auto at = [&](double f) { return kinematics::between(a.chain, begin, from, tip, to, f); };
     const double chord = std::max(a.chord - rounding(profile, to), a.chord / 2);
     std::uint32_t parts = 1;
-    // The tip strays most in the middle of a part; by a quarter when parts are halved.
+    // The tip is farthest off in the middle of a part.  Halving the parts leaves a quarter of that distance.
     for (; parts < kParts; parts *= 2) {
         double off = 0;
         Joints l = at(0);
@@ -55,7 +56,7 @@ std::uint32_t parts(const machine::Profile& profile, const Motion& m, std::size_
     return parts;
 }
 
-// What a leg lays in a share of it.
+// Part k of n equal parts of a leg.
 Leg part_of(const Leg& leg, std::uint32_t k, std::uint32_t n) {
     Leg out = leg;
     out.volume /= n;
@@ -65,7 +66,7 @@ Leg part_of(const Leg& leg, std::uint32_t k, std::uint32_t n) {
     return out;
 }
 
-// One stroke's poses, as merging looks at them.
+// The poses of one stroke, for merging.
 class Course {
   public:
     Course(const machine::Profile& profile, const Motion& motion, std::size_t stay, std::size_t landing)
@@ -82,7 +83,7 @@ class Course {
         if (landing < stays_.size()) stays_[landing] = 1;
     }
 
-    // May one move go from pose i to pose j?
+    // True if one move may replace the moves from pose i to pose j.
     bool fits(std::uint32_t i, std::uint32_t j) {
         const Leg& first = m_.legs[i + 1];
         const double most = tolerance(j, first.surface);
@@ -106,7 +107,7 @@ class Course {
         return std::max(whole - rounding(p_, m_.joints[at]), whole / 2);
     }
 
-    // Tip and axis at a share of the move from i to j, against where they were.
+    // True if tip and axis at share `f` of the move from i to j are within the tolerances of `tip` and `axis`.
     bool near(std::uint32_t i, std::uint32_t j, double f, const Vec3& tip, const Vec3& axis, double most, double& off) {
         Pose now;
         if (frames_)
@@ -143,7 +144,7 @@ class Course {
         double volume = 0;
         for (std::uint32_t k = i + 1; k <= j; ++k) volume += m_.legs[k].volume;
         const double mean = volume / (at_[j] - at_[i]);
-        // What is laid along a chord that is shorter is thicker.
+        // A bead along a shorter chord is thicker.
         if (volume > 0 && at_[j] - at_[i] > (1 + share) * distance(m_.poses[i].tip, m_.poses[j].tip)) return false;
         bool pointwise = true, so_far = true;
         double laid = 0;
@@ -159,13 +160,13 @@ class Course {
     const machine::Profile& p_;
     const Motion& m_;
     bool frames_, tips_;
-    std::vector<double> at_; // mm of tip's way
+    std::vector<double> at_; // mm, arc length of the tip's path
     std::vector<std::uint8_t> stays_;
     std::vector<Vec3> axes_;
     double off_ = 0;
 };
 
-// The legs (i, j] as one.
+// The legs (i, j] merged to one.
 Leg whole(const Motion& m, std::uint32_t i, std::uint32_t j) {
     Leg out = m.legs[i + 1];
     double length = 0, width = 0, height = 0;

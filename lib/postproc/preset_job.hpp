@@ -1,4 +1,4 @@
-// The job as the macros of a slicer's profile may ask for it.
+// The job as the macros of a slicer's profile see it.
 #pragma once
 
 #include "postproc/first_pass.hpp"
@@ -8,8 +8,8 @@
 
 namespace filum::postproc {
 
-// The profile's G-code for the job of `first_pass`, moved by `shift`; null for a machine without a slicer's profile.
-// [values] of the machine that name temperatures win over the preset's.  Throws as preset::Program.
+// The G-code of the slicer's profile for the job of `first_pass`, moved by `shift`; null for a machine without one.
+// Temperatures in the machine's [values] override those of the preset.  Throws as preset::Program does.
 std::unique_ptr<preset::Program> preset_program(const machine::Profile& profile, const FirstPass& first_pass,
                                                 Vec2 shift);
 

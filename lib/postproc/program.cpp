@@ -15,7 +15,7 @@ namespace filum::postproc {
 namespace {
 
 constexpr std::int64_t kUnknown = std::numeric_limits<std::int64_t>::min();
-constexpr double kTold = 0.05; // share by which a width or height must change before viewers are told again
+constexpr double kTold = 0.05; // least relative change of a width or height for a new comment
 
 double power_of_ten(int n) { return std::pow(10.0, n); }
 
@@ -23,7 +23,7 @@ std::int64_t units(double value, double scale) { return static_cast<std::int64_t
 
 bool differs(double a, double b) { return std::abs(a - b) > kTold * b; }
 
-// What viewers know a kind of bead by (the names of PrusaSlicer, so that they get its colours).
+// The name of a kind of bead for viewers: that of PrusaSlicer, so that they show its colours.
 const char* type_name(Role role, Feature feature) {
     switch (role) {
     case Role::lift:
@@ -40,7 +40,7 @@ const char* type_name(Role role, Feature feature) {
     return machine::kTypeNames[static_cast<std::size_t>(feature)];
 }
 
-// True if the name says the feature of a bead, and that it is one.
+// True if that name alone identifies role and feature.
 bool says_all(Role role, Feature feature) {
     return role == Role::bead && machine::feature_of_type(type_name(role, feature)) == feature;
 }
@@ -61,10 +61,10 @@ void Program::begin(const std::vector<std::string>& about) {
     for (const auto& line : about) comment(line);
     if (preset_ != nullptr) {
         preset_code(preset_->start());
-        counted_ = true; // its start says how extruder words count
+        counted_ = true; // the preset's start sets how extruder words count
     } else {
         code(profile_->templates.start);
-        // what every later line relies on, whatever the template did
+        // settings that every later line needs, even if the template has changed them
         text_ += "G90";
         end_line();
         begin_axes();
@@ -74,7 +74,7 @@ void Program::begin(const std::vector<std::string>& about) {
         for (const auto& text : define_parts(profile_->format.objects, parts_, shift_)) line(text);
 }
 
-// The first tool that counts says how.
+// Sets how extruder words count, before the first tool that has such words.
 void Program::begin_counting() {
     if (!counts() || std::exchange(counted_, true)) return;
     if (profile_->extrusion.letter == 'E') {
@@ -130,7 +130,7 @@ void Program::line(const std::string& text) {
     end_line();
 }
 
-// Between tools the controller works with its own axes and feeds; where it stands then, nobody knows.
+// During a change of tools the controller uses its own axes and feeds.  The position after it is unknown.
 void Program::change_tool(const Step& step) {
     end_axes();
     if (preset_ != nullptr && preset_->tool() != step.tool)
@@ -163,7 +163,8 @@ void Program::bead_comments(const Step& step) {
     feature_ = step.feature;
 }
 
-// Appends the code and the words that changed; false, and nothing appended, if none did.  All in units.
+// Appends the code and the words that changed.  If none did, it appends nothing and returns false.  `to` is in units of
+// the last decimal.
 bool Program::words(const std::array<std::int64_t, 5>& to, std::string_view code) {
     if (to == at_) return false;
     text_ += code;
@@ -178,7 +179,7 @@ bool Program::words(const std::array<std::int64_t, 5>& to, std::string_view code
     return true;
 }
 
-// Of what lays material: an arc where it can be told from its chord.
+// Appends the words of an extruding move.  An arc is written as an arc unless it is too small to differ from its chord.
 bool Program::bead_words(const Step& step, const std::array<std::int64_t, 5>& to) {
     const std::int64_t i = units(step.centre.x + shift_.x, xyz_scale_) - at_[0],
                        j = units(step.centre.y + shift_.y, xyz_scale_) - at_[1];
@@ -210,13 +211,14 @@ void Program::feed_units(double value) {
 
 void Program::feed(double mm_per_s) { feed_units(mm_per_s * 60); }
 
-// Of a machine with rotary axes, in the word that it wants; `way`: what X, Y and Z do, mm.
+// Appends the feed of a machine with rotary axes, in the meaning of the profile's feed word.  `way`: way of X, Y and Z,
+// mm.
 void Program::feed(const Step& step, double way) {
     constexpr double degrees = 180 / std::numbers::pi;
     const double turned = std::max(std::abs(step.tilt - tilt_), std::abs(step.turn - turn_)) * degrees;
     tilt_ = step.tilt;
     turn_ = step.turn;
-    if (!(step.seconds > 0)) { // as fast as a travel; a feed that the start template left could be any
+    if (!(step.seconds > 0)) { // unknown duration: the step's feed, as the last feed may be unknown
         if (profile_->axes.feed_word == machine::FeedWord::per_minute) feed(step.feed);
         return;
     }
@@ -224,14 +226,14 @@ void Program::feed(const Step& step, double way) {
     case machine::FeedWord::per_minute:
         return feed_units(60 * (way > 0 ? way : turned) / step.seconds);
     case machine::FeedWord::inverse:
-        f_ = -1; // each line needs its own
+        f_ = -1; // each line needs its own F word
         return feed_units(60 / step.seconds);
     case machine::FeedWord::seconds:
         return feed_units(step.seconds);
     }
 }
 
-// Appends the extruder word for `units` more.
+// Appends the extruder word for `units` more material.
 void Program::material(std::int64_t units) {
     if (units == 0) return;
     e_ += units;
@@ -267,7 +269,7 @@ void Program::move(const Step& step) {
         to[4] = units(step.turn, degrees_scale_);
     }
     const bool known = at_[0] != kUnknown && at_[1] != kUnknown && at_[2] != kUnknown;
-    // Else as far as it is taken to be, from where the axes are taken to stand.
+    // If the position is unknown, the way is measured from the assumed position of the axes.
     double way =
         known ? std::hypot(to[0] - at_[0], to[1] - at_[1], to[2] - at_[2]) / xyz_scale_ : distance(step.axes, stood_);
     stood_ = step.axes;
@@ -279,9 +281,9 @@ void Program::move(const Step& step) {
         way = 0;
     }
     if (step.act == Act::climb) {
-        const bool rapid = timed && !(step.seconds > 0); // from nobody knows where
+        const bool rapid = timed && !(step.seconds > 0); // from an unknown position
         if (!words({at_[0], at_[1], to[2], at_[3], at_[4]}, rapid ? profile_->format.travel_code : "G1"))
-            return; // x and y stay, known or not
+            return; // x and y keep their values, even unknown ones
         if (rotary && !timed && !(step.seconds > 0)) feed(step.feed);
     } else if (step.act == Act::travel) {
         if (!words(to, rotary && step.seconds > 0 ? "G1" : profile_->format.travel_code)) return;
@@ -289,7 +291,7 @@ void Program::move(const Step& step) {
         feature_codes(step);
         laid_ += feeds(step);
         bead_comments(step);
-        if (!bead_words(step, to)) return; // too short to see: its material goes on with the next
+        if (!bead_words(step, to)) return; // too short: its material goes into the next move
         if (counts()) material(due());
     }
     if (rotary)
@@ -300,7 +302,7 @@ void Program::move(const Step& step) {
     ++lines_;
 }
 
-// Extruder units owed for all that was laid so far: never negative, so nothing is taken back within a stroke.
+// The extruder units not yet written for the beads so far.  They are never negative, so no stroke takes material back.
 std::int64_t Program::due() {
     const auto total = units(laid_, e_scale_);
     return total - std::exchange(laid_units_, total);
@@ -327,7 +329,7 @@ void Program::prime() {
 }
 
 void Program::cut() {
-    (void)due(); // what rounding left over could not be fed any more
+    (void)due(); // the remainder from rounding cannot be fed after the cut
     code(profile_->fibre.cut);
 }
 

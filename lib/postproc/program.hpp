@@ -10,15 +10,15 @@
 
 namespace filum::postproc {
 
-// Writes the program of the steps that `first_pass` was made of, moved by `shift`.
+// Writes the program for the steps that `first_pass` was made of, moved by `shift`.
 //
-// Coordinates are whole multiples of the last decimal; a word is written only if it changed, a move that changes
-// nothing is left out and its material goes into the next one.  The extruder word is the difference of rounded totals,
-// so rounding never adds up and never takes back.  No move is shorter than toolpath::kLeastMove.  No number has an
-// exponent.  The last line says "end of program".
+// Coordinates are whole multiples of the last decimal.  A word is written only if it changed.  A move that changes
+// nothing is left out, and its material goes into the next one.  The extruder word is the difference of rounded totals,
+// so rounding errors never add up, and no bead takes material back.  No move is shorter than toolpath::kLeastMove.  No
+// number has an exponent.  The last line of comments says "end of program".
 class Program final : public Writer {
   public:
-    // `first_pass` must live as long.
+    // `first_pass` must outlive the program.
     Program(const machine::Profile& profile, const FirstPass& first_pass, Vec2 shift, Text out);
     void begin(const std::vector<std::string>& about) override;
     void end(const std::vector<std::string>& history) override;
@@ -33,7 +33,7 @@ class Program final : public Writer {
     void cut() override;
     void move(const Step& step) override;
     bool bead_words(const Step& step, const std::array<std::int64_t, 5>& to);
-    void stand(const Step&) override {} // of robots only
+    void stand(const Step&) override {} // only robots have such steps
     bool words(const std::array<std::int64_t, 5>& to, std::string_view code);
     void begin_counting();
     void begin_axes();
@@ -55,33 +55,33 @@ class Program final : public Writer {
 
     Vec2 shift_;
     double xyz_scale_, degrees_scale_, e_scale_, f_scale_;
-    std::array<std::int64_t, 5> at_; // x, y, z, tilt, turn as last written, in units of the last decimal
-    std::int64_t f_ = -1;            // likewise
-    double tilt_ = 0, turn_ = 0;     // rad, of the step before
-    Vec3 stood_;                     // likewise, mm: its axes
-    double laid_ = 0;                // extruder units of the bead so far, exact
-    std::int64_t laid_units_ = 0;    // the same as written
-    bool counted_ = false;           // the controller was told how extruder words count
-    std::int64_t e_ = 0;             // where the controller believes the extruder to be
+    std::array<std::int64_t, 5> at_; // x, y, z, tilt, turn as last written; units of the last decimal
+    std::int64_t f_ = -1;            // F word as last written, in units of its last decimal; -1: unknown
+    double tilt_ = 0, turn_ = 0;     // rad, of the last step
+    Vec3 stood_;                     // mm: the axes of the last step
+    double laid_ = 0;                // extruder units of all beads so far, exact
+    std::int64_t laid_units_ = 0;    // the same in units of the last decimal, as written
+    bool counted_ = false;           // the program has set how extruder words count
+    std::int64_t e_ = 0;             // the controller's extruder position, in units of the last decimal
     bool upper_ = false;             // the layer is above the first
     Role role_ = Role::travel;
     Feature feature_ = Feature::none;
-    double acceleration_ = -1, fan_ = -1; // as last told to the machine for a feature; -1: not yet
+    double acceleration_ = -1, fan_ = -1; // as last set for a feature; -1: unknown
     std::size_t layers_begun_ = 0;
-    double layer_seconds_ = 0;      // that the layer takes, as long as the program stays on it
-    double width_ = 0, height_ = 0; // as last told to viewers
+    double layer_seconds_ = 0;      // s, duration of the current layer
+    double width_ = 0, height_ = 0; // mm, as last written for viewers
     std::uint64_t lines_ = 0;       // moves written
     void preset_code(const std::string& text);
 
     const FirstPass* planned_;
     std::unique_ptr<preset::Program> preset_; // null: the profile's own templates
-    Step layer_;                              // that began the layer
-    std::vector<Labelled> parts_;             // on the bed, under names that a program can hold
+    Step layer_;                              // the step that began the layer
+    std::vector<Labelled> parts_;             // parts on the bed, with plain names
     std::uint64_t waited_ = 0;                // pauses written
-    std::int64_t part_ = -1;                  // that the machine was told
-    std::vector<char> named_;                 // parts that were told by name
+    std::int64_t part_ = -1;                  // the part begun last; -1: none
+    std::vector<char> named_;                 // by part: its name was written
     Nominal nominal_;
-    std::int64_t percent_ = -1, minutes_ = -1; // as last told
+    std::int64_t percent_ = -1, minutes_ = -1; // of the print, as last written
 };
 
 } // namespace filum::postproc

@@ -1,4 +1,4 @@
-// What a program says between its moves: layers, pauses, parts, progress.
+// The lines of a program between its moves: layers, pauses, labels of parts, progress.
 #include "base/number.hpp"
 #include "postproc/program.hpp"
 
@@ -30,12 +30,12 @@ void Program::layer(const Step& step) {
     else
         code(profile_->templates.layer);
     layer_ = step;
-    // A firmware that counts in single precision needs short numbers.  Not so an axis of a machine tool, where a new
-    // offset could halt the stroke.
+    // Firmware that counts in single precision needs small numbers, so its extruder is reset.  An axis of a machine
+    // tool is not reset, as a new offset could halt the stroke.
     if (counts() && !profile_->extrusion.relative && profile_->extrusion.letter == 'E') reset_extruder();
 }
 
-// The pauses that come before the layer.
+// Writes the pauses that are due before the layer.
 void Program::wait(const Step& step) {
     const std::uint64_t due = planned_->pauses.before(step.layer, step.to.z, step.height);
     for (; waited_ < due; ++waited_) {
@@ -46,7 +46,7 @@ void Program::wait(const Step& step) {
     }
 }
 
-// Sets what holds from this layer on; whether something changed.
+// Sets the values that hold from this layer on; true if one changed.
 bool Program::layer_values(const Step& step) {
     machine::Values now;
     for (const LayerValue& v : planned_->by_layer) now.emplace(v.name, profile_->values.at(v.name));
@@ -58,7 +58,7 @@ bool Program::layer_values(const Step& step) {
     return changed;
 }
 
-// Tells the part that the step goes to.
+// Writes the label of the part that the step leads to, if it is another part.
 void Program::name_part(const Step& step) {
     const machine::Objects how = profile_->format.objects;
     if (how == machine::Objects::none || parts_.empty()) return;
@@ -84,7 +84,7 @@ void Program::tell_progress(const Step& step) {
     code(profile_->templates.progress);
 }
 
-// Lines of a slicer's profile; what they leave of feed and fan is unknown.
+// Writes G-code of a slicer's profile; the feed after it is unknown.
 void Program::preset_code(const std::string& text) {
     if (text.empty()) return;
     for (const char c : text) {

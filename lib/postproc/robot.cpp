@@ -12,9 +12,9 @@ namespace {
 
 using machine::Dialect;
 
-constexpr double kAxisSpeed = 5000;  // mm/s: the extruder keeps up with the path
-constexpr double kNeighbour = 3;     // a move flies by by a third of a neighbour at most
-constexpr double kLeastBlend = 1e-3; // mm: it halts rather
+constexpr double kAxisSpeed = 5000;  // mm/s: fast enough for the extruder to keep up with any path
+constexpr double kNeighbour = 3;     // a blend is at most this part of the shorter neighbour
+constexpr double kLeastBlend = 1e-3; // mm: with a smaller blend the robot halts instead
 constexpr double kLeastFeed = 0.01;  // mm/s
 
 } // namespace
@@ -33,7 +33,7 @@ RobotProgram::RobotProgram(const machine::Profile& profile, const FirstPass& fir
 }
 
 void RobotProgram::begin(const std::vector<std::string>& about) {
-    // A module's first line must be its own in some languages: what it is stands behind.
+    // In some languages the first line must be the module's header, so the comments come after it.
     code(profile_->templates.start);
     for (const auto& line : about) comment(line);
     if (split_) begin_module();
@@ -62,7 +62,7 @@ void RobotProgram::end_module() {
     flush();
 }
 
-// In the main program: all are there before the robot moves, so that it does not stand between them.
+// Loads all modules before the first is run, so that the robot does not stop between them.
 void RobotProgram::run_modules() {
     end_module();
     redirect(main_);
@@ -82,7 +82,7 @@ double RobotProgram::blend(double shorter) const {
     return level < kLeastBlend ? 0 : level;
 }
 
-// Writes the move that waits; the one behind it is `next` mm long, 0 if it must halt.
+// Writes the pending move.  `next` is the length of the move after it, mm; 0 if the robot must halt.
 void RobotProgram::settle(double next) {
     if (!pending_) return;
     const Step step = *std::exchange(pending_, std::nullopt);
@@ -95,7 +95,7 @@ void RobotProgram::write(const Step& step, double blend) {
     line.tip = {orientation(step.axis, step.heading), step.to};
     line.joint = step.act == Act::stand;
     line.posture = step.posture;
-    // Where the tool turns more than it goes, or an axis cannot follow, it goes slower than its feed.
+    // A move is slower than its feed if the tool turns much, or if an axis cannot follow.
     line.feed = step.seconds > 0 && step.length > 0 ? std::max(step.length / step.seconds, kLeastFeed) : step.feed;
     line.seconds = step.length > 0 ? 0 : step.seconds;
     line.blend = blend;
@@ -128,14 +128,14 @@ void RobotProgram::stand(const Step& step) {
     write(step, 0);
 }
 
-// Codes belong to the very place.
+// Writes codes where the pending move ends, so that the move must halt.
 void RobotProgram::codes(const std::string& text) {
     if (text.empty()) return;
     settle(0);
     code(text);
 }
 
-// Pushes fibre where the tool is: the extruder moves alone.
+// Pushes fibre while the tool stands still: only the extruder moves.
 void RobotProgram::push() {
     if (!counts() || profile_->fibre.prime == 0) return;
     settle(0);
@@ -167,7 +167,7 @@ void RobotProgram::close(const Step& step) {
     if (off_trigger(step).empty()) codes(off(step));
 }
 
-// At the end of the move that waits, or where the tool is.
+// Switches a trigger at the end of the pending move, or where the tool is if there is none.
 void RobotProgram::trigger(const std::string& name) {
     if (name.empty()) return;
     if (!pending_) {
@@ -179,7 +179,7 @@ void RobotProgram::trigger(const std::string& name) {
     trigger_ = name;
 }
 
-// Taken back and given again on the way: with the next move.
+// Material is taken back and pushed forward during the next move.
 void RobotProgram::retract() { laid_ -= own().travel.retract; }
 void RobotProgram::prime() { laid_ += own().travel.retract + own().travel.extra; }
 

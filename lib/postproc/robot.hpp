@@ -1,4 +1,4 @@
-// Programs of robots: a tool frame per move, in the robot's own language.
+// Programs of robots, in the robot's own language, with one tool frame per move.
 #pragma once
 
 #include "geom/frame.hpp"
@@ -8,16 +8,21 @@
 
 namespace filum::postproc {
 
-// How a tool stands whose z axis leaves the nozzle: of a tool axis (which points up the tool) and the heading of its x
-// axis, which counts as far as it lies across.
+// The orientation of a tool whose z axis points out of the nozzle.  `axis` is the tool axis, which points up the tool.
+// `heading` is the direction of the tool's x axis; only its part perpendicular to `axis` counts.
 geom::Rotation orientation(const Vec3& axis, const Vec3& heading);
 
-// Lines as append_robot_line has them.  A move flies by its end by the profile's blend, by a third of the shorter one
-// of its neighbours at most (in KRL, where that is a line of its own, by the blend or a half, a quarter, ... of it); it
-// halts where a code follows, but for triggers, which switch at the very place.
-// An extruder is the first external axis, counted absolutely from 0 at the start; URScript has none: its extruder is a
-// valve.  A program of more moves than a module may have goes on in modules of its own, which the main one runs; a new
-// one begins between strokes if it is half full, else where it is full.
+// Writes lines as append_robot_line does.
+//
+// A move blends into the next one within the profile's blend, at most a third of the shorter of the two.  In KRL a new
+// blend needs a line of its own, so it is the profile's blend or a half, a quarter and so on of it.  A move halts if a
+// code follows.  Triggers are the exception, as they switch at the exact place while the robot goes on.
+//
+// An extruder is the first external axis, with absolute values from 0 at the start.  URScript has no such axis: its
+// extruder is a valve.
+//
+// A program with more moves than a module may have is divided into modules, which the main program runs.  A new module
+// begins between strokes once the current one is half full, and anywhere once it is full.
 class RobotProgram final : public Writer {
   public:
     RobotProgram(const machine::Profile& profile, const FirstPass& first_pass, Text out, ModuleFile modules);
@@ -46,15 +51,15 @@ class RobotProgram final : public Writer {
     [[nodiscard]] double blend(double shorter) const;
     double laid_ = 0; // extruder units
     Said said_;
-    double extruder_speed_;       // mm/s at most
-    std::optional<Step> pending_; // not written yet: how it ends depends on what follows
-    double fed_ = 0;              // where the extruder stands at its end
-    std::string trigger_;         // at its end
-    Step last_;                   // written
+    double extruder_speed_;       // mm/s, maximum
+    std::optional<Step> pending_; // the move not yet written: its end depends on what follows
+    double fed_ = 0;              // extruder position at its end
+    std::string trigger_;         // to switch at its end; "": none
+    Step last_;                   // the move written last
     std::uint64_t lines_ = 0;
     ModuleFile modules_;
-    bool split_ = false;          // in modules
-    std::uint64_t in_module_ = 0; // moves
+    bool split_ = false;          // the program is divided into modules
+    std::uint64_t in_module_ = 0; // moves in the current module
     int module_ = 0;
     Text main_;
 };

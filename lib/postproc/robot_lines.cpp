@@ -15,11 +15,11 @@ using geom::kDegree;
 using kinematics::kAxes;
 using machine::Dialect;
 
-constexpr double kJointShare = 0.2;      // of what its axes can do, that a joint move uses
-constexpr double kSaid = 1e-6;           // mm/s, mm: a difference worth a line
+constexpr double kJointShare = 0.2;      // share of the axes' speed that a joint move uses
+constexpr double kSaid = 1e-6;           // mm/s, mm: least difference that needs a new line
 constexpr double kUrAcceleration = 1;    // rad/s2, of joint moves
 constexpr int kVectorDecimals = 7;       // of quaternions and rotation vectors
-constexpr double kExtruderOrient = 1000; // degrees/s, of turning external axes: not what limits
+constexpr double kExtruderOrient = 1000; // degrees/s, of turning external axes: too high to limit a move
 
 class Lines {
   public:
@@ -159,7 +159,7 @@ class Lines {
             out_ += "fine";
             return;
         }
-        // Of the path, the tool's turn, other axes; degrees; mm; degrees.
+        // pzone_tcp, pzone_ori, pzone_eax, mm; zone_ori, degrees; zone_leax, mm; zone_reax, degrees
         const double zone[] = {b, 1.5 * b, 1.5 * b, 0.15 * b, 1.5 * b, 0.15 * b};
         out_ += "[FALSE,";
         list(zone, 3);

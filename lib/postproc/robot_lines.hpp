@@ -11,23 +11,23 @@
 namespace filum::postproc {
 
 struct RobotLine {
-    geom::Frame tip;                              // in the part's frame, z out of the nozzle
-    const kinematics::Posture* posture = nullptr; // of a joint move to there, if it is known
-    bool joint = false;                           // the axes go as they like; else the tip goes straight
+    geom::Frame tip;                              // in the part's frame; z points out of the nozzle
+    const kinematics::Posture* posture = nullptr; // for a joint move: its end, if known
+    bool joint = false;                           // a joint move; else the tip moves straight
     double feed = 0;                              // mm/s
-    double seconds = 0;                           // of a move that only turns the tool; else 0
-    double blend = 0;                             // mm: how far before its end the next move may begin; 0: it halts
-    std::optional<double> extruder;               // where the extruder's axis is to stand
-    double extruder_speed = 0;                    // mm/s at most
-    std::string trigger;                          // RAPID: what is switched at the end of the move
+    double seconds = 0;                           // s, of a move that only turns the tool; else 0
+    double blend = 0;                             // mm before its end where the next move may begin; 0: it halts
+    std::optional<double> extruder;               // position of the extruder's axis
+    double extruder_speed = 0;                    // mm/s, maximum
+    std::string trigger;                          // RAPID: the trigger to switch at the end of the move
 };
 
-// What was said last and still holds.
+// The settings that earlier lines made and that still hold; -1: none.
 struct Said {
     double feed = -1, blend = -1;
 };
 
-// Appends the line or lines of a move, each with a line end, `end`.
+// Appends the line or lines of a move, each followed by `end`.
 // KUKA KRL:    LIN {X 1,Y 2,Z 3,A 0,B 0,C 180,E1 4} C_DIS      mm, degrees; speeds as $VEL.CP in m/s, $APO.CDIS in mm
 //              PTP {X 1,Y 2,Z 3,A 0,B 0,C 180,S 2,T 2,E1 4}    status and turn of the posture
 // ABB RAPID:   MoveL [[1,2,3],[0,1,0,0],[0,0,0,0],[4,9E9,...]],[20,60,5000,1000],zone,tool\WObj:=object;
@@ -37,8 +37,8 @@ struct Said {
 void append_robot_line(std::string& out, const RobotLine& line, const machine::Profile& profile, const char* end,
                        Said& said);
 
-// KUKA's Status of a posture: 1 behind axis 1, 2 the wrist in front of the line through axes 2 and 3, 4 axis 5
-// negative; and its Turn: a bit for each negative axis.
+// KUKA's Status of a posture, a sum: 1 if the wrist is behind axis 1, 2 if it is in front of the line through axes 2
+// and 3, 4 if axis 5 is negative.  KUKA's Turn: a bit for each negative axis.
 int krl_status(const kinematics::Arm& arm, const kinematics::Posture& posture);
 int krl_turn(const kinematics::Posture& posture);
 

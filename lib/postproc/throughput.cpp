@@ -8,8 +8,8 @@ namespace filum::postproc {
 
 namespace {
 
-constexpr std::size_t kHandedOn = 1024; // steps at a time
-constexpr std::size_t kUsualAhead = 16; // moves, where the profile says nothing
+constexpr std::size_t kHandedOn = 1024; // steps in a batch
+constexpr std::size_t kUsualAhead = 16; // moves, if the profile has no look_ahead
 
 double seconds_of(const Step& step) { return step.feed > 0 ? step.length / step.feed : 0; }
 
@@ -54,7 +54,7 @@ void Throughput::add(const Step& step) {
 
 void Throughput::end() { release(true); }
 
-// The factors of the moves in [first, last), of which none but marks of layers and tools stand between.
+// Sets the factors of the moves among the steps [first, last), between which there are only layer marks.
 void Throughput::settle(std::size_t first, std::size_t last) {
     std::vector<std::size_t> moves;
     std::vector<double> seconds;
@@ -67,7 +67,7 @@ void Throughput::settle(std::size_t first, std::size_t last) {
     for (std::size_t k = 0; k < moves.size(); ++k) factors_[moves[k]] = std::max(factors_[moves[k]], factors[k]);
 }
 
-// What may be in one group with moves to come stays.
+// Hands steps on, except the last ones, which may form a group with later moves.
 void Throughput::release(bool all) {
     std::size_t ready = steps_.size();
     if (pace_.seconds > 0) {

@@ -21,10 +21,11 @@ using geom::kDegree;
 using kinematics::Joints;
 using kinematics::Pose;
 
-constexpr int kSweeps = 30; // over a stroke, until rotary axes can follow
-// rad that the tool's axis may change between two poses; near upright the profile's orientation, but for the last.
+constexpr int kSweeps = 30; // most passes over a stroke to slow it down for the rotary axes
+// rad: largest change of the tool axis between two poses.  Near upright the limit is the profile's orientation, but at
+// least kFineAxisStep.
 constexpr double kAxisStep = 5 * kDegree, kFineAxisStep = 0.25 * kDegree;
-constexpr double kOpposite = 179 * kDegree; // beyond that no way from one axis to the other is the shortest
+constexpr double kOpposite = 179 * kDegree; // above it the axes are opposite, and no shortest way is defined
 
 std::string text(const Vec3& p) {
     return "x " + fixed_text(p.x, 3) + ", y " + fixed_text(p.y, 3) + ", z " + fixed_text(p.z, 3);
@@ -34,7 +35,7 @@ Pose pose(const toolpath::Span& span, std::size_t i, const Vec3& shift) {
     return {span.points[i] + shift, span.normals.empty() ? Vec3{0, 0, 1} : span.normals[i]};
 }
 
-// At `f` of the way from one direction to another, along the great circle.
+// The direction at share `f` of the way from `a` to `b`, along the great circle.
 Vec3 slerp(const Vec3& a, const Vec3& b, double f) {
     const double whole = geom::angle(a, b), s = std::sin(whole);
     return s > 1e-12 ? std::sin((1 - f) * whole) / s * a + std::sin(f * whole) / s * b : b;
@@ -70,7 +71,7 @@ void TiltedWalk::go(const Pose& pose, const Leg& leg) {
     double done = 0;
     for (const double f : cuts(pose)) {
         const Pose from = stroke_.poses.back();
-        const double g = done < 1 ? (f - done) / (1 - done) : 0; // of what is left of the way
+        const double g = done < 1 ? (f - done) / (1 - done) : 0; // share of the rest of the way
         Leg part = rest;
         part.volume = (f - done) * leg.volume;
         part.fed = (f - done) * leg.fed;
@@ -86,9 +87,9 @@ void TiltedWalk::go(const Pose& pose, const Leg& leg) {
     add(pose, rest);
 }
 
-// Shares of the way to `pose`, ascending, where it needs a pose between, because the axes go straight from one to the
-// next: the tool would lean where its axis changes much, most so near upright.  Twice where the tip passes the axis of
-// a polar machine, which turns there where it stands.
+// The shares of the way to `pose`, ascending, where more poses are needed.  Between poses the axes move straight, so
+// the tool leans where its axis changes much, most of all near upright.  Where the tip crosses the axis of a polar
+// machine, the share is there twice: the machine turns on the spot.
 std::vector<double> TiltedWalk::cuts(const Pose& pose) const {
     std::vector<double> out;
     const auto& a = profile_->axes;
@@ -108,7 +109,7 @@ std::vector<double> TiltedWalk::cuts(const Pose& pose) const {
     return out;
 }
 
-// At which share of the way to `pose` the tip crosses the axis of a polar machine; 0 if it does not.
+// The share of the way to `pose` where the tip crosses the axis of a polar machine; 0 if it does not.
 double TiltedWalk::over_axis(const Pose& pose) const {
     const auto& chain = profile_->axes.chain;
     if (chain.carrier != kinematics::Carrier::polar || stroke_.poses.empty()) return 0;
@@ -118,7 +119,7 @@ double TiltedWalk::over_axis(const Pose& pose) const {
     return f > 0 && f < 1 && norm(a + f * d) < kinematics::kOnAxis ? f : 0;
 }
 
-// The first stroke is sought along the tool axis, from wherever the start template left the tool.
+// Approaches the first stroke along the tool axis.
 void TiltedWalk::approach(const toolpath::Span& first) {
     const Pose p = pose(first, 0, shift_);
     const Leg leg{Act::travel, Role::travel, first.layer, own().feeds.travel, 0, 0, 0, first.tool};
@@ -126,8 +127,8 @@ void TiltedWalk::approach(const toolpath::Span& first) {
     go(p, leg);
 }
 
-// From the last stroke back along the tool axis, wherever the end template leads from there: what carries the tool
-// could scrape along the part.
+// Leaves the last stroke along the tool axis before the end template moves the tool.  A straight move from there could
+// scrape along the part.
 void TiltedWalk::retreat() {
     const Pose last = stroke_.poses.back();
     const Leg& laid = stroke_.legs.back();
@@ -139,7 +140,7 @@ void TiltedWalk::retreat() {
 }
 
 void TiltedWalk::travel(const toolpath::Span& span) {
-    if (!started()) return; // there is nothing to leave
+    if (!started()) return; // no stroke was printed yet
     finish_stroke();
     const Leg leg{Act::travel, Role::travel, span.layer, own().feeds.travel, 0, 0, 0, span.tool};
     if (!span.normals.empty()) {
@@ -159,7 +160,7 @@ void TiltedWalk::extrude(const toolpath::Span& span) {
     if (stroke_.poses.empty()) approach(span);
     if (!laid_) landing_ = stroke_.poses.size() - 1;
     const auto from = pose(span, 0, shift_);
-    if (geom::angle(stroke_.poses.back().axis, from.axis) > kTouch) // the tool turns where it stands
+    if (geom::angle(stroke_.poses.back().axis, from.axis) > kTouch) // the tool turns on the spot
         go(from, {laid_ ? Act::extrude : Act::travel, span.role, span.layer, own().feeds.travel, 0, 0, 0, span.tool, 0,
                   false, Act::extrude, true, !span.normals.empty(), span.feature});
     Act first = before();
@@ -217,7 +218,7 @@ void TiltedWalk::note(const kinematics::Track& track, std::span<const kinematics
 
 void TiltedWalk::finish_stroke() {
     if (stroke_.poses.empty()) return;
-    const machine::Profile& next = machine::of_tool(*profile_, stroke_.legs.back().tool); // for what is laid
+    const machine::Profile& next = machine::of_tool(*profile_, stroke_.legs.back().tool); // for the tool that prints
     const auto& a = next.axes;
     const auto places = liftings(stroke_.legs, layer_ < 0);
     const auto track = kinematics::track(a.chain, stroke_.poses, at_, a.orientation, a.limits, places);
@@ -225,7 +226,7 @@ void TiltedWalk::finish_stroke() {
     if (a.chain.carrier != kinematics::Carrier::frame) note(track, places);
     const double lift = own().travel.lift;
     stroke_ = lifted(next, std::move(stroke_), track, places, std::max(lift, kApproach), top_ + lift);
-    // What comes before the change is the last tool's, whose tip is elsewhere.
+    // Legs before the change belong to the last tool, whose tip is at another place.
     const std::size_t change = exchange(), stay = change < stroke_.poses.size() ? change : 0;
     for (std::size_t i = 0; i < stay; ++i)
         stroke_.joints[i] =
@@ -245,20 +246,20 @@ void TiltedWalk::finish_stroke() {
     } else {
         headings_.assign(stroke_.poses.size(), {1, 0, 0});
     }
-    if (const auto i = exchange(); i < seconds.size()) seconds[i] = 0; // nobody knows whence the tool comes
+    if (const auto i = exchange(); i < seconds.size()) seconds[i] = 0; // the tool's start position is unknown
     emit(seconds);
     at_ = stroke_.joints.back();
     stroke_ = {};
     laid_ = false;
 }
 
-// Per leg; the very first takes none: nobody knows whence it comes.
+// The duration of each leg, s; 0 for the very first, as its start position is unknown.
 std::vector<double> TiltedWalk::durations() {
     const auto& j = stroke_.joints;
     const auto& a = profile_->axes;
     const bool robot = a.chain.carrier == kinematics::Carrier::frame;
     std::vector<double> out(j.size(), 0);
-    if (layer_ >= 0) // the axes stand where the last stroke left them
+    if (layer_ >= 0) // the axes are where the last stroke ended
         out[0] =
             std::max({distance(at_.xyz, j[0].xyz) / own().feeds.travel, std::abs(j[0].tilt - at_.tilt) / a.tilt_speed,
                       std::abs(j[0].turn - at_.turn) / a.turn_speed});
@@ -268,7 +269,7 @@ std::vector<double> TiltedWalk::durations() {
                            robot ? 0 : std::abs(j[i].xyz.z - j[i - 1].xyz.z) / profile_->motion.max_speed_z,
                            std::abs(j[i].tilt - j[i - 1].tilt) / a.tilt_speed,
                            std::abs(j[i].turn - j[i - 1].turn) / a.turn_speed, swing(i), kLeastSeconds});
-    // Where a rotary axis changes its speed too fast, the faster of both moves takes longer.
+    // If a rotary axis changes its speed too fast, the faster of the two moves becomes slower.
     bool eased = true;
     const auto ease = [&](std::size_t i, double before, double after, double acceleration) {
         const double change = std::abs(after / out[i + 1] - before / out[i]);
@@ -288,14 +289,14 @@ std::vector<double> TiltedWalk::durations() {
     return out;
 }
 
-// How long a robot needs to turn the tool on the way to pose i.
+// The time that a robot needs to turn the tool on the way to pose i, s.
 double TiltedWalk::swing(std::size_t i) const {
     if (profile_->axes.chain.carrier != kinematics::Carrier::frame) return 0;
     return geom::angle(stroke_.poses[i - 1].axis, stroke_.poses[i].axis) / profile_->axes.tilt_speed;
 }
 
-// The leg of this stroke before which the tool is changed: behind the first one of a travel, which leads away from the
-// part.  None: stroke_.poses.size().
+// The leg of this stroke before which the tool is changed: after the legs that lead away from the part.  No change:
+// stroke_.poses.size().
 std::size_t TiltedWalk::exchange() const {
     if (stroke_.legs.back().tool == tool_) return stroke_.poses.size();
     return layer_ < 0 ? 0 : std::min<std::size_t>(2, landing_);
@@ -333,7 +334,7 @@ void TiltedWalk::emit(const std::vector<double>& seconds) {
             if (!open) mark(Act::open, i, last);
             open = true;
             layer_ = leg.layer;
-        } else if (open) { // a break to unwind
+        } else if (open) { // the stroke breaks to unwind the axes
             mark(Act::close, i - 1, i - 1);
             mark(Act::retract, i, i - 1);
             retracted_.insert(tool_);
@@ -350,7 +351,7 @@ void TiltedWalk::move(std::size_t i, double seconds) {
     const Leg& leg = stroke_.legs[i];
     const Joints& to = stroke_.joints[i];
     const Vec3 &tip = stroke_.poses[i].tip, &begin = i > 0 ? stroke_.poses[i - 1].tip : tip;
-    const Vec3 off = own().offset; // the axes count where tool 0's tip is
+    const Vec3 off = own().offset; // the positions of the axes are those of tool 0's tip
     const bool jointly = a.chain.carrier == kinematics::Carrier::frame && carrier_.jointly(i);
     put({.act = jointly ? Act::stand : leg.act,
          .role = leg.role,

@@ -8,18 +8,18 @@
 
 namespace filum::postproc {
 
-// Stroke by stroke, with the travel that leads to it: poses along the spans (their normals; upright without), joints
-// that follow them (kinematics::track), and steps whose numbers are the tip's or the joints'.  Between two steps of
-// joints the axes move straight; as many are written as keep the tip to its line, and no more than the profile's
-// Merging needs (poses.hpp).
+// Each stroke is planned as a whole, together with the travel that leads to it:
+// 1. Poses follow the spans: the tool along their normals, upright where they have none.
+// 2. Joints follow the poses (kinematics::track).  Where an axis would leave its limits, the stroke is broken and the
+//    axes turn back in the air (lifts.hpp); the efforts count such breaks.
+// 3. Poses are added to keep the tip on its line, and removed where the profile's Merging allows it (poses.hpp).
+// 4. Each move becomes a step whose numbers are the tip's or the joints'.
 //
-// A travel of spans with normals goes as they say.  One without rises first above all printed so far, as a Walk's.
-// How long a move takes: by the tip's feed and the speed of each axis; longer where a rotary axis would have to change
-// its speed faster than it can, so the path slows down, never the reverse; and where the controller takes no more moves
-// at a time (throughput.hpp).
-// Where an axis would leave its limits the stroke is broken and the axes turned back in the air (see lifts.hpp), which
-// the efforts count.  Throws Error(failure) naming the place that the axes cannot reach, or where the tool would lean
-// off its axis by more than the profile's orientation.
+// A travel with normals follows its points.  One without normals rises above all printed so far first, as in Walk.
+// The duration of a move follows from the tip's feed and the speed of each axis.  It is longer where a rotary axis
+// cannot change its speed so fast, and where the controller takes no more moves per second (throughput.hpp).
+// Throws Error(failure) with a place that the axes cannot reach, or where the tool would lean off its axis by more than
+// the profile's orientation.
 class TiltedWalk final : public Walker {
   public:
     TiltedWalk(const machine::Profile& profile, Vec2 shift, Steps out);
@@ -46,19 +46,19 @@ class TiltedWalk final : public Walker {
     [[nodiscard]] const machine::Profile& own() const { return machine::of_tool(*profile_, tool_); } // for the tool
 
     const machine::Profile* profile_;
-    machine::Profile tip_; // the same without a limit on z: what rises in the part is no axis of the machine
+    machine::Profile tip_; // the same without a limit on z: the part's z is no axis of the machine
     Vec3 shift_;
     Steps out_;
     std::vector<Step> buffer_;
-    Motion stroke_;              // being read; its joints only when it is finished
-    std::vector<Vec3> headings_; // of robots, per pose: where the tool's x axis points
-    Carrier carrier_;            // likewise: its axes
-    kinematics::Joints at_;      // after the last stroke
+    Motion stroke_;              // being read; it has joints only in finish_stroke()
+    std::vector<Vec3> headings_; // of robots, by pose: direction of the tool's x axis
+    Carrier carrier_;            // of robots: the arm
+    kinematics::Joints at_;      // at the end of the last stroke
     double top_ = 0;
     std::int64_t layer_ = -1;
-    bool laid_ = false;       // a bead of this stroke
+    bool laid_ = false;       // this stroke has a bead
     std::size_t landing_ = 0; // the leg of this stroke that leads to its start
-    bool ended_ = false;      // nothing more is laid
+    bool ended_ = false;      // the last stroke is finished
     std::uint32_t tool_ = 0;
     std::set<std::uint32_t> retracted_; // tools
 };

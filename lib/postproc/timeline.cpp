@@ -6,7 +6,7 @@
 namespace filum::postproc {
 
 double Nominal::add(const Step& step) {
-    if (step.act == Act::tool) placed_ = false; // where it is, nobody knows
+    if (step.act == Act::tool) placed_ = false; // its position is unknown
     if (step.act != Act::travel && step.act != Act::climb && step.act != Act::extrude) return sum_;
     if (step.seconds > 0) {
         sum_ += step.seconds;

@@ -1,4 +1,4 @@
-// How far a print has come, in the machine's own time.
+// The progress of a print in the machine's own time.
 #pragma once
 
 #include "postproc/walk.hpp"
@@ -7,10 +7,11 @@
 
 namespace filum::postproc {
 
-// Adds up what steps take at their feeds, without accelerations: no time, but one that is known at every move.
+// Adds up the nominal time: what steps take at their feeds, without accelerations.  It is not the time of the print,
+// but it is known at every move.
 class Nominal {
   public:
-    double add(const Step& step); // of all steps so far, s
+    double add(const Step& step); // returns the nominal time of all steps so far, s
     [[nodiscard]] double seconds() const { return sum_; }
 
   private:
@@ -19,9 +20,9 @@ class Nominal {
     bool placed_ = false;
 };
 
-// Where one kind of time is another: known where strokes begin and end, in proportion between.
+// Converts nominal time to the machine's: known where strokes begin and end, and in proportion between these.
 struct Timeline {
-    std::vector<double> nominal, seconds; // both ascending
+    std::vector<double> nominal, seconds; // s, both ascending
     [[nodiscard]] double seconds_at(double nominal_seconds) const;
     [[nodiscard]] double total() const { return seconds.empty() ? 0 : seconds.back(); }
 };

@@ -24,7 +24,7 @@ struct Ball {
     [[nodiscard]] bool holds(const Vec3& p) const { return distance(p, centre) <= radius + 1e-12; }
 };
 
-// The smallest ball with all of two to four points on its surface; nothing if they lie badly for one.
+// The smallest ball with two to four points all on its surface; nothing if they are degenerate.
 std::optional<Ball> around(std::span<const Vec3> p) {
     const std::size_t n = p.size() - 1;
     std::array<std::array<double, 4>, 3> m{}; // 2 (d_i . d_j) l_j = d_i . d_i
@@ -49,7 +49,7 @@ std::optional<Ball> around(std::span<const Vec3> p) {
     return Ball{centre, distance(centre, p[0])};
 }
 
-// The smallest ball around up to five points, which then are those on its surface that fix it.
+// The smallest ball around up to five points.  Afterwards the points are those on its surface that define it.
 Ball smallest(std::vector<Vec3>& points) {
     Ball best;
     std::vector<Vec3> fixed, chosen;
@@ -137,7 +137,7 @@ Cone narrowest_cone(std::span<const Vec3> axes) {
         if (ball.holds(*farthest)) break;
         fixed.push_back(*farthest);
         const Ball next = smallest(fixed);
-        if (!(next.radius > ball.radius)) break; // as near as numbers allow
+        if (!(next.radius > ball.radius)) break; // as exact as rounding allows
         ball = next;
     }
     const double size = norm(ball.centre);

@@ -102,7 +102,7 @@ void Walker::lay(const toolpath::Span& span) {
 
 void Walk::end() {
     if (open_) put({.act = Act::close, .layer = static_cast<std::uint32_t>(layer_), .to = at_, .tool = tool_});
-    if (open_ && own().travel.above > at_.z) { // whatever the codes of the end do then
+    if (open_ && own().travel.above > at_.z) { // before the codes of the end move the nozzle
         at_.z = own().travel.above;
         put({.act = Act::climb,
              .role = Role::travel,
@@ -116,7 +116,7 @@ void Walk::end() {
     efforts_.slowed = steps_->slowed();
 }
 
-// Ends the stroke, takes back, rises unless the travel has normals and the tool stays, and changes the tool.
+// Retracts, rises unless the travel has normals and keeps the tool, and changes the tool.
 void Walk::leave(const toolpath::Span& span) {
     const auto mark = [&](Act act) {
         put({.act = act, .role = Role::travel, .layer = span.layer, .to = at_, .tool = tool_});
@@ -144,7 +144,7 @@ void Walk::leave(const toolpath::Span& span) {
 }
 
 void Walk::travel(const toolpath::Span& span) {
-    if (!started()) return; // there is nothing to leave; the first stroke is sought from wherever the nozzle is
+    if (!started()) return; // nothing was printed yet; begin_stroke() approaches the first stroke
     if (open_) put({.act = Act::close, .layer = span.layer, .to = at_, .tool = tool_});
     open_ = false;
     const bool other = span.tool != tool_, changes = other || profile_->fibre.lays(tool_);
@@ -153,13 +153,13 @@ void Walk::travel(const toolpath::Span& span) {
     const bool follows = !span.normals.empty();
     for (std::size_t i = 1; i < span.points.size(); ++i) {
         const Vec3 to = span.points[i];
-        // where another tool is, nobody knows: it comes from above
+        // the position of another tool is unknown, so it comes from above
         if (!follows || (other && i == 1)) go(plain ? to : Vec3{to.x, to.y, at_.z}, span);
         if (follows) go(to, span);
     }
 }
 
-// Straight to a place; along a way with normals up and down no faster than the z axis can do.
+// Moves straight to a place.  A travel with normals rises and falls no faster than the z axis allows.
 void Walk::go(const Vec3& to, const toolpath::Span& travel) {
     const Vec3 way = to - at_;
     const double rise = std::abs(way.z), most = own().feeds.travel, slow = own().feeds.z;
@@ -178,9 +178,9 @@ void Walk::begin_stroke(const toolpath::Span& span) {
     const auto go = [&](Act act, Vec3 where, double feed) {
         put({.act = act, .role = Role::travel, .layer = span.layer, .to = where, .feed = feed, .tool = tool_});
     };
-    if (layer_ < 0) { // the first of all: from above, wherever the start template left the nozzle
+    if (layer_ < 0) { // the first stroke is approached from above
         if (profile_->templates.primed && tool_ == span.tool && !profile_->fibre.lays(tool_)) {
-            go(Act::retract, to, 0); // on the way from the purge line the nozzle would ooze
+            go(Act::retract, to, 0); // otherwise the nozzle oozes on the way from the purge line
             retracted_.insert(tool_);
         }
         if (std::exchange(tool_, span.tool) != span.tool) go(Act::tool, to, 0);
@@ -190,7 +190,7 @@ void Walk::begin_stroke(const toolpath::Span& span) {
         go(Act::travel, {to.x, to.y, clear}, own().feeds.travel);
     }
     at_ = to;
-    if (profile_->fibre.lays(tool_)) go(Act::push, to, 0); // in the air
+    if (profile_->fibre.lays(tool_)) go(Act::push, to, 0); // into the air
     go(Act::climb, to, own().feeds.z);
     if (retracted_.erase(tool_) > 0) go(Act::prime, to, 0);
     put({.act = Act::open, .role = span.role, .layer = span.layer, .to = to, .tool = tool_});

@@ -69,7 +69,7 @@ void Writer::comment(std::string_view text) {
 
 void Writer::code(const std::string& text) {
     if (text.empty()) return;
-    // A turn in a robot's frame needs more decimals than places do.
+    // The angles of a robot's frame need more decimals than positions do.
     const int decimals = profile_->format.dialect == machine::Dialect::gcode ? 5 : 9;
     for (const char c : machine::expand(text, values_, decimals)) {
         if (c == '\n')

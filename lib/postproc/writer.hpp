@@ -1,4 +1,4 @@
-// What writes a program: of a machine tool's codes, or a robot's language.
+// Writers of programs: G-code, or a robot's language.
 #pragma once
 
 #include "machine/template.hpp"
@@ -13,7 +13,7 @@
 namespace filum::postproc {
 
 using Text = std::function<void(std::string_view)>;
-// Where to write a module of a program that is a file of its own, by the file's name.
+// Opens the file `name` for a module of a program, and returns the function that writes to it.
 using ModuleFile = std::function<Text(const std::string& name)>;
 
 class Writer {
@@ -24,7 +24,7 @@ class Writer {
     virtual void end(const std::vector<std::string>& history) = 0; // lines for the end
 
   protected:
-    // What a step becomes, where languages differ.
+    // One function per act whose text depends on the language.
     virtual void layer(const Step& step) = 0;
     virtual void open(const Step& step) { code(on(step)); }
     virtual void close(const Step& step) = 0;
@@ -40,27 +40,27 @@ class Writer {
     Writer(const machine::Profile& profile, machine::Values values, Text out);
     void end_line() { text_ += profile_->format.crlf ? "\r\n" : "\n"; }
     void comment(std::string_view text);
-    void code(const std::string& text); // of the profile, its placeholders filled in
-    void spill();                       // hands the text on when it has grown to a block
+    void code(const std::string& text); // writes codes of the profile, with placeholders replaced
+    void spill();                       // hands the text on once it has the size of a block
     void flush();
-    void redirect(Text out) { out_ = std::move(out); } // from here on; flush() first
-    void tool(const Step& step);                       // the codes that change to it
+    void redirect(Text out) { out_ = std::move(out); } // for later text; call flush() first
+    void tool(const Step& step);                       // writes the codes that change to the step's tool
     [[nodiscard]] bool lays_fibre(const Step& step) const { return profile_->fibre.lays(step.tool); }
-    // Codes before and after a stroke.
+    // Codes before and after a stroke with the step's tool.
     [[nodiscard]] const std::string& on(const Step& step) const;
     [[nodiscard]] const std::string& off(const Step& step) const;
-    // The triggers that do the same, if there are any.
+    // The triggers that do the same; "": none.
     [[nodiscard]] std::string on_trigger(const Step& step) const {
         return lays_fibre(step) ? "" : own(step).extrusion.on_trigger;
     }
     [[nodiscard]] std::string off_trigger(const Step& step) const {
         return lays_fibre(step) ? "" : own(step).extrusion.off_trigger;
     }
-    // What a step feeds, in units of its tool's extruder.
+    // The material of a step: mm of fibre, or units of its tool's extruder.
     [[nodiscard]] double feeds(const Step& step) const {
         return lays_fibre(step) ? step.fed : step.volume * own(step).extrusion.per_mm3();
     }
-    // The profile as it is for the step's tool, and for the one in use.
+    // The profile for the step's tool, and for the tool in use.
     [[nodiscard]] const machine::Profile& own(const Step& step) const { return machine::of_tool(*profile_, step.tool); }
     [[nodiscard]] const machine::Profile& own() const { return machine::of_tool(*profile_, tool_); }
     [[nodiscard]] bool counts() const { return own().extrusion.feeding != machine::Feeding::valve; }
@@ -70,12 +70,13 @@ class Writer {
     machine::Values values_; // of the placeholders
 
   private:
-    std::uint32_t tool_ = 0; // in use
+    std::uint32_t tool_ = 0; // the tool in use
     Text out_;
 };
 
-// Of the profile's dialect, for the steps that `first_pass` was made of, moved by `shift` (robots: placed already).
-// Throws Error(usage) for a robot's program that needs more than one module, if there is nowhere to write them.
+// The writer of the profile's dialect, for the steps that `first_pass` was made of, moved by `shift`.  Steps of robots
+// are placed already, so `shift` is not used there.
+// Throws Error(usage) if a robot's program needs more than one module and `modules` is empty.
 std::unique_ptr<Writer> writer(const machine::Profile& profile, const FirstPass& first_pass, Vec2 shift, Text out,
                                ModuleFile modules = {});
 
