@@ -25,8 +25,8 @@ double squared(double v) { return v * v; }
 } // namespace
 
 LookAhead::LookAhead(const Profile& p) : motion_(p.motion), axes_(p.axes) {
-    // Times the acceleration a.  The circle that touches both legs of a square corner has r = v2 / a at corner_speed,
-    // and it deviates from the corner by r (sqrt 2 - 1).
+    // The deviation times the acceleration a.  The circle that touches both legs of a square corner deviates from it by
+    // r (sqrt 2 - 1).  At corner_speed v it has r = v2 / a.
     deviation_ = squared(motion_.corner_speed) * (std::numbers::sqrt2 - 1);
     ahead_ =
         motion_.look_ahead > 0 ? std::min<std::size_t>(static_cast<std::size_t>(motion_.look_ahead), kHeld) : kHeld;

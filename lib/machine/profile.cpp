@@ -204,8 +204,8 @@ void check_robot(const Document& doc, const Profile& p) {
         doc.fail("extrusion.on_trigger", "only RAPID has triggers: use on and off");
 }
 
-// Checks that the speeds of the fibre are within the machine's, and that there are codes to change to the fibre head
-// unless it is tool 0.
+// Checks that the speeds of the fibre are within the machine's.  A fibre head that is not tool 0 also needs codes to
+// change to it.
 void check_fibre(const Document& doc, const Profile& p) {
     const Fibre& f = p.fibre;
     if (!f.active()) return;
