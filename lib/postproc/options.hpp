@@ -50,8 +50,8 @@ struct LayerValue {
 std::vector<LayerValue> parse_by_layer(const std::string& text, const machine::Profile& profile);
 
 // The machine's profile with these options applied.  Throws as load_profile does.  Throws Error(usage) for an option
-// that the machine cannot use: pauses, thumbnails or values by layer without codes for them, a z offset or wall height
-// with rotary axes, an axis tolerance on an upright nozzle, `flatten` on a tilting one.
+// that the machine cannot use.  Pauses, thumbnails and values by layer need codes or comments for them.  A z offset, a
+// wall height and `flatten` need three axes; an axis tolerance needs rotary ones.
 machine::Profile profile_for(const Options& options);
 
 } // namespace filum::postproc

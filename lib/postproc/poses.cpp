@@ -31,8 +31,8 @@ Joints middle(const Joints& a, const Joints& b, double f) {
     return {a.xyz + f * (b.xyz - a.xyz), a.tilt + f * (b.tilt - a.tilt), a.turn + f * (b.turn - a.turn)};
 }
 
-// The number of parts into which the move to pose i is divided, so that the tip keeps to its line while the axes move
-// straight.
+// The number of parts into which the move to pose i is divided.  While the axes move straight in each part, the tip
+// keeps to its line.
 std::uint32_t parts(const machine::Profile& profile, const Motion& m, std::size_t i) {
     const auto& a = profile.axes;
     const Joints &from = m.joints[i - 1], &to = m.joints[i];

@@ -13,7 +13,7 @@ namespace filum::postproc {
 Motion refined(const machine::Profile& profile, Motion motion, std::size_t stay, std::size_t& landing);
 
 // Removes the poses of `motion` that the profile's Merging makes unnecessary.  At each removed pose, and halfway to the
-// next one, tip and tool axis are compared with the original at the same share of the way.  They differ by at most the
+// next one, tip and tool axis are compared with the original ones at that share of the way.  They differ by at most the
 // tolerances of the Merging.  Legs of different kinds, roles, tools, layers or feeds are not merged.  Legs whose
 // sections differ by more than toolpath::Tolerance allows are not merged either.
 // `off`: raised to the largest distance of the tip from its place.  Poses up to `stay` and the leg `landing` stay.

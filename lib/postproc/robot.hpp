@@ -15,8 +15,8 @@ geom::Rotation orientation(const Vec3& axis, const Vec3& heading);
 // Writes lines as append_robot_line does.
 //
 // A move blends into the next one within the profile's blend, at most a third of the shorter of the two.  In KRL a new
-// blend needs a line of its own, so it is the profile's blend or a half, a quarter and so on of it.  A move halts if a
-// code follows.  Triggers are the exception, as they switch at the exact place while the robot goes on.
+// blend needs a line of its own.  So there it is the profile's blend, or a half, a quarter and so on of it.  A move
+// halts if a code follows.  Triggers are the exception, as they switch at the exact place while the robot goes on.
 //
 // An extruder is the first external axis, with absolute values from 0 at the start.  URScript has no such axis: its
 // extruder is a valve.

@@ -37,8 +37,9 @@ struct Said {
 void append_robot_line(std::string& out, const RobotLine& line, const machine::Profile& profile, const char* end,
                        Said& said);
 
-// KUKA's Status of a posture, a sum: 1 if the wrist is behind axis 1, 2 if it is in front of the line through axes 2
-// and 3, 4 if axis 5 is negative.  KUKA's Turn: a bit for each negative axis.
+// KUKA's Status of a posture is a sum.  It holds 1 if the wrist is behind axis 1.  It holds 2 if the wrist is in front
+// of the line through axes 2 and 3, and 4 if axis 5 is negative.
+// KUKA's Turn has a bit for each negative axis.
 int krl_status(const kinematics::Arm& arm, const kinematics::Posture& posture);
 int krl_turn(const kinematics::Posture& posture);
 
