@@ -77,7 +77,7 @@ std::string changed_keys(const Options& o) {
 void check_sizes(const Options& o, const machine::Profile& p) {
     const auto feeding = p.extrusion.feeding;
     if (!o.diameter.empty() && feeding != machine::Feeding::filament && feeding != machine::Feeding::plunger)
-        unfit("diameter", "'" + p.name + "' counts neither filament nor the way of a plunger");
+        unfit("diameter", "'" + p.name + "' does not measure filament or the travel of a plunger");
     if (p.travel.above > 0 && p.axes.active())
         unfit("wall-height", "'" + p.name + "' has rotary axes; plan its travels with 'route'");
     if (p.travel.above > p.bed.z_max)

@@ -52,7 +52,7 @@ class Check {
         const int gone = shell(word(program_) + " < " + in("input") + " | head -c 10 > " + in("bad"));
         say("a reader that leaves ends it", gone != kTooLong, ended(gone));
         const int full = shell("test -w /dev/full || exit 1; " + word(program_) + " < " + in("input") + " > /dev/full");
-        say("a full disk is told, not passed over", full != 0 && full != kTooLong, ended(full));
+        say("a full disk is an error", full != 0 && full != kTooLong, ended(full));
         std::cout << (failed_ == 0 ? "all promises kept\n" : std::to_string(failed_) + " promises broken\n")
                   << std::flush;
         return failed_ == 0 ? 0 : 1;

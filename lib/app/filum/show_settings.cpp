@@ -59,8 +59,9 @@ int show_machine(const std::vector<std::string>& files) {
     all.insert(all.end(), read.begin(), read.end());
     const std::string text = SlicerMachine(std::move(all), files).text();
     if (text.empty())
-        throw Error(Exit::bad_input, "cannot make a machine profile: the settings describe no printer; they hold "
-                                     "neither G-code for its start nor the shape of its bed");
+        throw Error(Exit::bad_input,
+                    "cannot make a machine profile: the settings describe no printer; they have no start "
+                    "G-code and no bed shape");
     stream::Sink to("-", stream::Sink::Content::text);
     to.write(text);
     to.commit();
