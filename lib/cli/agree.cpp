@@ -8,7 +8,7 @@ namespace filum::cli {
 namespace {
 
 const stream::Run* last_run(const std::vector<stream::Run>& history, const std::string& program) {
-    for (std::size_t i = history.size(); i-- > 1;) // but for this run
+    for (std::size_t i = history.size(); i-- > 1;) // without this run, the last one
         if (history[i - 1].program == program) return &history[i - 1];
     return nullptr;
 }

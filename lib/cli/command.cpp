@@ -23,7 +23,7 @@
 namespace filum::cli {
 
 void Io::say(const std::string& text) const {
-    // One write, so that stages do not mix their lines; on a terminal it takes the place of a progress bar.
+    // One write, so that lines of different stages do not mix. On a terminal the line replaces a progress bar.
     const std::string line = (::isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "") + program + ": " + printable(text) + "\n";
     if (::write(STDERR_FILENO, line.data(), line.size()) < 0) return;
 }
@@ -174,7 +174,8 @@ Whole read_all(stream::Reader reader, const std::function<void(stream::RawFrame)
 
 namespace {
 
-// Frames come and go by the megabyte: returning each to the system costs three times as much as copying it.
+// Keeps freed memory in the process. Frames take megabytes, and returning each of them to the system costs three times
+// as much as copying it.
 void keep_freed_memory() {
 #ifdef __GLIBC__
     ::mallopt(M_MMAP_THRESHOLD, 256 << 20);
@@ -185,7 +186,7 @@ void keep_freed_memory() {
 int fail(const std::string& program, Exit exit, const std::string& what) {
     Io io;
     io.program = program;
-    // In a chain started by the front command, a cut stream is told by the stage that failed.
+    // In a chain started by the front command, the stage that failed reports why the stream ends early.
     if (exit != Exit::truncated || std::getenv("FILUM_CHAIN") == nullptr) io.say(what);
     return static_cast<int>(exit);
 }
@@ -204,15 +205,15 @@ void write_all(const Io& io, const stream::Header& header, const Whole& before, 
 
 namespace {
 
-// Whoever starts a program may have closed its standard input or output, as cron jobs do.  The next file to be opened
-// would take that number, and be read or written by mistake.
+// Opens /dev/null for closed standard files. A parent such as cron may start a program with standard input or output
+// closed. The next file to be opened would get that number, and be read or written by mistake.
 void open_standard_files() {
     for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(fd, F_GETFD) < 0) (void)!::open("/dev/null", fd == STDERR_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-// Writing a file that is read at the same time would leave a part of it, or replace the original by what was made of
-// it.
+// Throws Error(usage) if the output file is one of the inputs. Writing it while it is read would leave a partial file,
+// or replace the original by its result.
 void refuse_input_as_output(const Io& io) {
     struct stat out {};
     if (io.output.empty() || io.output == "-" || ::stat(io.output.c_str(), &out) != 0 || !S_ISREG(out.st_mode)) return;
@@ -231,7 +232,7 @@ void refuse_input_as_output(const Io& io) {
 
 int guarded(const std::string& program, const std::function<int()>& work) {
     open_standard_files();
-    std::signal(SIGPIPE, SIG_DFL); // a reader that leaves ends us quietly
+    std::signal(SIGPIPE, SIG_DFL); // the program ends silently when its reader closes the pipe
     try {
         return work();
     } catch (const Error& e) {

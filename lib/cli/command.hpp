@@ -1,4 +1,4 @@
-// Running a command: options in, one Error caught, an exit code out.
+// Runs a command: parses its options, catches its Error and returns its exit code.
 #pragma once
 
 #include "base/error.hpp"
@@ -15,7 +15,7 @@
 
 namespace filum::cli {
 
-// What every command has besides its own options.
+// The options that every command has, and the name of the program.
 struct Io {
     std::string program;
     std::string input = "-";               // first positional argument, "-" for standard input
@@ -23,27 +23,28 @@ struct Io {
     std::string output = "-";              // --output
     int threads = 0;                       // --threads, 0 for all cores
     bool quiet = false;                    // --quiet: no warnings
-    Grade notes = Grade::look;             // --notes: notes below that grade are not said
-    std::vector<stream::Setting> settings; // the resolved options, for the history
-    std::vector<std::string> given;        // options that are not at their defaults
+    Grade notes = Grade::look;             // --notes: notes below this grade are not printed
+    std::vector<stream::Setting> settings; // the options with their values, for the history
+    std::vector<std::string> given;        // names of the options that are not at their defaults
     struct Same {
         std::string name;
         std::vector<std::string> as; // PROGRAM.NAME
     };
-    std::vector<Same> same; // settings that stages before should have been told, too
+    std::vector<Same> same; // settings that earlier stages should share
 
-    // A line on standard error: "program: text", as printable() makes it.
+    // Prints the line "program: text" on standard error, with `text` as printable() makes it.
     void say(const std::string& text) const;
-    // Warns, unless quiet, if the option was given: on this input it does nothing, since `why`.
+    // Warns that `option` has no effect on this input, for the reason `why`. Prints nothing if the option was not
+    // given, or with --quiet.
     void idle(const std::string& option, const std::string& why) const;
 };
 
-// A header for `payload` whose history is that of `before`, if any, plus this run.
+// A header for `payload`. Its history is that of every header in `before`, one after the other, followed by this run.
 stream::Header header(const Io& io, stream::Payload payload, const std::vector<const stream::Header*>& before = {});
 
-// Sums notes by kind and says each sum once on standard error, grade by grade (unless --quiet).  Says the notes of this
-// program.  In a chain that the front command started (environment variable FILUM_NOTES) only the last program speaks,
-// for all stages.
+// Sums the notes of this program by kind. say() prints one line for each sum on standard error, the worst grade first.
+// It prints nothing with --quiet. In a chain that the front command started (environment variable FILUM_NOTES) only the
+// last program prints, and it prints the notes of all stages.
 class Report {
   public:
     explicit Report(const Io& io);
@@ -52,30 +53,33 @@ class Report {
 
   private:
     const Io* io_;
-    bool all_ = false, none_ = false; // whose notes it says
+    bool all_ = false, none_ = false; // prints the notes of all stages; prints none
     Notes sums_;
 };
 
-// Shape "map": one payload frame in, any number out, on all cores, in order.  Notes and facts of the input pass
-// through; `work` adds its own notes.  Writes the end frame only if the input's was read.
+// Runs a stage of shape "map": `work` turns each payload frame into any number of frames. Frames are processed on all
+// cores and written in the order of the input. Notes and facts of the input are passed on, and `work` adds its own
+// notes. Writes the end frame only after the input's end frame was read.
 using MapWork = std::function<std::vector<stream::RawFrame>(stream::RawFrame, Notes&)>;
 void map_stage(const Io& io, stream::Payload reads, stream::Payload writes, const MapWork& work);
 
-// Shape "scan": like map, but strictly one frame after the other, with something to say at the end of the input.
+// Runs a stage of shape "scan": like map, but one frame after the other. `end` is called after the last frame of the
+// input and may write more frames and notes.
 using ScanWork = std::function<void(const stream::RawFrame&, const std::function<void(stream::RawFrame)>&, Notes&)>;
 using ScanEnd = std::function<void(const std::function<void(stream::RawFrame)>&, Notes&)>;
 void scan_stage(const Io& io, stream::Payload reads, stream::Payload writes, const ScanWork& work,
                 const ScanEnd& end = {});
 
-// Shape "source": no stream comes in; `parts` pieces of work, on all cores, give the frames of the output in order.
-// `found` is what was noted before, `end` notes what is known when all is done.  The header's settings may be more than
-// io.settings: what identifies the input.
+// Runs a stage of shape "source", which reads no stream. It calls `work` for the numbers 0 to `parts` - 1 on all cores
+// and writes their frames in this order. `found` are the notes made before, and `end` adds the notes known only after
+// all parts. The settings of `header` may be more than io.settings: they may also identify the input.
 using SourceWork = std::function<std::vector<stream::RawFrame>(std::size_t, Notes&)>;
 using SourceEnd = std::function<void(Notes&)>;
 void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work,
                   const SourceEnd& end = {});
 
-// Reads a whole stream: calls `frame` per payload frame and collects the notes and facts.  For folds and sinks.
+// Reads a whole stream: calls `frame` for each payload frame and collects the notes and facts. For folds and sinks.
+// Throws Error as stream::Reader does.
 struct Whole {
     stream::Header header;
     Notes notes;
@@ -84,20 +88,22 @@ struct Whole {
 Whole read_all(const std::string& path, stream::Payload expected, const std::function<void(stream::RawFrame)>& frame);
 Whole read_all(stream::Reader reader, const std::function<void(stream::RawFrame)>& frame);
 
-// Writes a text file, whole or not at all.
+// Writes a text file as stream::Sink does: it appears only when it is complete. Throws Error(io).
 void write_text(const std::string& file, const std::string& text);
-// Shape "fold" of such: writes what came by the stream before, then notes and facts as this program's, then all frames.
+// Writes the output of a stage of shape "fold": the notes and facts of the stream `before`, then those of this program,
+// then all frames.
 void write_all(const Io& io, const stream::Header& header, const Whole& before, const Notes& notes, const Facts& facts,
                std::span<const stream::RawFrame> frames);
 
-// Runs `work` as the program of that name: its exit code, or that of the Error it throws, said on standard error.
+// Runs `work` as the program of that name. Returns its exit code; if it throws, prints the message on standard error
+// and returns the code of the Error, or Exit::failure for other exceptions.
 int guarded(const std::string& program, const std::function<int()>& work);
 
 namespace detail {
 int run(int argc, char** argv, const Spec& spec, const std::function<void(const Io&)>& work);
 }
 
-// The whole of main(): `spec` binds to `options`, `work` does the job.
+// The body of main(): `spec` describes the options and binds them to `options`, then `work` runs with them.
 template <class Options>
 int main(int argc, char** argv, Spec (*spec)(Options&), void (*work)(const Options&, const Io&)) {
     Options options;

@@ -1,4 +1,4 @@
-// The options of a command whose programs may differ from the toolpath, and how far.
+// Options that say how far a program for a machine may deviate from the toolpath.
 #pragma once
 
 #include "cli/spec.hpp"
@@ -7,7 +7,7 @@
 
 namespace filum::cli {
 
-// Bound to the fields of `to`, a postproc::Options.
+// The options, bound to the fields of `to`, a postproc::Options.
 template <class Deviations>
 std::vector<Option> deviation_options(Deviations& to) {
     return {

@@ -29,7 +29,7 @@ std::string left_part(const Option& o) {
     return "--" + o.name + (value.empty() ? "" : " " + value);
 }
 
-// What it does, and with what.
+// The help of an option, followed by its conditions.
 std::string help_text(const Option& o) { return o.help + (o.needs.empty() ? "" : " (" + needs_text(o.needs) + ")"); }
 
 std::string help_and_default(const Option& o) {
@@ -38,7 +38,7 @@ std::string help_and_default(const Option& o) {
     return help_text(o) + (flag || value.empty() ? "" : " [" + value + "]");
 }
 
-// Those that every command has.
+// The options that every command has.
 std::vector<Option> common() {
     static std::string output = "-";
     static std::int64_t threads = 0;
@@ -64,7 +64,7 @@ std::string usage(const Spec& spec) {
     return spec.name + " [OPTIONS]" + (spec.arguments.empty() ? "" : " " + spec.arguments);
 }
 
-// `text` in lines of at most 100 characters, each after `indent` spaces but for the first.
+// `text` wrapped to lines of at most 100 characters. Each line except the first is indented by `indent` spaces.
 std::string wrap(const std::string& text, std::size_t indent) {
     std::string out, line;
     std::size_t at = 0;
@@ -92,7 +92,7 @@ constexpr const char* kExits[][2] = {{"0", "all went well"},
                                      {"4", "the input ends too early: a stage before did not finish"},
                                      {"5", "reading or writing failed"}};
 
-// Text for the inside of a manual page: nothing in it is a request or the end of an argument.
+// `text` escaped for a manual page: no part of it is read as a roff request or ends an argument.
 std::string roff(const std::string& text) {
     std::string out;
     for (const char c : text) {
@@ -109,10 +109,11 @@ std::string roff(const std::string& text) {
     return out;
 }
 
-// Installed pages are called filum-slice.1, so that no other program's page is hidden.
+// The name of a manual page. Pages are installed as filum-slice.1 and so on, so that they do not hide pages of other
+// programs.
 std::string page_name(const Spec& spec) { return spec.name == "filum" ? spec.name : "filum-" + spec.name; }
 
-// A line of a table in Markdown.
+// The row of an option in a table in Markdown.
 std::string table_row(const Option& o) {
     std::string left = left_part(o);
     for (std::size_t at = 0; (at = left.find('|', at)) != std::string::npos; at += 2) left.insert(at, "\\");
@@ -120,7 +121,7 @@ std::string table_row(const Option& o) {
     return "| `" + left + "` | " + help_text(o) + " | " + (flag ? "" : value_text(o)) + " |\n";
 }
 
-// With a capital at its beginning.
+// `text` with its first letter as a capital.
 std::string capitalised(std::string text) {
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
     return text;
@@ -242,7 +243,7 @@ bool is_number(const Option& o) {
            std::holds_alternative<std::vector<double>*>(o.target);
 }
 
-// "LEAST MOST", and " open" where the least itself is not allowed, " zero" where 0 is besides.
+// The allowed values: "LEAST MOST", followed by " open" if LEAST itself is not allowed and " zero" if 0 is allowed too.
 std::string range(const Option& o) {
     return shortest_text(o.min) + " " + shortest_text(o.max) + (o.open_min ? " open" : "") + (o.zero ? " zero" : "");
 }

@@ -1,4 +1,4 @@
-// The options of commands that keep clear of a print head.
+// Options of commands that avoid collisions with a print head.
 #pragma once
 
 #include "cli/spec.hpp"
@@ -7,7 +7,8 @@
 
 namespace filum::cli {
 
-// Bound to the fields of `to`, a machine::HeadChoice.  None is a setting: commands record the head that results.
+// The options, bound to the fields of `to`, a machine::HeadChoice. None of them is a setting, because commands record
+// the resulting head instead.
 template <class HeadChoice>
 std::vector<Option> head_options(HeadChoice& to) {
     const auto length = [](const char* name, std::vector<double>& at, const char* unit, const char* help) {
@@ -25,12 +26,12 @@ std::vector<Option> head_options(HeadChoice& to) {
                "height of the gantry above the tip, 0 for out of reach; ordinary 0")};
 }
 
-// These options in the help.
+// The group of these options in the help.
 inline Group head_group() {
     return {"the print head", {"head", "flat-radius", "cone-angle", "cone-height", "carriage", "gantry-height"}};
 }
 
-// `more` behind `options`.
+// `options` followed by `more`.
 inline std::vector<Option> with(std::vector<Option> options, const std::vector<Option>& more) {
     options.insert(options.end(), more.begin(), more.end());
     return options;

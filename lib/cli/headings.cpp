@@ -9,7 +9,7 @@ namespace filum::cli {
 
 namespace {
 
-// Moves what all options need to the heading, if there are several.
+// Moves the conditions that all options share to the heading, if there are several options.
 void share_needs(Section& s) {
     if (s.options.size() < 2) return;
     std::vector<std::string> all;

@@ -1,4 +1,4 @@
-// Options as help and pages show them: in groups, each under a heading that says what all of its options need.
+// Options as help and pages show them: in groups, each under a heading that states the conditions of all its options.
 #pragma once
 
 #include "cli/spec.hpp"
@@ -6,16 +6,16 @@
 namespace filum::cli {
 
 struct Section {
-    std::string heading;         // "" for options in no group
-    std::string needs;           // conditions that all of them have, as Option::needs; shown once, in the heading
-    std::vector<Option> options; // without these in their own needs
+    std::string heading; // "" for options in no group
+    std::string needs; // conditions that all options share, in the syntax of Option::needs; the heading shows them once
+    std::vector<Option> options; // their own needs leave out the shared conditions
 };
 
-// The options of `spec` in the order of its groups, those in none first, then `common` under "every command".  Throws
-// std::logic_error for a group that names an option twice, or one that there is not.
+// The sections of the help, in order: options without a group, the groups of `spec`, then `common` under "every
+// command". Throws std::logic_error for a group that names an option twice or names an unknown option.
 std::vector<Section> sections(const Spec& spec, const std::vector<Option>& common);
 
-// "options", "rows and strands (with --pattern scaffold)".
+// The heading as it is printed: "options", "rows and strands (with --pattern scaffold)".
 std::string heading_text(const Section& section);
 
 } // namespace filum::cli

@@ -17,13 +17,13 @@ std::vector<std::string> split(const std::string& text, char between) {
     return out;
 }
 
-// What another option is set to.
+// A condition on the value of another option.
 struct Setting {
     std::string option;
-    std::vector<std::string> values; // one of these; none: anything but its default
+    std::vector<std::string> values; // the option has one of these values; empty: any value except its default
 };
 
-// That one of `any` holds, or, if `none`, that none of them does.
+// A condition: at least one of `any` holds, or, if `none` is set, none of them holds.
 struct Need {
     std::vector<Setting> any;
     bool none = false;
@@ -42,7 +42,7 @@ std::vector<Need> parse(const std::string& needs) {
     return out;
 }
 
-// The conditions of `needs`, one by one, that `keeps` says yes to.
+// The conditions of `needs` for which `keeps` returns true.
 std::string picked(const std::string& needs, const std::function<bool(const std::string&)>& keeps) {
     std::string out;
     for (const std::string& word : split(needs, ' '))
@@ -62,7 +62,7 @@ std::string listed(const std::vector<std::string>& words) {
     return out;
 }
 
-// "--pattern scaffold or --rings": what may be typed.
+// The alternatives as they are typed: "--pattern scaffold or --rings".
 std::string typed(const Need& need) {
     std::vector<std::string> words;
     for (const Setting& s : need.any)

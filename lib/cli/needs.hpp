@@ -1,4 +1,5 @@
-// Whether an option has an effect beside the others: what Option::when says, judged and put into words.
+// Checks whether an option has an effect together with the other options (Option::when), and puts its conditions into
+// words.
 #pragma once
 
 #include "cli/spec.hpp"
@@ -9,23 +10,24 @@
 
 namespace filum::cli {
 
-// How an option stands.
+// The value of an option in this run.
 struct Standing {
     std::string value;
-    bool changed = false; // from its default
+    bool changed = false; // whether it differs from the default
 };
 using Lookup = std::function<Standing(const std::string& option)>;
 
-// "with --pattern scaffold, not with --surface"; "" for no needs.
+// The conditions in words: "with --pattern scaffold, not with --surface"; "" without conditions.
 std::string needs_text(const std::string& needs);
 
-// The conditions that all of `needs` have, in the order of the first; "" for none.
+// The conditions that all of `needs` share, in the order of the first; "" if they share none.
 std::string shared_needs(std::span<const std::string> needs);
 
-// `needs` but for the conditions of `shared`.
+// `needs` without the conditions of `shared`.
 std::string needs_without(const std::string& needs, const std::string& shared);
 
-// Why the option `name` cannot be used, if it cannot: the first of its needs that does not hold, and what to do.
+// Why the option `name` has no effect, and what to do: text for the first of its needs that is not met. None if all are
+// met.
 std::optional<std::string> fault(const std::string& name, const std::string& needs, const Lookup& lookup);
 
 } // namespace filum::cli

@@ -6,9 +6,9 @@ namespace filum::cli {
 
 namespace {
 
-// Of a name with several entries the first is taken whose option the program has.
+// If a name has several entries, the first one counts whose option the program has.
 constexpr OtherName kOtherNames[] = {
-    // Filum's own, of before
+    // former names of Filum's own options
     {"least-radius", "min-radius"},
     {"least-spacing", "min-spacing"},
     {"least-area", "min-area"},
@@ -48,7 +48,7 @@ constexpr OtherName kOtherNames[] = {
     {"rotate-x", "rotate", Value::turn_x},
     {"rotate-y", "rotate", Value::turn_y},
     {"rotate-z", "rotate", Value::turn_z},
-    // what is inside
+    // infill
     {"perimeters", "walls"},
     {"wall-count", "walls"},
     {"wall-line-count", "walls"},
@@ -71,7 +71,7 @@ constexpr OtherName kOtherNames[] = {
     {"bottom-layers", "bottom"},
     {"bottom-shell-layers", "bottom"},
     {"solid-infill-below-area", "solid-below"},
-    // supports and what lies about the part
+    // supports, raft, brim and skirt
     {"support-material", "support", Value::flag},
     {"support-enable", "support", Value::flag},
     {"enable-support", "support", Value::flag},

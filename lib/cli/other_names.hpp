@@ -1,4 +1,5 @@
-// The one table of what other slicers call the options of Filum, and of what Filum called them before.
+// The one table of option names that other slicers use for options of Filum, and of former names of Filum's own
+// options.
 #pragma once
 
 #include <cstdint>
@@ -9,41 +10,43 @@
 
 namespace filum::cli {
 
-// How a value of theirs becomes one of ours.
+// How a value of another slicer is converted to a value of Filum.
 enum class Value : std::uint8_t {
-    same,       // as it stands
-    length,     // mm; a share of something else has no meaning here, nor has 0, which says "by itself"
+    same,       // unchanged
+    length,     // mm; percentages are ignored, and so is 0, which means "automatic"
     share,      // 15% or 15 becomes 15%
     flag,       // 0 or 1
-    steepness,  // degrees from the horizontal; here they count from the vertical
-    pattern,    // of infill
-    key,        // of the machine's profile, by --set; a share of something else has no meaning here
-    text,       // of the machine's profile, by --set: code, with \n for a new line
-    bed_only,   // 0 or 1: where supports may stand
-    seam,       // where strokes begin
-    shrinks_by, // % of the size in x and y that a part loses as it cools
-    shrinks_to, // % of it that are left then
-    shrinks_z,  // % of the height that it loses (PrusaSlicer: up to 10), or that are left (OrcaSlicer: more than 10)
+    steepness,  // degrees from the horizontal; Filum counts from the vertical
+    pattern,    // a pattern of infill
+    key,        // a key of the machine's profile, for --set; percentages are ignored
+    text,       // a key of the machine's profile, for --set: code, with \n for a new line
+    bed_only,   // 0 or 1: whether supports may stand only on the bed
+    seam,       // the position of seams
+    shrinks_by, // % of the size in x and y that a part loses when it cools
+    shrinks_to, // % of the size in x and y that remain then
+    shrinks_z,  // % of the height that it loses (PrusaSlicer: up to 10) or that remain (OrcaSlicer: more than 10)
     turn_x,     // degrees
     turn_y,
     turn_z,
-    none, // ours takes another kind of value: only its name can be told
+    none, // Filum's option takes another kind of value: messages give only its name
 };
 
 struct OtherName {
-    std::string_view theirs; // with '-'
-    std::string_view ours;   // an option without dashes; of Value::key and Value::text a key of the machine's profile
+    std::string_view theirs; // words separated by '-'
+    std::string_view ours;   // an option without dashes; for Value::key and Value::text a key of the machine's profile
     Value value = Value::same;
 };
 
-// The first entry for a name of PrusaSlicer, OrcaSlicer, Cura, Slic3r or an older Filum, with '-' or '_' and without
-// what stands behind '=', whose option (--set, of a key) `has` knows; else null.
+// The first entry of the table for a name of PrusaSlicer, OrcaSlicer, Cura, Slic3r or an older Filum. The name may use
+// '-' or '_', and text from '=' on is ignored. An entry counts only if `has` returns true for its option ("set" for
+// keys of a profile). Null if there is none.
 const OtherName* other_name(std::string_view theirs, const std::function<bool(std::string_view)>& has);
 
-// "--set feeds.bead=50" or "--bead-width": what to type for it.
+// What to type for the entry: "--set feeds.bead=50" or "--bead-width".
 std::string ours_of(const OtherName& name);
 
-// "; here it is '--bead-width'" for an option by such a name, if ours is among `names`, without dashes; else "".
+// "; here it is '--bead-width'" for an option `theirs` of another slicer, if Filum's option is among `names` (without
+// dashes); else "".
 std::string in_our_words(std::string_view theirs, std::span<const std::string> names);
 
 } // namespace filum::cli

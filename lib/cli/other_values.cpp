@@ -13,7 +13,8 @@ double number(const std::string& text, const std::string& of) {
     return parse_number(percent(text) ? text.substr(0, text.size() - 1) : text, "--" + of);
 }
 
-// Slicers' patterns of straight lines that this program lays as rows, of waves, and of lines along the outline.
+// The pattern of Filum that replaces a pattern of another slicer: rows for straight lines, waves, or concentric lines.
+// "" if there is none.
 std::string pattern(const std::string& theirs) {
     for (const char* rows : {"rectilinear", "alignedrectilinear", "line", "lines", "grid", "zigzag", "zig-zag", "rows"})
         if (theirs == rows) return "rows";
@@ -21,7 +22,8 @@ std::string pattern(const std::string& theirs) {
     return theirs == "gyroid" || theirs == "wave" ? "wave" : "";
 }
 
-// Lines of code that one option holds: \n is a new line, and --set parts its keys at commas.
+// The code held by the value of one option, with
+// replaced by a line break. Throws Error(usage) for text with a comma, since --set separates its keys at commas.
 std::string code(const std::string& text, const std::string& of) {
     if (text.find(',') != std::string::npos)
         throw Error(Exit::usage,
@@ -37,20 +39,22 @@ std::string code(const std::string& text, const std::string& of) {
     return out;
 }
 
-// Strokes begin where they are least seen, or where the one before ended: few that they are, nobody lines them up.
+// The seam position of Filum for that of another slicer: at the back, or nearest to the end of the stroke before. ""
+// for others: strokes are few, so seams are not aligned.
 std::string seam(const std::string& theirs) {
     if (theirs == "rear" || theirs == "back") return "back";
     return theirs == "nearest" ? "nearest" : "";
 }
 
-// The option for a part that loses so many % of its size in x and y, or in z.
+// The option that scales up a part that loses `lost` % of its size in x and y, or in z. None if it loses nothing.
 std::optional<std::string> shrinkage(const std::string& option, double lost, bool in_z = false) {
     if (!(lost > 0)) return std::nullopt;
     const std::string text = shortest_text(lost);
     return option + (in_z ? "=0,0," + text : "=" + text + "," + text + ",0");
 }
 
-// PrusaSlicer says what is lost, at most 10 %; OrcaSlicer what is left, by the same name.
+// The % of the height that is lost. PrusaSlicer's value is the loss, at most 10 %; OrcaSlicer's value of the same name
+// is the remaining height.
 double lost_in_z(double value) { return value > 10 ? 100 - value : value; }
 
 } // namespace

@@ -1,4 +1,4 @@
-// What a program writes: its stream, what it notes and found out in it, and the sum of the notes on standard error.
+// The output of a program: its stream with notes and facts, and a summary of the notes on standard error.
 #pragma once
 
 #include "cli/command.hpp"
@@ -7,24 +7,27 @@ namespace filum::cli {
 
 class Output {
   public:
-    // Begins the stream `header` in the file that `io` names, with what this run was told otherwise than those before.
+    // Begins the stream with `header` in the file `io.output`. Adds a note for each setting that differs from that of
+    // an earlier stage: see agree.hpp.
     Output(const Io& io, const stream::Header& header);
     Output(const Output&) = delete;
     Output& operator=(const Output&) = delete;
 
-    // A frame as it is: payload, or a remark of a program before.
+    // Writes a frame unchanged: payload, or a note or fact of an earlier program.
     void write(const stream::RawFrame& frame) { writer_.write(frame); }
 
-    // Notes, then facts, that came by a stream before, as they are; of the facts those that `keep` asks for.
+    // Passes on the notes, then the facts, of the stream `before`, unchanged. Facts for which `keep` returns false are
+    // dropped.
     void pass_on(const Whole& before, const std::function<bool(const Fact&)>& keep = {});
 
-    // As this program's, whatever stage they name.
+    // Adds notes or facts of this program; their stage is set to its name.
     void add(Note note);
     void add(const Notes& notes);
     void add(Fact fact);
     void add(const Facts& facts);
 
-    // The end of the stream: call it only when all input was read to its own end.  Then says the notes' sum.
+    // Ends the stream, commits the file and prints the summary of the notes. Call it only after all input was read to
+    // its end frame.
     void close();
 
   private:

@@ -10,15 +10,15 @@ namespace filum::cli {
 namespace {
 
 struct Format {
-    std::string_view endings; // each with a blank before and behind
-    std::string_view name;    // what files with them are
-    std::string_view use;     // instead
+    std::string_view endings; // each with a blank before and after it
+    std::string_view name;    // the kind of these files
+    std::string_view use;     // what to do instead
 };
 
 constexpr std::string_view kPictures = "draw the toolpath: filum print --picture x.png, or render -o x.png (or .svg)";
 constexpr std::string_view kPrograms = "machine code comes from 'filum print' or 'postproc'";
 
-// The first that fits counts.
+// Formats by their endings; the first match counts.
 constexpr Format kFormats[] = {
     {" .gcode.3mf .bgcode .gcode .gco .g .nc .ngc .tap .cnc .src .mod .script .urp ", "machine code", kPrograms},
     {" .gx .x3g .makerbot .ufp .s3g ", "a printer's own program format", "write x.gcode"},
@@ -34,7 +34,7 @@ std::string lower(std::string text) {
     return text;
 }
 
-// The ending of a file's name: ".gcode.3mf" and others with two dots where a format has that, else from the last dot.
+// The ending of a file's name in lower case, from the last dot on, or ".gcode.3mf". "" without an ending.
 std::string ending_of(const std::string& name) {
     const std::string file = lower(name.substr(name.find_last_of('/') + 1));
     if (file.ends_with(".gcode.3mf")) return ".gcode.3mf";

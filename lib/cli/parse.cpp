@@ -51,7 +51,7 @@ std::vector<double> number_list(const Option& o, const std::string& text) {
     return out;
 }
 
-// The number of the choice that `text` is; 0 if there are none.
+// The index of `text` among the choices of the option; 0 if it has no choices. Throws Error(usage) for another text.
 std::size_t choice(const Option& o, const std::string& text) {
     const auto found = std::find(o.choices.begin(), o.choices.end(), text);
     if (o.choices.empty() || found != o.choices.end()) return static_cast<std::size_t>(found - o.choices.begin());
@@ -88,7 +88,8 @@ void bind(CLI::App& app, const Option& o) {
         ->take_last();
 }
 
-// Documents are asked for by the build and the tests, not by users: they stand alone on the command line.
+// The document that the argument `verb` asks for, or "". --print-... is for the build and the tests, and counts only as
+// the first argument.
 std::string document(const std::string& verb, const Spec& spec) {
     if (verb == "--print-man") return man_page(spec);
     if (verb == "--print-markdown") return markdown(spec);
@@ -101,7 +102,7 @@ std::string document(const std::string& verb, const Spec& spec) {
     return "";
 }
 
-// The library's own message in our grammar: one line, lower case, no full stop.
+// The message of the CLI library in the grammar of Filum: one line, lower case, no full stop.
 std::string in_house(std::string what) {
     what = what.substr(0, what.find('\n'));
     if (what.size() > 1 && std::islower(static_cast<unsigned char>(what[1])) != 0)
@@ -110,7 +111,7 @@ std::string in_house(std::string what) {
     return what;
 }
 
-// The first argument is the value of the leading option if it is one of its choices.
+// Takes the first argument as value of the leading option if it is one of its choices.
 void take_leading(const Spec& spec, Io& io) {
     for (const Option& o : spec.options) {
         if (spec.leading.empty() || o.name != spec.leading || io.inputs.empty()) continue;
@@ -120,7 +121,7 @@ void take_leading(const Spec& spec, Io& io) {
     }
 }
 
-// What was typed that no option is called by, and what may have been meant.
+// Throws Error(usage) for an option that does not exist, with a suggestion if a similar one exists.
 [[noreturn]] void unknown(const std::string& word, const Spec& spec) {
     const std::string name = word.substr(0, word.find('='));
     const std::size_t dashes = std::min(name.find_first_not_of('-'), name.size());
@@ -131,7 +132,8 @@ void take_leading(const Spec& spec, Io& io) {
     misused("unknown option '" + word + "'" + (meant.empty() ? "; see '" + spec.name + " --help'" : meant));
 }
 
-// Options that were given and do nothing beside the others.
+// Records the options that differ from their defaults. Throws Error(usage) if one of them has no effect together with
+// the other options.
 void check_needs(const Spec& spec, const std::vector<std::string>& defaults, Io& io) {
     const Lookup lookup = [&](const std::string& name) -> Standing {
         for (std::size_t i = 0; i < spec.options.size(); ++i)
@@ -146,7 +148,7 @@ void check_needs(const Spec& spec, const std::vector<std::string>& defaults, Io&
     }
 }
 
-// The least grade of the notes that --notes asks for.
+// The lowest grade of notes that --notes shows.
 Grade least_grade(const std::string& text) {
     for (const auto& [word, grade] :
          {std::pair{"all", Grade::harmless}, {"look", Grade::look}, {"will-fail", Grade::will_fail}})
@@ -192,7 +194,7 @@ std::string parse(int argc, char** argv, const Spec& spec, Io& io) {
     for (const auto& path : io.inputs)
         if (path.empty()) misused("cannot use '' as a file name; is a variable empty?");
     if (io.output.empty()) misused("cannot use '' for --output; is a variable empty?");
-    if (spec.out.kind != Port::Kind::none && spec.name != "filum") // which writes what its commands do
+    if (spec.out.kind != Port::Kind::none && spec.name != "filum") // its commands write the output
         check_output_name(io.output, spec.name,
                           (spec.out.kind == Port::Kind::stream ? "a stream of " : "") + spec.out.text);
     if (!io.inputs.empty()) io.input = io.inputs.front();

@@ -14,16 +14,16 @@ namespace filum::cli {
 
 namespace {
 
-constexpr std::uint64_t kOften = 16; // steps between two lines to FILUM_PROGRESS
+constexpr std::uint64_t kOften = 16; // number of steps between two lines to FILUM_PROGRESS
 
-// Of this process: what Progress counts and Clock draws.
+// The progress of this process: Progress counts it, and Clock draws it.
 struct Far {
     std::atomic<std::uint64_t> done = 0, expected = 0;
 };
 Far far_;
 
 void put(int file, const std::string& text) {
-    if (::write(file, text.data(), text.size()) < 0) return; // nobody has time for it
+    if (::write(file, text.data(), text.size()) < 0) return; // a failed write only loses one status line
 }
 
 bool watched(const Io& io) {
@@ -82,6 +82,6 @@ Clock::Clock(const Io& io) {
         ticks_ = std::jthread([program = io.program](const std::stop_token& stop) { tick(stop, program); });
 }
 
-Clock::~Clock() = default; // stops and waits
+Clock::~Clock() = default; // stops the thread and waits for it
 
 } // namespace filum::cli

@@ -1,4 +1,4 @@
-// How far a program is, for whoever waits at a terminal.
+// Progress of a program, shown on a terminal or sent to the front command.
 #pragma once
 
 #include <chrono>
@@ -10,11 +10,11 @@ namespace filum::cli {
 
 struct Io;
 
-// "NAME [####   ]  40 %"; with nothing expected "NAME: DONE", with nothing done either "NAME".
+// The progress as text: "NAME [####   ]  40 %". With `expected` 0 it is "NAME: DONE", or "NAME" if nothing is done yet.
 std::string bar(const std::string& name, std::uint64_t done, std::uint64_t expected);
 
-// Counts what is done.  Clock draws it; where the environment variable FILUM_PROGRESS names a file descriptor, lines
-// "PROGRAM DONE EXPECTED" go there instead, every 16 steps and at the end.
+// Counts finished steps. Clock shows the count. If the environment variable FILUM_PROGRESS names a file descriptor,
+// lines "PROGRAM DONE EXPECTED" are written to it, one every 16 steps and one at the end.
 class Progress {
   public:
     Progress(const Io& io, std::uint64_t expected); // 0: unknown, counts only
@@ -22,7 +22,7 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     void step() { reach(done_ + 1); }
-    void reach(std::uint64_t done); // what is done in all; never less than before
+    void reach(std::uint64_t done); // sets the number of finished steps; a smaller number than before is ignored
 
   private:
     std::string program_;
@@ -30,13 +30,14 @@ class Progress {
     int told_ = -1; // file descriptor
 };
 
-// As long as it lives, a line on standard error from the first second on, drawn anew each second: the program, how far
-// it is if it counts, and since when it runs.  Only on a terminal, unless --quiet; not where results go to that
-// terminal, or to a pipe, whose last stage shows it; nor with FILUM_PROGRESS.
+// Shows a status line on standard error while it exists, from the first second on, redrawn each second. The line holds
+// the name of the program, its progress and the seconds since its start. No line is shown if standard error is no
+// terminal, with --quiet, or if FILUM_PROGRESS is set. No line is shown either if results go to the terminal or to a
+// pipe; in a pipeline the last stage shows it.
 class Clock {
   public:
     explicit Clock(const Io& io);
-    ~Clock(); // wipes the line
+    ~Clock(); // clears the line
     Clock(const Clock&) = delete;
     Clock& operator=(const Clock&) = delete;
 

@@ -1,4 +1,4 @@
-// What a command says about itself, as data.  Help, man page, completion, docs and contract tests come from it.
+// The description of a command as data. Help, man page, completion, docs and contract tests are made from it.
 #pragma once
 
 #include "stream/frame.hpp"
@@ -13,7 +13,7 @@
 
 namespace filum::cli {
 
-// A field that is an enum, its values numbered as the option's choices are.
+// A field of an enum type. Its values are numbered like the choices of the option.
 struct Enumerated {
     void* field;
     void (*set)(void* field, std::size_t choice);
@@ -35,13 +35,13 @@ struct Option {
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
     bool open_min = false;                 // min itself is not allowed
-    bool zero = false;                     // 0 is, though below min
-    std::vector<std::string> choices = {}; // for texts, and for enums in their order
-    std::size_t count = 0;                 // for lists: how many numbers exactly, 0 for any
-    bool setting = true;                   // false for files and whatever must not enter the history
-    std::string needs = "";                // what other options it needs to have an effect: see when()
-    std::vector<std::string> same = {};    // settings of stages before, PROGRAM.NAME, that should have its value
-    bool limit = false;                    // acts only where the input reaches it: nothing may change, rightly
+    bool zero = false;                     // 0 is allowed, although it is below min
+    std::vector<std::string> choices = {}; // the values allowed: of texts, or of enums in their order
+    std::size_t count = 0;                 // for lists: the exact number of numbers, 0 for any
+    bool setting = true;                   // false for files and other values that do not belong into the history
+    std::string needs = "";                // the conditions on other options under which it has an effect: see when()
+    std::vector<std::string> same = {};    // settings of earlier stages, PROGRAM.NAME, that should have the same value
+    bool limit = false;                    // a limit: it may rightly change nothing, if the input does not reach it
 
     Option& at_least(double v) {
         min = v;
@@ -82,14 +82,16 @@ struct Option {
         setting = false;
         return *this;
     }
-    // Where it has an effect: given elsewhere, not at its default, it is an error.  Conditions with blanks between, all
-    // of which must hold: "pattern=spiral|zigzag", the other option has one of these values; "surface", it is not at
-    // its default; with '/' one of several; with '!' in front none of them.  As "method=cyc !surface/regions".
+    // States the condition under which the option has an effect. Without it, giving the option a value other than its
+    // default is an error. All conditions, separated by blanks, must hold. "pattern=spiral|zigzag": the other option
+    // has one of these values. "surface": the other option is not at its default. '/' separates alternatives, and '!'
+    // in front means that none of them holds. Example: "method=cyc !surface/regions".
     Option& when(const std::string& condition) {
         needs += (needs.empty() ? "" : " ") + condition;
         return *this;
     }
-    // A stage before that was told otherwise is told of in a warning and a note.
+    // Names settings of earlier stages that should have the same value. If one differs, the program warns and adds a
+    // note.
     Option& same_as(std::vector<std::string> settings) {
         same = std::move(settings);
         return *this;
@@ -100,10 +102,10 @@ struct Option {
     }
 };
 
-// Options under one more condition.
+// The options, each with one more condition.
 std::vector<Option> when(const std::string& condition, std::vector<Option> options);
 
-// Options that stand together in help and pages, by name, under a heading: a noun, as "support" or "rows and strands".
+// Options, by name, that help and pages show under one heading. The heading is a noun: "support", "rows and strands".
 struct Group {
     std::string heading;
     std::vector<std::string> options;
@@ -119,7 +121,7 @@ struct Port {
     enum class Kind : std::uint8_t { none, file, stream, text };
     Kind kind = Kind::none;
     stream::Payload payload = stream::Payload::unknown; // for streams; unknown: any
-    std::string text;                                   // how to name it: "mesh file", "Regions"
+    std::string text;                                   // its name in texts: "mesh file", "Regions"
 };
 Port reads(stream::Payload p);
 Port writes(stream::Payload p);
@@ -132,19 +134,20 @@ struct Spec {
     std::string synopsis;    // one line: what it does
     std::string description; // paragraphs, separated by empty lines
     Port in, out;
-    std::string memory; // what it keeps in memory at once: "two layers"
+    std::string memory; // what the command keeps in memory at once: "two layers"
     std::vector<Option> options;
-    std::vector<Group> groups = {}; // of options, in the order of the help; those in none come first
+    std::vector<Group> groups =
+        {}; // the groups of options, in the order of the help; options without a group come first
     std::vector<Example> examples;
     std::vector<std::string> see_also = {};
-    std::string arguments = "[INPUT]"; // how the usage line names what is no option
+    std::string arguments = "[INPUT]"; // how the usage line names positional arguments
     bool many_inputs = false;          // takes any number of positional arguments
-    std::string leading = "";          // an option one of whose choices may come first, without its name
+    std::string leading = "";          // an option whose value may be given as first argument, without the name
     struct Page {
         std::string name; // --print-NAME
         std::string (*text)();
     };
-    std::vector<Page> pages = {}; // more that it can say about itself, for scripts/generate-docs
+    std::vector<Page> pages = {}; // more documents about the command, for scripts/generate-docs
 };
 
 } // namespace filum::cli

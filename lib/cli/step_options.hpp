@@ -1,4 +1,4 @@
-// The options of commands that read STEP files.
+// Options of commands that read STEP files.
 #pragma once
 
 #include "cli/command.hpp"
@@ -7,7 +7,7 @@
 
 namespace filum::cli {
 
-// Bound to the fields of `to`, a mesh::step::Tessellation.
+// The options, bound to the fields of `to`, a mesh::step::Tessellation.
 template <class Tessellation>
 std::vector<Option> step_options(Tessellation& to) {
     return {Option{"deflection", &to.deflection, "MM", "STEP: largest distance between triangles and CAD faces"}
@@ -18,7 +18,7 @@ std::vector<Option> step_options(Tessellation& to) {
                 .at_most(90)};
 }
 
-// Warns of these options, if given, where there is nothing for them to do.
+// Warns about these options if they were given and no input file is STEP.
 inline void step_idle(const Io& io, bool is_step) {
     if (is_step) return;
     for (const char* name : {"deflection", "deflection-angle"}) io.idle(name, "no file is STEP");
