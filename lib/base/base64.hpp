@@ -1,4 +1,4 @@
-// Bytes as text.
+// Encodes bytes as text.
 #pragma once
 
 #include <span>
@@ -6,7 +6,7 @@
 
 namespace filum {
 
-// RFC 4648, with '=' to a multiple of four letters, without line ends.
+// The bytes in base 64 (RFC 4648), padded with '=' to a multiple of four letters, without line breaks.
 std::string base64(std::span<const unsigned char> bytes);
 
 } // namespace filum

@@ -1,4 +1,4 @@
-// The one limit on how densely lines may lie: an estimate of what would be laid, made before any work.
+// Limits on how densely lines, samples or triangles may be placed. They are checked before any work begins.
 #pragma once
 
 #include "base/error.hpp"
@@ -8,18 +8,18 @@
 
 namespace filum {
 
-// A program that places lines, samples or triangles at a spacing needs time and memory that grow with the number of
-// squares of that side in the area.  A square metre at 0.4 mm holds 6 million.
+// The largest number of squares, as wide as the spacing, that an area may hold. Time and memory of a program that
+// places lines, samples or triangles grow with this number. A square metre at 0.4 mm holds 6 million squares.
 inline constexpr double kMostSquares = 1e7;
 
-// The text of a positive value to two digits, rounded up: a least value that holds when it is typed.
+// A positive value as text with two digits, rounded up, so that it still satisfies a lower limit when it is typed.
 std::string rounded_up(double value);
 
-// Throws Error(exit) if `area` mm2 hold more than kMostSquares squares of side `spacing` mm, or the spacing is no
-// positive number.  `subject` names the value in the message: "--spacing".
+// Throws Error(exit) if `area` mm2 hold more than kMostSquares squares of side `spacing` mm. Throws it too if the
+// spacing is not a positive number. `subject` names the value in the message: "--spacing".
 void check_density(double area, double spacing, Exit exit, std::string_view subject);
 
-// Beads closer than this share of their width would lie one on the other.
+// The smallest spacing of lines, as a share of the width of their beads. Closer beads would overlap too much.
 inline constexpr double kLeastSpacing = 0.5;
 
 // Throws Error(exit) if lines `spacing` mm apart are closer than kLeastSpacing of the `width` of their beads, mm.

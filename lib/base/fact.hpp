@@ -1,4 +1,4 @@
-// What a stage found out about the whole job: carried in the stream beside the notes, which are for losses.
+// Facts: results about the whole job. The stream carries them beside the notes, which report losses.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 namespace filum {
 
 struct Fact {
-    std::string stage; // the program that says it
+    std::string stage; // the program that made the fact
     std::string name;  // lower case, words joined by '-': "strokes", "lower-bound"
     double value = 0;
     std::string unit; // "mm", "strokes"; empty for a pure number

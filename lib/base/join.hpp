@@ -1,4 +1,4 @@
-// How a region continues the one printed just before it: decided by `sequence`, obeyed by `link3d`.
+// How a region continues the one printed before it: `sequence` decides this, and `link3d` follows it.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,9 @@
 namespace filum {
 
 enum class Join : std::uint8_t {
-    start,    // it does not: a new stroke begins
-    vertical, // from the region below it
-    beside,   // from the brim about it, on the same layer
+    start,    // a new stroke begins
+    vertical, // the stroke comes from the region below
+    beside,   // the stroke comes from the brim around the region, on the same layer
 };
 
 } // namespace filum

@@ -1,4 +1,4 @@
-// Text as JSON.
+// Writes text as JSON.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace filum {
 
-// A JSON string in quotes.  A byte that is no UTF-8 becomes U+FFFD, the replacement character.
+// `text` as a JSON string in quotes. A byte that is not UTF-8 becomes U+FFFD, the replacement character.
 std::string json_text(std::string_view text);
 
 } // namespace filum

@@ -11,9 +11,10 @@ namespace filum {
 inline constexpr double kInch = 25.4, kFoot = 304.8, kMetre = 1000; // mm
 
 struct LengthUnit {
-    std::string_view symbol, word; // "mm", and the word of the 3MF standard, "millimeter"
+    // the symbol "mm", and the word of the 3MF standard, "millimeter"
+    std::string_view symbol, word;
     double mm = 1;
-    std::array<std::string_view, 4> others{}; // lower case
+    std::array<std::string_view, 4> others{}; // other spellings, in lower case
 };
 
 inline constexpr LengthUnit kLengthUnits[] = {{"um", "micron", 0.001, {"microns", "\xc2\xb5m", "\xce\xbcm"}},
@@ -25,7 +26,8 @@ inline constexpr LengthUnit kLengthUnits[] = {{"um", "micron", 0.001, {"microns"
                                               {"in", "inch", kInch, {"inches"}},
                                               {"ft", "foot", kFoot, {"feet"}}};
 
-// mm of the unit with that symbol, with that word, or with either or another spelling; nothing if there is none.
+// The length in mm of the unit with that symbol, with that word, or with any of its names. None if there is no such
+// unit.
 constexpr std::optional<double> length_of_symbol(std::string_view symbol) {
     for (const LengthUnit& u : kLengthUnits)
         if (u.symbol == symbol) return u.mm;

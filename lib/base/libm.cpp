@@ -29,7 +29,7 @@ double pow(double, double);
 float expf(float);
 float powf(float, float);
 void sincos(double, double*, double*);
-// Of these libm has one version for all processors, or their results are exact.
+// Functions for which libm has only one version, or whose results are exact.
 long double sinl(long double);
 long double cosl(long double);
 double frexp(double, int*);
@@ -59,13 +59,13 @@ double series(double v, const double (&coefficient)[n]) {
     return sum;
 }
 
-// An angle as high + low + quarter * pi / 2, |high| at most a little over pi / 4.
+// An angle as high + low + quarter * pi / 2, where |high| is at most slightly larger than pi / 4.
 struct Angle {
     double high, low;
     int quarter; // 0 to 3
 };
 
-// Half a pi in three parts; the first two have 33 bits, so that 2^20 times them is exact.
+// pi / 2 in three parts. The first two have 33 bits, so that 2^20 times them is exact.
 constexpr double kFirst = 0x1.921fb544p+0, kSecond = 0x1.0b4611a6p-34, kThird = 0x1.3198a2e037073p-69;
 constexpr double kMostAngle = 1 << 20;
 
@@ -97,7 +97,7 @@ double turned_sine(const Angle& a, int quarter) {
     return (quarter & 2) != 0 ? -v : v;
 }
 
-// The arc tangent of a / b, 0 <= a <= b, b > 0 and finite, as high + low.
+// The arc tangent of a / b as high + low, for 0 <= a <= b with b > 0 and finite.
 struct Pair {
     double high, low;
 };
@@ -130,7 +130,7 @@ Pair arc(double a, double b) {
     return {known[k], rest[k] + (t + t * z * series(z, of))};
 }
 
-// x^n for whole n, |n| <= 64, by squaring: exact wherever the powers are.
+// x^n for whole n with |n| <= 64, by squaring. The result is exact wherever the powers are.
 double whole_power(double x, int n) {
     double out = 1, square = x;
     for (int k = n < 0 ? -n : n; k != 0; k >>= 1) {
@@ -142,7 +142,7 @@ double whole_power(double x, int n) {
 
 constexpr double kMostWhole = 64;
 
-// The logarithm as exponent * log 2 + fraction, |fraction| < 0.35; x positive and finite.
+// The logarithm as exponent * log 2 + fraction with |fraction| < 0.35, for x positive and finite.
 struct Logarithm {
     double exponent, fraction;
 };
@@ -160,7 +160,7 @@ Logarithm logarithm(double x) {
     return {static_cast<double>(exponent), f - (half - s * (half + z * series(z, of)))};
 }
 
-constexpr double kLog2 = 0x1.62e42feep-1, kLog2Rest = 0x1.a39ef35793c76p-33; // the first of 32 bits
+constexpr double kLog2 = 0x1.62e42feep-1, kLog2Rest = 0x1.a39ef35793c76p-33; // log 2 in two parts, the first of 32 bits
 
 } // namespace
 

@@ -24,7 +24,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 namespace {
 
-// The name that contains `word` or is contained in it, if there is exactly one such name.
+// The name that contains `word` or is contained in it, if there is exactly one such name; else "". Shorter than three
+// letters: not compared.
 std::string only_with_part(std::string_view word, std::span<const std::string> names) {
     constexpr std::size_t kLeast = 3;
     std::string out;
@@ -40,7 +41,7 @@ std::string only_with_part(std::string_view word, std::span<const std::string> n
 } // namespace
 
 std::string nearest(std::string_view word, std::span<const std::string> names) {
-    constexpr std::size_t kLongest = 64; // nobody misspells more; keeps the cost down
+    constexpr std::size_t kLongest = 64; // longer words are not compared, which bounds the cost
     if (word.size() > kLongest) return "";
     const std::string* best = nullptr;
     std::size_t least = 0;

@@ -1,4 +1,4 @@
-// The name that somebody may have meant.
+// Finds the name that a misspelt word may stand for.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,16 @@
 
 namespace filum {
 
-// How many letters must be changed, added, dropped or swapped with their neighbour to get from `a` to `b`: the
-// restricted Damerau-Levenshtein distance, of bytes.
+// The restricted Damerau-Levenshtein distance of two texts, in bytes: how many letters must be changed, added, dropped
+// or swapped with their neighbour to turn `a` into `b`.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-// Of `names` the nearest to `word`, if at most a third of the longer one's letters differ; else the only one that
-// `word`, of three letters at least, is a part of, or that is a part of it; else "".  Ties: the first.
+// The name in `names` that is nearest to `word`, if at most a third of the letters of the longer one differ. Ties: the
+// first. Otherwise the only name that contains `word` or is contained in it, if both have at least three letters.
+// Otherwise "".
 std::string nearest(std::string_view word, std::span<const std::string> names);
 
-// "; did you mean 'NAME'?" of the nearest, with `before` in front of it; "" without one.
+// "; did you mean 'NAME'?" for the nearest name, with `before` in front of the name; "" if there is none.
 std::string did_you_mean(std::string_view word, std::span<const std::string> names, const std::string& before = "");
 
 } // namespace filum

@@ -1,4 +1,4 @@
-// The number of nothing: of no node, end, ring or sample.
+// The index that stands for "none": no node, end, ring or sample.
 #pragma once
 
 #include <cstdint>

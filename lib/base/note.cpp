@@ -14,7 +14,7 @@ enum class Sum : std::uint8_t { total, most, least };
 
 struct Row {
     NoteCode code;
-    std::string_view name; // with '_'
+    std::string_view name; // words joined by '_'
     Grade grade;
     std::string_view unit;
     Sum sum;
@@ -40,7 +40,7 @@ std::string kebab(std::string_view name) {
     return out;
 }
 
-// Three digits, at least: 227, 22.7, 2.27, 0.23, 0.0042.
+// The amount as text with about three digits: 227, 22.7, 2.27, 0.23, 0.0042.
 std::string amount_text(double v) {
     if (!std::isfinite(v)) return "an unknown amount";
     const double size = std::abs(v);
@@ -49,14 +49,14 @@ std::string amount_text(double v) {
     return fixed_text(v, size >= 100 ? 0 : size >= 10 ? 1 : size >= 0.1 ? 2 : 4);
 }
 
-// "1 turn", "3 turns"; other units are the same for any number.
+// The amount with its unit. Units that are words agree with the number: "1 turn", "3 turns".
 std::string with_unit(double amount, std::string_view unit) {
     const bool word = unit.size() > 3 && unit.ends_with('s');
     if (word && amount == 1) unit.remove_suffix(1);
     return amount_text(amount) + (unit.empty() ? "" : " " + std::string(unit));
 }
 
-// "3 bodies" of "body|bodies", "3 gaps" of "gap".
+// The number with its word in singular or plural: "3 bodies" for "body|bodies", "3 gaps" for "gap".
 std::string counted(std::uint64_t n, std::string_view words) {
     const auto bar = words.find('|');
     std::string word(n == 1 ? words.substr(0, bar) : bar == std::string_view::npos ? words : words.substr(bar + 1));
@@ -92,7 +92,7 @@ std::string place(const Note& n) {
     return out;
 }
 
-// How bad one case of a sum is, on average: a case that is worse gives the place.
+// The average severity of the cases of a sum. A worse case gives the sum its place.
 double badness(const Note& n, Sum sum) {
     if (sum == Sum::least) return -n.amount;
     return sum == Sum::most ? n.amount : n.amount / static_cast<double>(std::max<std::uint64_t>(1, n.count));
@@ -100,7 +100,7 @@ double badness(const Note& n, Sum sum) {
 
 Sum way_to_sum(const Note& n) { return row(n) != nullptr ? row(n)->sum : Sum::total; }
 
-// Sentences of the page name the placeholders as they are called in words.
+// The sentence for docs/notes.md: placeholders are replaced by their names, such as *amount*.
 std::string for_the_page(std::string_view sentence) {
     std::string out;
     for (std::string_view rest = sentence; !rest.empty();) {

@@ -1,4 +1,5 @@
-// What a stage dropped, repaired, merged or could not place: carried in the stream, summed up on standard error.
+// Notes: records of what a stage dropped, repaired, merged or could not place. The stream carries them, and the summary
+// on standard error counts them.
 #pragma once
 
 #include <cmath>
@@ -12,8 +13,8 @@ namespace filum {
 // How much a note matters to the print.
 enum class Grade : std::uint8_t { harmless, look, will_fail };
 
-// What a note is about: a row of base/notes.def.  `foreign`: a note by a program that has no row there, which brings
-// its own text.
+// The kind of a note: a row of base/notes.def. `foreign`: a note of a program that has no row there and brings its own
+// text.
 enum class NoteCode : std::uint16_t {
     foreign,
 #define NOTE(code, grade, unit, sum, sentence, advice) code,
@@ -21,7 +22,7 @@ enum class NoteCode : std::uint16_t {
 #undef NOTE
 };
 
-// What a program of another make says in a note of its own.
+// The text of a note by a program that is not part of Filum.
 struct ForeignNote {
     std::string code, text, unit; // the code may be empty
     Grade grade = Grade::look;
@@ -29,26 +30,27 @@ struct ForeignNote {
 
 struct Note {
     NoteCode code = NoteCode::foreign;
-    double amount = 0;       // in the unit of the code
-    std::uint64_t count = 1; // cases
-    std::int64_t layer = -1; // -1 if it is not on a layer
-    double x = std::nan(""); // where the worst case is, mm; nan if nowhere
+    double amount = 0;       // in the unit of the code; notes.def says how amounts of cases add up
+    std::uint64_t count = 1; // number of cases
+    std::int64_t layer = -1; // the layer of the worst case; -1 if it is not on a layer
+    double x = std::nan(""); // the place of the worst case, mm; nan if there is none
     double y = std::nan(""); //
-    double z = std::nan(""); // of a place in space; nan where the layer gives the height, or nothing does
-    std::string detail{};    // what {d} in the sentence stands for
-    std::string patch{};     // the patch that it is about, if there are several
-    std::string stage{};     // the program that says it; set by what writes the stream
-    ForeignNote foreign{};   // where the code is foreign
+    double z = std::nan(""); // height of the place, mm; nan if it follows from the layer or is unknown
+    std::string detail{};    // the text for {d} in the sentence
+    std::string patch{};     // the patch that the note is about, if there are several
+    std::string stage{};     // the program that made the note; set by the writer of the stream
+    ForeignNote foreign{};   // its text, if the code is foreign
 };
 
 using Notes = std::vector<Note>;
 
-// "will fail", "look", "harmless".
+// The name of the grade: "will fail", "look" or "harmless".
 std::string_view name(Grade grade);
 
-// The code as texts have it: "hairline-gap-closed".  A foreign note without a code has its text, made a name.
+// The name of the note's code in texts: "hairline-gap-closed". A foreign note without a code gets a name made from its
+// text.
 std::string code_name(const Note& note);
-// The code of that name; `foreign` if there is none.
+// The code with that name; `foreign` if there is none.
 NoteCode note_code(std::string_view name);
 
 Grade grade(const Note& note);
@@ -58,14 +60,16 @@ std::string unit(const Note& note);
 std::string sentence(const Note& note);
 // What the user can do about it: "add --support".  Empty for harmless and foreign notes.
 std::string advice(const Note& note);
-// Sentence, place and advice, as programs say it: "...; worst on layer 3 at 1.25,7; add --support [overhang]".
+// Sentence, place, advice and code, as programs print them: "...; worst on layer 3 at 1.25,7; add --support
+// [overhang]".
 std::string line(const Note& note);
 
-// Adds a case to a sum of the same kind; the place is that of the worst case.
+// Adds `note` to a sum of the same kind. The sum keeps the place of the worst case.
 void add(Note& sum, const Note& note);
 // Whether two notes add up: the same code, detail and patch, by the same stage.
 bool same_kind(const Note& a, const Note& b);
-// Sums by kind: those that fail first, then those to look at, then harmless ones; else in the order of first cases.
+// The notes summed by kind, ordered by grade: will_fail, look, harmless. Within a grade they keep the order of their
+// first cases.
 Notes summed(const Notes& notes);
 
 // The page docs/notes.md: a table of all codes.

@@ -17,10 +17,11 @@ void append_fixed(std::string& out, double value, int decimals);
 // The shortest text that reads back as the same value.
 std::string shortest_text(double value);
 
-// The whole of `text` as a number; throws Error(usage) naming `what`.
+// The number that `text` holds. Throws Error(usage), naming `what`, if any part of the text is not part of the number.
 double parse_number(std::string_view text, std::string_view what);
 
-// "NAME=NUMBER,...", in that order; numbers are finite, 0 or more.  Throws Error(usage) naming the option `what`.
+// The pairs of "NAME=NUMBER,...", in the order of the text. Numbers must be finite and not negative. Throws
+// Error(usage) naming the option `what`.
 std::vector<std::pair<std::string, double>> parse_weights(std::string_view words, const std::string& what);
 
 } // namespace filum

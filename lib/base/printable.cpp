@@ -7,7 +7,8 @@ namespace filum {
 
 namespace {
 
-// The length of the UTF-8 character at the start of `text`, which is not empty, and its code; 0: it is none.
+// The length in bytes of the UTF-8 character at the start of `text`, which must not be empty; sets `code` to its
+// number. 0 if `text` does not start with UTF-8.
 std::size_t character(std::string_view text, std::uint32_t& code) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned first = byte(0);
