@@ -1,4 +1,4 @@
-// How much is read and written at once; private to lib/stream.
+// Sizes of the blocks that are read and written at once; private to lib/stream.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace filum::stream {
 
-// After a read or a write that failed: whether it failed only since the other side of a descriptor that does not block
-// was not ready; then waits until it is.
+// Call it after a read or write that failed. Returns true if it failed only because the descriptor does not block and
+// the other side was not ready. In this case it waits until the other side is ready.
 inline bool waited(int fd, short event) {
     if (errno != EAGAIN && errno != EWOULDBLOCK) return false;
     pollfd one{fd, event, 0};
@@ -19,7 +19,8 @@ inline bool waited(int fd, short event) {
 }
 
 inline constexpr std::size_t kBlock = std::size_t{256}
-                                      << 10; // stays in the cache between read() and the copy out of it
-inline constexpr int kPipe = 1 << 20;        // what Linux allows to everyone: fewer changes of process
+                                      << 10; // bytes; stays in the cache between read() and the copy out of it
+inline constexpr int kPipe =
+    1 << 20; // bytes, the most that Linux allows to every user: fewer switches between processes
 
 } // namespace filum::stream

@@ -32,7 +32,7 @@ std::uint32_t by_table(std::uint32_t crc, const unsigned char* p, std::size_t n)
 
 #if defined(__x86_64__)
 
-// a(x) * x^(8 * bytes) modulo the polynomial: what `bytes` zeros after `a` make of it.
+// The checksum register after `bytes` zero bytes: crc(x) * x^(8 bytes) modulo the polynomial.
 std::uint32_t shift_by_table(std::uint32_t crc, std::size_t bytes) {
     for (; bytes > 0; --bytes) crc = kTable[crc & 255] ^ (crc >> 8);
     return crc;
@@ -40,12 +40,13 @@ std::uint32_t shift_by_table(std::uint32_t crc, std::size_t bytes) {
 
 constexpr std::size_t kLane = 4096;
 
-// The linear map "kLane zero bytes follow", as four tables of one byte each.
+// Tables of the linear map that appends kLane zero bytes: one table for each byte of the register.
 const std::array<std::array<std::uint32_t, 256>, 4>& lane_shift() {
     static const auto tables = [] {
         std::array<std::array<std::uint32_t, 256>, 4> t{};
         for (std::uint32_t k = 0; k < 4; ++k)
-            for (std::uint32_t i = 1; i < 256; ++i) { // linear: only single bits take the long way
+            for (std::uint32_t i = 1; i < 256;
+                 ++i) { // the map is linear, so only single bits are computed byte by byte
                 const std::uint32_t rest = i & (i - 1);
                 t[k][i] = rest != 0 ? t[k][rest] ^ t[k][i ^ rest] : shift_by_table(i << (8 * k), kLane);
             }
@@ -65,7 +66,7 @@ std::uint64_t word(const unsigned char* p) {
     return w;
 }
 
-// Three lanes at once hide the three cycles of the instruction.
+// The checksum by the processor's instruction. Three lanes at once hide its latency of three cycles.
 __attribute__((target("sse4.2"))) std::uint32_t by_instruction(std::uint32_t crc, const unsigned char* p,
                                                                std::size_t n) {
     std::uint64_t a = crc;

@@ -8,10 +8,10 @@
 
 namespace filum::stream {
 
-// The checksum of the bytes so far, `crc`, carried on over `size` bytes more; start with 0.
+// Continues the checksum `crc` of the bytes so far over `size` more bytes. Start with 0.
 std::uint32_t crc32c(std::uint32_t crc, const void* data, std::size_t size);
 
-// That of all bytes as eight hexadecimal digits, by which a history knows a file.
+// The checksum of `bytes` as eight hexadecimal digits. A history identifies a file by it.
 std::string crc32c_text(std::string_view bytes);
 
 } // namespace filum::stream

@@ -1,4 +1,4 @@
-// The stream format: preamble, header frame, frames, end frame.  Knows no geometry; see docs/stream.md.
+// The stream format: preamble, header frame, further frames, end frame. Independent of geometry; see docs/stream.md.
 #pragma once
 
 #include "base/fact.hpp"
@@ -11,12 +11,12 @@
 
 namespace filum::stream {
 
-// The one kind of payload that a stream carries.  Values are the wire's.
+// The kind of payload that a stream carries; a stream has only one. The values are those on the wire.
 enum class Payload : std::uint8_t { unknown = 0, layers = 1, regions = 2, paths = 3, toolpath = 4, surface = 5 };
 
 std::string_view name(Payload p);
 
-// A frame's type: the field number of Frame's oneof.
+// The type of a frame: the field number in the oneof of the message Frame.
 enum class Tag : std::uint32_t {
     header = 1,
     end = 2,
@@ -29,7 +29,7 @@ enum class Tag : std::uint32_t {
     surface = 12
 };
 
-// The only payload tag that a stream of this kind holds.
+// The tag of the payload frames of a stream of this kind.
 Tag tag_of(Payload p);
 
 struct Setting {
@@ -37,28 +37,28 @@ struct Setting {
     bool changed = false; // differs from the program's default
 };
 
-// One of several things that stand on the bed together.
+// One of several objects that stand together on the bed.
 struct Object {
     std::string name;
-    std::vector<double> x, y; // mm, its convex outline seen from above, counter-clockwise
-    double height = 0;        // mm, of its top above the bed
+    std::vector<double> x, y; // mm, the convex outline seen from above, counter-clockwise
+    double height = 0;        // mm, height of the top above the bed
 };
 
-// One program's part in making a stream.
+// One run of a program that took part in making a stream.
 struct Run {
     std::string program, version;
     std::vector<Setting> settings;
     std::vector<std::uint32_t> parents; // indices into Header::history
-    std::vector<Object> objects = {};   // that it put on the bed, if they are several
+    std::vector<Object> objects = {};   // the objects that it put on the bed, if there are several
 };
 
 struct Header {
     Payload payload = Payload::unknown;
     std::vector<Run> history;   // oldest first; the last one wrote the stream
-    std::uint64_t expected = 0; // payload frames to come, 0 if unknown
+    std::uint64_t expected = 0; // number of payload frames that follow, 0 if unknown
 };
 
-// A frame as it stands on the wire: the tag, and the message behind it, still serialised.
+// A frame as on the wire: its tag, and its message, still serialised.
 struct RawFrame {
     Tag tag = Tag::header;
     std::string body;
@@ -71,7 +71,7 @@ Note parse_note(std::string_view body); // throws Error(bad_input)
 std::string serialise(const Fact& fact);
 Fact parse_fact(std::string_view body); // throws Error(bad_input): malformed, or not finite
 
-// True for frames that any stream may hold between its payload: stages that do not know them pass them on.
+// True for notes and facts. Any stream may hold them between payload frames, and stages pass them on.
 inline bool is_remark(Tag tag) { return tag == Tag::note || tag == Tag::fact; }
 
 } // namespace filum::stream

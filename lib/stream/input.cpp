@@ -19,7 +19,7 @@ Input::Input(const std::string& path) : block_(std::make_unique_for_overwrite<ch
         fd_ = STDIN_FILENO;
         if (::isatty(fd_) != 0)
             throw Error(Exit::usage, "cannot read a stream from a terminal; pipe one in or name a file");
-        ::fcntl(fd_, F_SETPIPE_SZ, kPipe); // fails harmlessly where it is no pipe
+        ::fcntl(fd_, F_SETPIPE_SZ, kPipe); // has no effect if it is not a pipe
         return;
     }
     name_ = "'" + path + "'";
@@ -34,7 +34,7 @@ Input::~Input() {
     if (fd_ > STDIN_FILENO) ::close(fd_);
 }
 
-// Reads what is there, at least one byte, behind block_[from].  Returns 0 at the end of the input.
+// Reads the available bytes, at least one, into block_[from..]. Returns their number, 0 at the end of the input.
 std::size_t Input::refill(std::size_t from) {
     if (fd_ < 0) {
         const std::size_t n = rest_.copy(block_.get() + from, kBlock - from);
@@ -69,14 +69,14 @@ void Input::drop(std::size_t size) {
 }
 
 bool Input::append(std::string& to, std::size_t size, std::uint32_t& crc) {
-    to.reserve(to.size() + size); // address space only, until something is written there
+    to.reserve(to.size() + size); // reserves address space; memory is used only when bytes arrive
     while (size > 0) {
         if (at_ == filled_) {
             at_ = 0;
             if (refill(0) == 0) return false;
         }
         const std::size_t n = std::min(size, filled_ - at_);
-        crc = crc32c(crc, block_.get() + at_, n); // while it is in the cache
+        crc = crc32c(crc, block_.get() + at_, n); // while the bytes are in the cache
         to.append(block_.get() + at_, n);
         drop(n);
         size -= n;

@@ -9,10 +9,11 @@ namespace filum::stream {
 
 namespace {
 
-constexpr std::size_t kMaxPrefix = 30; // three varints
-constexpr std::size_t kMagicSize = 10; // of the preamble; the rest is the version
+constexpr std::size_t kMaxPrefix = 30; // bytes of three varints
+constexpr std::size_t kMagicSize = 10; // bytes at the start of the preamble; the rest is the version
 
-// A varint at the front of `bytes`, which loses it.  Longer than ten bytes: `fine` becomes false; cut short: nullopt.
+// Reads a varint from the front of `bytes` and removes it. If it is longer than ten bytes, `fine` becomes false.
+// Returns nullopt then, and also if the varint is cut short.
 std::optional<std::uint64_t> take_varint(std::string_view& bytes, bool& fine) {
     std::uint64_t value = 0;
     for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -62,7 +63,7 @@ struct Reader::State {
         input.drop(head.size());
     }
 
-    // One frame.  Its bytes enter the checksum, but for those of an end frame.
+    // Reads one frame. Its bytes enter the checksum, except those of an end frame.
     RawFrame frame() {
         const auto window = input.ahead(kMaxPrefix);
         if (window.empty()) cut("before its end frame");
@@ -108,7 +109,7 @@ Reader::Reader(std::string_view bytes, std::string name, Payload expected)
 
 namespace {
 
-// What to run on a stream of `here` to get `wanted`.
+// The advice in a message: which stages turn a stream of `here` into one of `wanted`.
 std::string next_move(Payload here, Payload wanted) {
     constexpr const char* kStages[] = {"", "slice", "regions | sequence", "fill", "link3d", "geodesic"};
     const auto at = static_cast<int>(here), to = static_cast<int>(wanted);

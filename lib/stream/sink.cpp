@@ -29,9 +29,10 @@ std::string folder_of(const std::string& path) {
     return slash == 0 ? "/" : path.substr(0, slash);
 }
 
-// A link is written through, not replaced: the name it leads to at last, whether that exists or not.
+// The path with symbolic links at its end resolved, whether or not the target exists. The target is written, and the
+// link stays.
 std::string without_links(std::string path) {
-    constexpr int kMost = 40; // as the kernel follows; what is left then fails by itself
+    constexpr int kMost = 40; // the number of links that the kernel follows; longer chains fail when the file is opened
     char target[PATH_MAX];
     for (int i = 0; i < kMost; ++i) {
         const ssize_t n = ::readlink(path.c_str(), target, sizeof target);
@@ -42,7 +43,7 @@ std::string without_links(std::string path) {
     return path;
 }
 
-// The open file that names such as /dev/stdout and /dev/fd/3 stand for; -1 for other names.
+// The file descriptor that a name such as /dev/stdout or /dev/fd/3 stands for; -1 for other names.
 int open_file_named(const std::string& path) {
     if (path == "/dev/stdout") return STDOUT_FILENO;
     if (path == "/dev/stderr") return STDERR_FILENO;
@@ -60,11 +61,11 @@ int open_file_named(const std::string& path) {
 
 struct Sink::State {
     std::string name;      // for messages
-    std::string path;      // final name, "" where there is nothing to rename
-    std::string temporary; // its name until commit, "" while it has none
+    std::string path;      // final name; "" if nothing is to be renamed
+    std::string temporary; // name until commit(); "" while the file has none
     int fd = -1;
-    bool owned = false;                     // whether to close it
-    std::unique_ptr<Unfinished> unfinished; // of the temporary
+    bool owned = false;                     // whether this object closes fd
+    std::unique_ptr<Unfinished> unfinished; // removes the temporary file on a signal
     std::string buffer;
 
     State() = default;
@@ -78,13 +79,13 @@ struct Sink::State {
     void open(const std::string& wanted) {
         struct stat info {};
         owned = true;
-        if (const int open = open_file_named(wanted); open >= 0) { // whoever opened it has said how
+        if (const int open = open_file_named(wanted); open >= 0) { // it is open already, with flags of its own
             fd = ::fcntl(open, F_DUPFD_CLOEXEC, 0);
             if (fd < 0) fail("create", name, errno);
             return;
         }
         const bool exists = ::stat(wanted.c_str(), &info) == 0;
-        if (!exists && errno == ELOOP) fail("create", name, errno); // links that lead to themselves
+        if (!exists && errno == ELOOP) fail("create", name, errno); // links that form a loop
         if (exists && !S_ISREG(info.st_mode)) {
             fd = ::open(wanted.c_str(), O_WRONLY | O_CLOEXEC);
             if (fd < 0) fail("create", name, errno);
@@ -92,11 +93,11 @@ struct Sink::State {
         }
         path = without_links(wanted);
         begin();
-        // what nobody else may read stays so
+        // a replaced file keeps its permissions, so a private file stays private
         if (exists && ::fchmod(fd, info.st_mode & 0777) != 0) fail("create", name, errno);
     }
 
-    // A new file in the folder of `path`, without a name where the file system can do so.
+    // Creates a new file in the folder of `path`, without a name if the file system supports it.
     void begin() {
         fd = ::open(folder_of(path).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
         if (fd >= 0) return;
@@ -106,11 +107,11 @@ struct Sink::State {
         });
     }
 
-    // Finds a name beside the final one that nobody has: `make` takes a name and sets errno.  It is short whatever the
-    // final name is, which may be as long as the file system allows.
+    // Finds an unused name in the folder of the final name. `make` creates the file of that name, or returns false and
+    // sets errno. The name is short, because the final name may be as long as the file system allows.
     template <class Make>
     void name_anew(const Make& make) {
-        constexpr int kTries = 1000; // leftovers of other programs with this number
+        constexpr int kTries = 1000; // files left by earlier processes with the same number
         for (int n = 0; n < kTries; ++n) {
             const std::string wanted =
                 folder_of(path) + "/filum-" + std::to_string(::getpid()) + "-" + std::to_string(n) + ".part";
@@ -125,7 +126,7 @@ struct Sink::State {
         fail("create", name, errno);
     }
 
-    // Writes the buffer and `more` behind it, and empties the buffer.
+    // Writes the buffer, then `more`, and empties the buffer.
     void drain(std::string_view more) {
         iovec parts[2] = {{buffer.data(), buffer.size()}, {const_cast<char*>(more.data()), more.size()}};
         iovec* at = parts;
@@ -147,7 +148,7 @@ struct Sink::State {
         buffer.clear();
     }
 
-    // Gives the unnamed file a name beside the final one, since a link cannot replace a file.
+    // Gives the unnamed file a temporary name in the folder of the final one, because linkat cannot replace a file.
     void name_it() {
         const std::string self = "/proc/self/fd/" + std::to_string(fd);
         name_anew([&](const char* wanted) {
@@ -162,7 +163,7 @@ Sink::Sink(const std::string& path, Content content) : state_(std::make_unique<S
     if (path.empty() || path == "-") {
         s.name = "standard output";
         s.fd = STDOUT_FILENO;
-        ::fcntl(s.fd, F_SETPIPE_SZ, kPipe); // fails harmlessly where it is no pipe
+        ::fcntl(s.fd, F_SETPIPE_SZ, kPipe); // has no effect if it is not a pipe
     } else {
         s.name = "'" + path + "'";
         s.open(path);
@@ -189,11 +190,12 @@ void Sink::commit() {
     State& s = *state_;
     s.drain({});
     if (!s.owned) {
-        // a full disk may show only when the file is closed
+        // a full disk may be reported only when the file is closed
         if (::close(::dup(s.fd)) != 0) fail("write to", s.name, errno);
         return;
     }
-    // A name for a file whose contents a power cut could still lose would replace a good one.
+    // The contents are written to disk before the rename. Otherwise a power cut could leave an incomplete file in place
+    // of a good one.
     if (!s.path.empty() && ::fsync(s.fd) != 0 && errno != EINVAL && errno != EROFS) fail("write to", s.name, errno);
     if (!s.path.empty() && s.temporary.empty()) s.name_it();
     const int fd = std::exchange(s.fd, -1);

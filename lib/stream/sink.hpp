@@ -1,4 +1,4 @@
-// Where bytes go: standard output, or a named file that appears only when it is complete.
+// Writes bytes to standard output, or to a named file that appears only when it is complete.
 #pragma once
 
 #include <memory>
@@ -7,11 +7,11 @@
 
 namespace filum::stream {
 
-// A byte sink with commit: a named file appears under its name only by commit(), whole; "-" (or "") is standard
-// output.  A process killed before commit() leaves nothing behind where the file system knows unnamed files.  A device
-// or a fifo is written directly, and so is what is open already, by /dev/stdout, /dev/stderr or /dev/fd/N.  A file that
-// is replaced keeps its permissions, a link its place: what it leads to is replaced, or made.  Throws Error(io);
-// refuses to write binary to a terminal with Error(usage).
+// A destination of bytes; "-" or "" is standard output. A named file appears under its name only at commit(), complete.
+// If the process is killed before, nothing is left behind on file systems that support unnamed files. Devices and fifos
+// are written directly, and so are open files named /dev/stdout, /dev/stderr or /dev/fd/N. A file that is replaced
+// keeps its permissions. A symbolic link stays, and its target is replaced or created. Throws Error(io); Error(usage)
+// for binary content on a terminal.
 class Sink {
   public:
     enum class Content { text, binary };
@@ -22,7 +22,7 @@ class Sink {
 
     void write(std::string_view bytes);
     void commit();
-    [[nodiscard]] const std::string& name() const; // for messages: 'part.gcode' or standard output
+    [[nodiscard]] const std::string& name() const; // name in messages: 'part.gcode' or standard output
 
   private:
     struct State;

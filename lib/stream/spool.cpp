@@ -13,7 +13,7 @@ namespace filum::stream {
 
 namespace {
 
-// In front of each body in the file; read back only by the process that wrote it.
+// Written before each body in the file. Only the process that wrote it reads it.
 struct Head {
     std::uint64_t size;
     std::uint32_t tag;
@@ -39,9 +39,9 @@ void write_all(int fd, const char* data, std::size_t size) {
 struct Spool::State {
     std::size_t memory = 0, kept = 0;
     std::vector<RawFrame> frames;
-    std::size_t at = 0; // next frame of those in memory
+    std::size_t at = 0; // index of the next frame in memory
     int fd = -1;
-    std::string buffer; // being written, or being read
+    std::string buffer; // bytes to be written, or bytes that were read
     std::size_t begin = 0;
     bool reading = false;
 
@@ -56,7 +56,7 @@ struct Spool::State {
         write_all(fd, buffer.data(), buffer.size());
         buffer.clear();
     }
-    // Makes buffer[begin..] hold `size` bytes; false at the end of the file.
+    // Reads until buffer[begin..] holds at least `size` bytes. Returns false at the end of the file.
     bool fill(std::size_t size) {
         if (buffer.size() - begin >= size) return true;
         buffer.erase(0, begin);

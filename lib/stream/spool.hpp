@@ -1,4 +1,4 @@
-// Frames kept for a second reading: in memory up to a limit, beyond it in a temporary file without a name.
+// Keeps frames for a second reading: in memory up to a limit, beyond it in a temporary file without a name.
 #pragma once
 
 #include "stream/frame.hpp"
@@ -12,17 +12,18 @@ class Spool {
   public:
     static constexpr std::size_t kMemory = std::size_t{48} << 20; // bytes
 
-    // `memory`: how much may be kept before the file (in $TMPDIR, else /tmp) is used.
+    // `memory`: the bytes kept in memory before a file (in $TMPDIR, else /tmp) is used.
     explicit Spool(std::size_t memory = kMemory);
     ~Spool();
     Spool(const Spool&) = delete;
     Spool& operator=(const Spool&) = delete;
 
-    // Throws Error(io) if the file cannot be written.
+    // Adds a frame. Throws Error(io) if the file cannot be written.
     void add(RawFrame frame);
-    // Frames in the order they were added; the first call ends the adding.  Throws Error(io).
+    // Returns the next frame, in the order of adding; none after the last. No frame can be added after the first call.
+    // Throws Error(io).
     std::optional<RawFrame> next();
-    // The next one is the first again.
+    // Makes the first frame the next one again.
     void rewind();
 
   private:

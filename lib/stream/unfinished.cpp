@@ -14,18 +14,18 @@ namespace filum::stream {
 namespace {
 
 struct Slot {
-    std::atomic<bool> taken = false;   // by an Unfinished
-    std::atomic<pid_t> watched_by = 0; // a child between fork and exec must not remove what is its parent's
+    std::atomic<bool> taken = false;   // in use by an Unfinished
+    std::atomic<pid_t> watched_by = 0; // owner; a child between fork and exec must not remove files of its parent
     std::array<char, PATH_MAX> path{};
 };
 
-// A signal handler sees nothing but globals.
+// Global, because a signal handler has no other access to them.
 std::array<Slot, 32> slots; // NOLINT(cert-err58-cpp)
 
-// Only with what may be called in a signal handler.
+// Removes a file, or a folder with its contents. Calls only functions that are safe in a signal handler.
 void remove(const char* path) {
     if (::unlink(path) == 0 || errno == ENOENT) return;
-    const pid_t child = ::fork(); // a folder
+    const pid_t child = ::fork(); // not a file: a folder
     if (child == 0) {
         ::execl("/bin/rm", "rm", "-rf", "--", path, static_cast<char*>(nullptr));
         ::_exit(127);
@@ -38,7 +38,7 @@ void remove(const char* path) {
 void clean_up(int number) {
     for (Slot& s : slots)
         if (s.watched_by == ::getpid()) remove(s.path.data());
-    std::signal(number, SIG_DFL); // the signal is blocked here, and ends the program when this returns
+    std::signal(number, SIG_DFL); // the signal is blocked here, so it ends the program when this function returns
     std::raise(number);
 }
 

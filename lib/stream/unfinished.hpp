@@ -1,4 +1,4 @@
-// Files and folders that a signal must not leave behind.
+// Removes files and folders when a signal ends the program.
 #pragma once
 
 #include <cstddef>
@@ -6,9 +6,9 @@
 
 namespace filum::stream {
 
-// While this lives, SIGINT, SIGTERM and SIGHUP remove `path`, a file or a folder with all that is in it, before they
-// end the program; a signal that was ignored when the program began stays so.  What is not watched for lack of a free
-// slot, or since the path is too long, is left behind.
+// While this object exists, SIGINT, SIGTERM and SIGHUP remove `path` before they end the program. `path` is a file, or
+// a folder that is removed with its contents. A signal that was ignored when the program began stays ignored. A path is
+// not removed if it is too long, or if all slots are taken.
 class Unfinished {
   public:
     explicit Unfinished(const std::string& path);

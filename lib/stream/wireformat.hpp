@@ -1,4 +1,4 @@
-// The few pieces of protobuf wire format that framing needs; private to lib/stream.
+// The parts of the protobuf wire format that framing needs; private to lib/stream.
 #pragma once
 
 #include "stream/frame.hpp"
@@ -19,13 +19,13 @@ inline void append_varint(std::string& out, std::uint64_t v) {
     out.push_back(static_cast<char>(v));
 }
 
-// Stops protobuf from telling about malformed messages on standard error: we say it ourselves, once.
+// Stops protobuf from printing messages about malformed input on standard error, since Filum reports them itself.
 void be_quiet();
 
-// The delimited preamble of this version.
+// The preamble of this version, with its length prefix.
 std::string preamble();
 
-// Length prefix, tag and inner length of a frame whose message takes `body` bytes.
+// The length prefix, tag and inner length of a frame whose message has `body` bytes.
 std::string frame_prefix(Tag tag, std::size_t body);
 
 std::string serialise(const Header& header);

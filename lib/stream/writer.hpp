@@ -1,4 +1,4 @@
-// Writing a stream; nothing counts until close() has written the end frame.
+// Writes a stream. It is complete only after close() has written the end frame.
 #pragma once
 
 #include "stream/frame.hpp"
@@ -8,7 +8,7 @@ namespace filum::stream {
 
 class Writer {
   public:
-    // Writes preamble and header to `path` ("" or "-": standard output).
+    // Writes the preamble and the header to `path` ("" or "-": standard output). Throws as Sink does.
     Writer(const std::string& path, const Header& header);
 
     void write(const RawFrame& frame);
@@ -16,7 +16,7 @@ class Writer {
     void write(const Note& note);
     void write(const Fact& fact);
 
-    // Writes the end frame and commits.  Call it only when all input was read to its own end frame.
+    // Writes the end frame and commits the file. Call it only after all input was read to its own end frame.
     void close();
 
   private:
