@@ -1,4 +1,4 @@
-// What every message that arrives is checked for; private to lib/wire.
+// Checks that every message from a stream must pass; private to lib/wire.
 #pragma once
 
 #include "base/error.hpp"
@@ -8,15 +8,16 @@
 
 namespace filum::wire {
 
-inline constexpr double kMaxCoordinate = 1e8; // mm; keeps every later product far from overflow
+inline constexpr double kMaxCoordinate = 1e8; // mm; keeps later products far from overflow
 
-inline constexpr double kMaxBead = 1e4; // mm, of width and height: no machine lays one of 10 m
+inline constexpr double kMaxBead = 1e4; // mm, largest width and height of a bead: no machine deposits a bead of 10 m
 
-inline constexpr double kLongestSpan = 1e7; // mm, of the beads of a span: a layer of ten square metres
+inline constexpr double kLongestSpan =
+    1e7; // mm, largest length of the beads in a span: as on a layer of ten square metres
 
-inline bool usable(double v) { return std::abs(v) <= kMaxCoordinate; } // false for nan, too
+inline bool usable(double v) { return std::abs(v) <= kMaxCoordinate; } // false for nan
 
-// Whether `v` is finite and not negative.
+// True if `v` is finite and not negative.
 inline bool is_size(double v) { return v >= 0 && std::isfinite(v); }
 
 // Throws Error(bad_input) naming the kind of frame and the fault.

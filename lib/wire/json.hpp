@@ -1,4 +1,4 @@
-// JSON that others wrote.
+// Reads JSON of other programs.
 #pragma once
 
 #include <map>
@@ -6,8 +6,8 @@
 
 namespace filum::wire {
 
-// What the names of a JSON object say, as text: of a list its values with commas between, of true and false 1 and 0, of
-// an object "". Empty if `text` is no JSON object.
+// The values of a JSON object as text, by name. A list becomes its values separated by commas, true becomes 1, false 0,
+// and a nested object "". Empty if `text` is not a JSON object.
 std::map<std::string, std::string> json_values(const std::string& text);
 
 } // namespace filum::wire

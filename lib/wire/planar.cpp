@@ -64,7 +64,8 @@ polygon::Loops loops(const proto::Loops& m, const char* what) {
     return out;
 }
 
-// The loops of an area: outer ones counter-clockwise, holes clockwise, not crossing.
+// The loops of an area. Throws Error(bad_input) unless outer loops are counter-clockwise, holes clockwise, and none
+// cross.
 polygon::Loops area_loops(const proto::Loops& m, const char* outline) {
     polygon::Loops out = loops(m, "region");
     if (const std::string fault = polygon::fault(out); !fault.empty())
@@ -82,7 +83,7 @@ void put_loops(proto::Loops& m, const polygon::Loops& loops) {
     m.mutable_start()->Add(loops.start.begin(), loops.start.end());
 }
 
-// A per-point or one-for-all array of positive numbers.
+// An array of positive numbers up to kMaxBead, one per point or one for all points. Throws Error(bad_input) for others.
 std::vector<double> per_point(const RepeatedField<double>& v, std::size_t n, const char* what, const char* name) {
     const auto size = static_cast<std::size_t>(v.size());
     if (size != 1 && size != n) bad_frame(what, std::string(name) + " is neither one for all nor one per point");
@@ -108,7 +109,8 @@ std::vector<toolpath::Feature> features(const proto::Curve& c, std::size_t point
     return out;
 }
 
-// The beads of a region, as squares of their mean width: a stage takes time and memory by those.
+// Throws Error(bad_input) if the beads of a region are too long. Time and memory of later stages grow with the number
+// of squares of the mean bead width along them.
 void check_beads(const toolpath::RegionPaths& paths) {
     double length = 0, area = 0;
     for (const auto& c : paths.curves)

@@ -1,5 +1,6 @@
-// The planar chain's messages to domain data and back.  All validation of what arrives lives here: sizes that match,
-// offsets that ascend, finite numbers, positive widths.  from_* throw Error(bad_input) naming the frame and the fault.
+// Converts the messages of planar stages to domain data and back. All data from a stream is validated here: sizes
+// match, offsets ascend, numbers are finite, widths are positive. The functions that read a frame throw
+// Error(bad_input) naming the frame and the fault.
 #pragma once
 
 #include "polygon/region.hpp"

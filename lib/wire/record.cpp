@@ -19,13 +19,14 @@ namespace {
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
-// What the name of a field tells.  An array that is not named here is a table by itself: nothing is left out.
+// How a field is shown, by its name. An array that is not listed becomes a table of its own, so nothing is left out.
 struct Meaning {
-    std::string_view message; // or any
+    std::string_view message; // name of the message; "" for any
     std::string_view field, unit;
-    std::string_view table = {};   // of an array: that it is a column of; of messages: that they are columns of
-    std::string_view columns = {}; // of an array: that take its entries in turn
-    bool beside = false;           // of an array: a single entry is told beside the table, not in every row
+    // of an array: the table that it is a column of; of messages: the table that they are columns of
+    std::string_view table = {};
+    std::string_view columns = {}; // of an array: columns that take its entries in turn
+    bool beside = false;           // of an array: a single entry stands beside the table, not in every row
 };
 
 constexpr std::array kMeanings = {
@@ -71,7 +72,7 @@ std::string lower(std::string text) {
     return text;
 }
 
-// "Loops": "loop"; "Curve": "curve".
+// The kind of a record of message `m`: "loop" for Loops, "curve" for Curve.
 std::string part_kind(const Message& m) {
     std::string name = lower(m.GetDescriptor()->name());
     if (name.ends_with('s')) name.pop_back();
@@ -80,7 +81,7 @@ std::string part_kind(const Message& m) {
 
 const FieldDescriptor* offsets(const Message& m) { return m.GetDescriptor()->FindFieldByName("start"); }
 
-// Entry `i` of an array, or, without, the value of a single field.
+// The number at index `i` of an array, or the value of a single field if `i` is none.
 double number(const Message& m, const FieldDescriptor* f, std::optional<int> i) {
     const auto* r = m.GetReflection();
     switch (f->cpp_type()) {
@@ -129,7 +130,7 @@ Entry entry(const Message& m, const FieldDescriptor* f, std::optional<int> i) {
     return out;
 }
 
-// A record that is being made, its kinds of entries apart.
+// A record under construction, with its kinds of entries separated.
 struct Parts {
     std::vector<Entry> values, tables, lists;
 };
@@ -146,7 +147,7 @@ void add_column(Parts& to, const Meaning& what, const std::string& name, std::ve
     table.push_back({name, std::string(what.unit), std::move(values)});
 }
 
-// The entries [from, to) of an array.
+// Adds the entries [from, to) of an array as one column, or as several if its meaning names them.
 void add_array(Parts& parts, const Message& m, const FieldDescriptor* f, int from, int to) {
     const Meaning what = meaning(*f);
     std::vector<double> all;
@@ -163,7 +164,7 @@ void add_array(Parts& parts, const Message& m, const FieldDescriptor* f, int fro
     }
 }
 
-// A message that is a column, or one for each of its components: of its entry `value`, under its `name`.
+// Adds a message Field as a column named after it, or as one column for each of its components.
 void add_field(Parts& parts, const Meaning& what, const proto::Field& field) {
     const std::size_t n = std::max(1U, field.components());
     for (std::size_t c = 0; c < n; ++c) {
@@ -181,7 +182,8 @@ Record joined(std::string kind, Parts parts) {
     return out;
 }
 
-// A record per part of a message with offsets: arrays of points are cut by them, others have an entry per part.
+// Splits a message with offsets into one record per part. Arrays of points are split at the offsets, and other arrays
+// have one entry per part.
 std::vector<Record> cut(const Message& m, const FieldDescriptor* start) {
     const auto* r = m.GetReflection();
     std::vector<Record> out;
@@ -239,7 +241,7 @@ Record whole(const Message& m, const std::string& kind) {
     return joined(kind, std::move(parts));
 }
 
-// Throws as what reads frames of this kind.
+// Throws Error(bad_input) as the reader of frames of this kind does.
 void check(const stream::RawFrame& frame) {
     switch (frame.tag) {
     case stream::Tag::note:

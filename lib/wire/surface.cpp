@@ -93,7 +93,7 @@ std::vector<surface::Isoline> isolines(const proto::Isolines& m, std::size_t tri
     return out;
 }
 
-// Names become file names and words of tables.
+// Checks a name, because names become parts of file names and words of tables. Throws Error(bad_input).
 std::string word(const std::string& text, const char* what) {
     const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-'; };
     if (text.size() > 64 || !std::all_of(text.begin(), text.end(), plain))

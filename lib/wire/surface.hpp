@@ -1,4 +1,4 @@
-// The surface chain's messages to domain data and back, with all validation of what arrives.
+// Converts the messages of surface stages to domain data and back, and validates all data from a stream.
 #pragma once
 
 #include "stream/frame.hpp"
