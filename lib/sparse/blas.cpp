@@ -25,7 +25,7 @@ using ConstColumns = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 using Vector = Eigen::Map<Eigen::VectorXd, 0, Eigen::InnerStride<>>;
 using ConstVector = Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<>>;
 
-// Bytes of the caches that Eigen's blocks are made for: those of a small processor of today.
+// Sizes of the processor caches in bytes that Eigen chooses its blocks by: those of a small current processor.
 constexpr std::ptrdiff_t kCache1 = 32 << 10, kCache2 = 256 << 10, kCache3 = 2 << 20;
 
 void fix_blocks() {
@@ -35,14 +35,14 @@ void fix_blocks() {
 
 bool transposed(const char* letter) { return *letter != 'N' && *letter != 'n'; }
 
-// What CHOLMOD never asks for must not pass as if it had been done.
+// Ends the program for arguments that CHOLMOD never uses, because these functions do not support them.
 void require(bool known) {
     if (!known) std::abort();
 }
 
 constexpr int kStep = 64; // columns of a triangle that are solved at once
 
-// B = B L'^-1, B m x n, L lower triangular, column after column.
+// Solves B = B L'^-1 in steps of kStep columns; B is m x n, L lower triangular.
 void solve_from_right(int m, int n, const double* l, int ldl, double* b, int ldb) {
     for (int j = 0; j < n; j += kStep) {
         const int width = std::min(kStep, n - j), left = n - j - width;
@@ -128,7 +128,7 @@ void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* inf
         const int width = std::min(kStep, *n - j), left = *n - j - width;
         double* corner = a + j + std::ptrdiff_t{j} * *lda;
         Columns block(corner, width, width, Eigen::OuterStride<>(*lda));
-        // -1 if positive definite, else the first column, from 0, that is not.
+        // -1 if the block is positive definite; else its first column, from 0, that is not
         const auto bad = Eigen::internal::llt_inplace<double, Eigen::Lower>::unblocked(block);
         if (bad >= 0) {
             *info = j + static_cast<int>(bad) + 1;

@@ -4,18 +4,17 @@
 
 #include <suitesparse/cholmod.h>
 
-// Of GCC's OpenMP, on which CHOLMOD runs; clang's omp.h would bring a second one.
+// A function of GCC's OpenMP runtime, which CHOLMOD uses. clang's omp.h would add a second runtime.
 extern "C" void omp_set_max_active_levels(int);
 
 namespace filum::sparse {
 
 namespace {
 
-// CHOLMOD starts four threads, whatever its settings are, and they mostly wait.  From here on only the calling thread
-// works.
+// Limits OpenMP to the calling thread. CHOLMOD starts four threads with any setting, and they mostly wait.
 void by_one_thread() { omp_set_max_active_levels(0); }
 
-// The matrix as CHOLMOD sees it, without a copy.
+// A view of the matrix for CHOLMOD, without a copy.
 cholmod_sparse view(const Matrix& a) {
     cholmod_sparse out{};
     out.nrow = static_cast<std::size_t>(a.rows());
@@ -36,15 +35,16 @@ cholmod_sparse view(const Matrix& a) {
 } // namespace
 
 struct Factor::State {
-    // One CHOLMOD workspace, shared by the factors that come of one analysis.
+    // The CHOLMOD workspace, shared by all factors from one analysis.
     struct Workspace {
         cholmod_common common;
         Workspace() {
             cholmod_start(&common);
             common.print = 0;
-            common.supernodal = CHOLMOD_AUTO; // by its own count of what they save
-            common.final_ll = 1;              // else what is not positive definite would pass without supernodes
-            common.nmethods = 1; // AMD: nested dissection takes twice as long on surfaces, and threads would race
+            common.supernodal = CHOLMOD_AUTO; // CHOLMOD decides by its estimate of what supernodes save
+            common.final_ll =
+                1; // without it, a matrix that is not positive definite would be accepted without supernodes
+            common.nmethods = 1; // AMD only: nested dissection takes twice as long on surfaces, and threads would race
             common.method[0].ordering = CHOLMOD_AMD;
             common.postorder = 1;
         }

@@ -9,7 +9,7 @@ namespace filum::sparse {
 
 using Matrix = Eigen::SparseMatrix<double>; // the lower triangle of a symmetric matrix
 
-// A factorisation by CHOLMOD, over supernodes where they pay: where it takes 40 operations for each entry or more.
+// A factorisation by CHOLMOD. It uses supernodes if they pay: from 40 operations per entry of the factor on.
 class Factor {
   public:
     Factor();
@@ -17,12 +17,12 @@ class Factor {
     Factor(Factor&&) noexcept;
     Factor& operator=(Factor&&) noexcept;
 
-    // Orders the unknowns; all matrices to come have entries in the same places.
+    // Chooses an order of the unknowns. All later matrices must have their entries in the same places.
     void analyse(const Matrix& a);
-    // False if the matrix is not positive definite.
+    // Factorises `a`. Returns false if it is not positive definite.
     [[nodiscard]] bool factorise(const Matrix& a);
     [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
-    // Another factor of matrices with entries in the same places, with what analyse() found.
+    // A new factor for matrices with entries in the same places. It reuses the results of analyse().
     [[nodiscard]] Factor same_order() const;
 
   private:

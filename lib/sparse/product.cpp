@@ -9,15 +9,16 @@ namespace filum::sparse {
 
 namespace {
 
-// Columns of A and B in a block of sums; rows of A in a block, which stay in the second cache.
+// Depth of a block: columns of A and B that are summed at once. Height of a block: rows of A, which fit into the
+// second-level cache.
 constexpr int kDepth = 256, kHeight = 128;
-constexpr int kColumns = 4; // of C in a tile
+constexpr int kColumns = 4; // columns of C in a tile
 constexpr int kTallest = 16;
-constexpr int kSquare = 64; // columns of C between two corners of a square
+constexpr int kSquare = 64; // columns of C in each step along the diagonal of a square
 
 constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// Strips of `width` rows of a matrix, column after column, padded with zeros.
+// Packs a matrix into strips of `width` rows, each column after column, padded with zeros.
 void pack(int rows, int depth, int width, const double* from, int stride, std::vector<double>& to) {
     to.assign(at((rows + width - 1) / width * width) * at(depth), 0);
     double* out = to.data();
@@ -26,7 +27,7 @@ void pack(int rows, int depth, int width, const double* from, int stride, std::v
             std::copy_n(from + at(j) * at(stride) + i, std::min(width, rows - i), out);
 }
 
-// What a block of C is made of: packed strips of A and of B, and where C is.
+// The operands of a block of C: packed strips of A and of B, and the place of C.
 struct Block {
     int m, n, depth;
     double alpha;
@@ -35,14 +36,14 @@ struct Block {
     int ldc;
 };
 
-// `lanes` entries of a column of C side by side in a register.
+// A register with `lanes` neighbouring entries of a column of C.
 template <int lanes>
 struct Register {
     using type [[gnu::vector_size(lanes * sizeof(double)), gnu::aligned(sizeof(double))]] = double;
 };
 
-// C of a block, tile by tile of two registers by four columns, each tile's sums in eight registers.  Inlined into a
-// function for each kind of registers.
+// Computes a block of C in tiles of two registers by four columns, with the sums of a tile in eight registers. Inlined
+// into one function for each register size.
 template <int lanes>
 [[gnu::always_inline]] inline void tiles(const Block& o) {
     using Lanes = typename Register<lanes>::type;
