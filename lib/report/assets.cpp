@@ -4,7 +4,7 @@
 
 #include <string>
 
-// Each file between two labels, by the assembler: FILUM_PAGE and FILUM_THREE_JS are given by the build.
+// Embeds each file between two labels by the assembler. The build defines FILUM_PAGE and FILUM_THREE_JS.
 #define FILUM_ASSET(label, file)                                                                                       \
     __asm__(".section .rodata\n.global filum_asset_" #label "\nfilum_asset_" #label ":\n.incbin \"" file               \
             "\"\n.global filum_asset_" #label "_end\nfilum_asset_" #label "_end:\n.byte 0\n.previous\n");              \

@@ -1,11 +1,12 @@
-// The parts of the page that are the same for all, put into the program when it is built: those of page/, and three.js.
+// The parts that are the same in all report pages: the files of page/, and three.js. The build embeds them in the
+// program.
 #pragma once
 
 #include <string_view>
 
 namespace filum::report {
 
-// Throws Error(failure) for a name that there is none of.
+// The contents of the file with that name. Throws Error(failure) for an unknown name.
 std::string_view asset(std::string_view name);
 
 } // namespace filum::report

@@ -1,4 +1,4 @@
-// Columns of whole numbers, packed for a page.
+// Packs columns of whole numbers for a page.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,9 @@
 
 namespace filum::report {
 
-// The numbers as text: differences of neighbours, signs folded into the lowest bit, their four bytes apart, by zlib, in
-// base 64.  page/data.js reads it.  Differences are taken modulo 2^32.
+// The numbers as text, which page/data.js reads: differences of neighbours modulo 2^32, with the sign moved to the
+// lowest bit. The four bytes of each number are stored in four separate sequences, compressed by zlib and encoded in
+// base 64.
 std::string packed(std::span<const std::int32_t> numbers);
 
 } // namespace filum::report

@@ -12,7 +12,7 @@ namespace filum::report {
 namespace {
 
 constexpr double kMicro = 1000;     // per mm
-constexpr double kFieldTop = 65535; // of a field's numbers
+constexpr double kFieldTop = 65535; // largest number of a field's column
 
 std::int32_t micro(double mm) {
     constexpr double most = std::numeric_limits<std::int32_t>::max();
@@ -35,7 +35,7 @@ void begin_span(Content& to, const toolpath::Span& s) {
 }
 
 void add_normal(Points& to, const geom::Vec3& n) {
-    to.nx.resize(to.x.size() - 1, 0); // points before, of spans that stand upright
+    to.nx.resize(to.x.size() - 1, 0); // earlier points belong to spans with an upright tool
     to.ny.resize(to.x.size() - 1, 0);
     to.nz.resize(to.x.size() - 1, whole(kMicro));
     to.nx.push_back(micro(n.x));

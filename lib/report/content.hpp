@@ -1,4 +1,4 @@
-// What a report shows of one stream: its geometry as columns, and what is said of it.
+// The content of a report on one stream: its geometry as columns, its figures, and the places of its notes.
 #pragma once
 
 #include "base/fact.hpp"
@@ -18,20 +18,20 @@ namespace filum::report {
 
 using Column = std::vector<std::int32_t>;
 
-// Points in the order of the path, um; a segment leads from each to the next, but for the last of a span.
+// Points in the order of the path, um. A segment leads from each point to the next, except after the last of a span.
 struct Points {
     Column x, y, z;
-    Column width, height; // um; 0 where nothing is laid
-    Column speed;         // um/s, of the segment that begins there
-    Column nx, ny, nz;    // of a path that leans the tool, thousandths; else none
+    Column width, height; // um; 0 where nothing is extruded
+    Column speed;         // um/s, of the segment that begins at the point
+    Column nx, ny, nz;    // tool axis in thousandths, for a path that leans the tool; else empty
 };
 
 struct Spans {
-    Column start; // of points
+    Column start; // index of the first point
     Column role, feature, stroke, layer, tool, retraction;
 };
 
-// Closed outlines, of layers or regions.
+// Closed outlines of layers or regions.
 struct Outlines {
     Column x, y; // um
     Column start, layer, z, stroke;
@@ -39,8 +39,8 @@ struct Outlines {
 
 struct Field {
     std::string name;
-    double low = 0, high = 0; // of `value` 0 and 65535
-    Column value;             // per vertex; -1 where nothing is known
+    double low = 0, high = 0; // the amounts that `value` 0 and 65535 stand for
+    Column value;             // per vertex, 0 to 65535; -1 where unknown
 };
 
 struct Surface {
@@ -48,7 +48,7 @@ struct Surface {
     std::vector<Field> fields;
 };
 
-// A place that a reader may fly to.
+// A place that the reader can go to, mm.
 struct Spot {
     std::string kind, what;
     double x = 0, y = 0, z = 0;
@@ -61,26 +61,27 @@ struct Made {
 };
 
 struct Content {
-    std::string name, payload; // of the file, without folders; of the stream
+    std::string name, payload; // name of the file without folders, and payload of the stream
     Points points;
     Spans spans;
     Outlines outlines;
     std::vector<Surface> surfaces;
     std::vector<Spot> spots;
     std::vector<Made> made;
-    std::string script;                              // shell, that makes it
+    std::string script;                              // shell script that makes the stream
     std::vector<std::array<std::string, 4>> figures; // group, name, value, unit
-    std::string machine;                             // what to say of it
+    std::string machine;                             // description of the machine
 };
 
-// Adds to the content.  Of `profile`, if any, speeds are taken.
+// Adds data to the content. Speeds are taken from `profile`, if given.
 void add(Content& to, const toolpath::Span& span, const machine::Profile* profile);
 void add(Content& to, const toolpath::RegionPaths& paths, const machine::Profile* profile);
 void add(Content& to, const polygon::Region& region);
 void add(Content& to, const polygon::Layer& layer);
 void add(Content& to, const surface::Sheet& sheet);
 
-// Notes that say where they are become places.  Layers tell their heights where a note has none: so come last.
+// Adds the notes that have a place as spots. A missing height is taken from the layer, so call it after all layers were
+// added.
 void add(Content& to, const Notes& notes);
 
 } // namespace filum::report

@@ -11,7 +11,7 @@ namespace filum::report {
 
 namespace {
 
-// A column of its own element, and its name in the page's list.
+// Writes a column as an element of its own, and its name and length to the list of the page.
 void column(std::string& out, std::string& list, const std::string& name, const Column& numbers) {
     list += (list.back() == '{' ? "" : ",") + json_text(name) + ":" + std::to_string(numbers.size());
     out += "<script type=\"text/plain\" data-column=\"" + name + "\">" + packed(numbers) + "</script>\n";
@@ -93,9 +93,9 @@ void columns(std::string& out, std::string& list, const Content& c) {
     }
 }
 
-// JSON for a script element: without '<' neither "</script" nor "<!--", which hides the end of the element from a
-// browser if "<script" follows, can stand there.  In JSON '<' occurs within strings only, where its code means the
-// same.
+// JSON for use inside a script element. Every '<' is replaced by its escape, so "</script" and "<!--" cannot
+// occur. "<!--" followed by "<script" would hide the end of the element from a browser. In JSON '<' occurs only in
+// strings, where the escape means the same.
 std::string within_script(std::string_view json) {
     std::string out;
     out.reserve(json.size());

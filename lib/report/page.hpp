@@ -1,4 +1,4 @@
-// A report as one self-contained page: opened from disk, without network.
+// Writes a report as one self-contained page, which opens from disk without network.
 #pragma once
 
 #include "report/content.hpp"
@@ -8,7 +8,7 @@
 
 namespace filum::report {
 
-// HTML that shows one content, or two side by side.  Equal contents give equal bytes.
+// An HTML page that shows one content, or two side by side. Equal contents give equal bytes.
 std::string page(std::span<const Content> contents);
 
 } // namespace filum::report
