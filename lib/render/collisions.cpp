@@ -17,10 +17,10 @@ namespace {
 using geom::Vec3;
 
 constexpr int kRound = 48;             // corners of a circle
-constexpr std::size_t kMostDots = 500; // of places
-constexpr double kFarthest = 1e7;      // mm
+constexpr std::size_t kMostDots = 500; // places that are drawn as dots
+constexpr double kFarthest = 1e7;      // mm from the origin
 
-// A frame at the tip: z up the tool.
+// A coordinate system at the tip; z points up the tool.
 struct Pose {
     Vec3 tip, x, y, z;
     [[nodiscard]] Vec3 operator()(double u, double v, double w) const { return tip + u * x + v * y + w * z; }
@@ -81,7 +81,7 @@ mesh::Mesh nozzle(const Pose& at, const machine::Head& head) {
     return out;
 }
 
-// The edges of a box about the axis, with a grid over its underside.
+// Adds the edges of a box around the axis as bars, with a grid over its underside.
 void add_box(mesh::Mesh& to, const Pose& at, double x, double y, double low, double high, double bar) {
     constexpr int kGrid = 4;
     for (int k = 0; k <= kGrid; ++k) {
@@ -108,7 +108,7 @@ void add_column(mesh::Mesh& to, const Pose& at, double radius, double low, doubl
 
 bool leans(const Pose& at) { return at.z.z < 1 - 1e-9; }
 
-// Half the width of what is to be seen of the head.
+// Half the size, in mm, of the part of the head that a picture should show.
 double size_of(const Meeting& m, const machine::Head& head) {
     const double nozzle = std::max(head.cone_height, head.cone_radius(head.cone_height));
     const double carriage = std::hypot(head.carriage_x, head.carriage_y) / 2;
@@ -127,7 +127,7 @@ mesh::Mesh body(const Pose& at, const Meeting& m, const machine::Head& head) {
     return out;
 }
 
-// Points of the head's surface that a picture should show.
+// Points on the head that a picture should show.
 std::vector<Vec3> sights(const Pose& at, const Meeting& m, const machine::Head& head) {
     std::vector<Vec3> out;
     const double hair = 1e-3 * size_of(m, head);
@@ -142,7 +142,7 @@ std::vector<Vec3> sights(const Pose& at, const Meeting& m, const machine::Head& 
     return out;
 }
 
-// From where most of the head is seen.
+// The direction from which most of `points` are visible; ties: the first.
 Vec3 free_side(const Tubes& tubes, const std::vector<Vec3>& points) {
     Vec3 best{1, -1.5, 0.9};
     int most = -1;
@@ -159,7 +159,7 @@ Vec3 free_side(const Tubes& tubes, const std::vector<Vec3>& points) {
     return best;
 }
 
-// Only what is laid before point `last`.
+// Keeps only the beads before point `last`.
 void end_at(Scene& scene, std::uint64_t last) {
     std::uint64_t before = 0;
     for (auto& span : scene.spans) {

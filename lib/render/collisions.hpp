@@ -1,4 +1,4 @@
-// Where the head meets something, as a picture: what stands there, the head in its place, the place itself.
+// Pictures of collisions: the head at a place where it touches something, and all other places.
 #pragma once
 
 #include "machine/head.hpp"
@@ -12,28 +12,29 @@
 
 namespace filum::render {
 
-// A line of the list that collide --places writes.
+// One line of the list that collide --places writes.
 struct Meeting {
-    std::string with;         // piece of the head
-    std::uint64_t source = 0; // point of the toolpath, or line of a program
+    std::string with;         // part of the head
+    std::uint64_t source = 0; // index of a toolpath point, or line of a program
     double clearance = 0;     // mm
     geom::Vec3 tip, axis{0, 0, 1};
 };
 
 struct Meetings {
-    bool points = true; // sources are points of the toolpath; else lines of a program
+    bool points = true; // whether sources are points of the toolpath; else they are lines of a program
     std::vector<Meeting> all;
 };
 
-// The list in `text`.  Throws Error(bad_input) naming `name` and the line; also if it holds no place.
+// Reads the list in `text`. Throws Error(bad_input) naming `name` and the line, and also if the list holds no place.
 Meetings read_meetings(std::string_view text, const std::string& name);
 
-// Two pictures side by side: all of it, and close by.  The head stands where it comes in deepest (ties: the first
-// place), which is red; all other places are orange dots, at most 500 of them.  Of the beads those are drawn that are
-// there at that time, if the list counts points.  The nozzle is solid, the carriage and the gantry are bars, the
-// carriage a round column where the tool leans; parts are the scene's meshes.  Seen from where the least of the nozzle
-// and of the carriage's rim is hidden among 16 sides and two heights (ties: the first); from `from` if that is not
-// zero.  Same bytes for any `threads`.
+// Draws two pictures side by side: the whole part, and a close-up.
+// The head stands at the place where it penetrates deepest (ties: the first place), marked red. Other places are orange
+// dots, at most 500. If the list counts points, only beads printed before that place are drawn.
+// The nozzle is solid; carriage and gantry are drawn as bars. The carriage is a round column if the tool leans. Parts
+// are the meshes of the scene.
+// If `from` of the view is zero, the direction is chosen among 16 sides and two heights. It is the one that hides the
+// least of the nozzle and of the rim of the carriage (ties: the first). Same bytes for any `threads`.
 Image draw_collisions(Scene scene, const Meetings& places, const machine::Head& head, By by, const View& view,
                       int threads);
 

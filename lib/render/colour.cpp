@@ -59,7 +59,7 @@ Rgb oklch(double lightness, double chroma, double hue) {
 
 Rgb ramp(double t) {
     t = std::clamp(t, 0.0, 1.0);
-    // Hue runs from violet over blue, teal and green to yellow while lightness rises evenly.
+    // The hue runs from violet over blue, teal and green to yellow, while the lightness rises evenly.
     const double hue = 292 - 192 * t, chroma = 0.135 + 0.03 * std::sin(std::numbers::pi * t);
     return oklch(0.36 + 0.49 * t, chroma, hue);
 }

@@ -1,4 +1,5 @@
-// Colours: linear light inside, sRGB outside, OKLCH where they are chosen (equal steps there look equal).
+// Colours: linear light for calculations, sRGB for output, and OKLCH for choosing colours, since equal steps there look
+// equal.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +8,7 @@
 
 namespace filum::render {
 
-struct Rgb { // linear
+struct Rgb { // linear light, 0 to 1
     float r = 0, g = 0, b = 0;
 };
 struct Srgb8 {
@@ -23,13 +24,13 @@ Srgb8 to_srgb8(Rgb c);
 Rgb from_srgb8(Srgb8 c);
 std::string hex(Rgb c); // "#rrggbb"
 
-// Lightness 0..1, chroma 0..0.4, hue in degrees; cut off at what sRGB can show.
+// The colour with lightness 0 to 1, chroma 0 to 0.4 and hue in degrees, clipped to the range of sRGB.
 Rgb oklch(double lightness, double chroma, double hue);
 
-// Dark blue to yellow, 0..1, with steady lightness: for amounts.
+// The colour ramp for amounts, t from 0 to 1: dark blue to yellow, with evenly rising lightness.
 Rgb ramp(double t);
 
-// Distinct colours for numbered things; neighbours differ most (hues by the golden angle).
+// The colour of the numbered thing `i`. Hues step by the golden angle, so neighbours differ most.
 Rgb distinct(std::size_t i);
 
 } // namespace filum::render

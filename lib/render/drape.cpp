@@ -18,9 +18,9 @@ using geom::Vec3;
 
 const Rgb kPaper = oklch(0.985, 0.003, 250);
 
-// Where a stretch of path without a break begins or ends.
+// The start or end of a stretch of path without a break.
 struct End {
-    Vec3 at, normal; // 0: none
+    Vec3 at, normal; // normal: 0 if unknown
     bool start = false;
 };
 
@@ -47,12 +47,12 @@ std::vector<End> ends(const Scene& scene) {
     return out;
 }
 
-// One picture in the making: the surface's, and per pixel what its middle shows.
+// A picture under construction: the image, and what the middle of each pixel shows.
 struct Canvas {
     const Scene& scene;
     const DrapeView& view;
     Plan plan;
-    int fine; // samples along either side of a pixel
+    int fine; // samples along each side of a pixel
     Raster raster;
     Image image;
     std::vector<Sight> sight;
@@ -64,7 +64,7 @@ struct Canvas {
     [[nodiscard]] Sight& at(int x, int y) {
         return sight[static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.width) + static_cast<std::size_t>(x)];
     }
-    // True if the surface does not hide what lies at this place (Plan::place); beside the picture nothing is seen.
+    // True if the surface does not hide this place (see Plan::place). False outside the picture.
     [[nodiscard]] bool seen(Vec3 place, double slack) {
         if (!(place.x >= 0 && place.y >= 0 && place.x < plan.width && place.y < plan.height)) return false;
         const Sight& s = at(static_cast<int>(place.x), static_cast<int>(place.y));
@@ -89,7 +89,7 @@ void paint_band(Canvas& c, const Paint& paint, int band) {
     }
 }
 
-// Lines along the vectors, one per square of pixels, in its middle; the longest vectors fill it.
+// Draws lines along the vectors, one in the middle of each square of pixels. The longest vector fills its square.
 void draw_arrows(Canvas& c, const surface::Field& field) {
     const int step = std::max(8, c.plan.height / 60);
     double longest = 0;
@@ -101,7 +101,7 @@ void draw_arrows(Canvas& c, const surface::Field& field) {
             const Sight s = c.at(x, y);
             if (s.triangle == surface::kNone) continue;
             const auto& t = c.scene.sheet->surface.triangles[s.triangle];
-            // The corner with the largest share: directions without a sign cannot be mixed.
+            // The vector of the corner with the largest share: directions without an arrow cannot be interpolated.
             const Vec3 share = c.raster.shares(s.triangle, x * c.fine + c.fine / 2, y * c.fine + c.fine / 2);
             const auto v = t[share.x >= share.y && share.x >= share.z ? 0 : (share.y >= share.z ? 1 : 2)];
             const Vec3 d = (0.45 * step / longest) * field.vector(v);
@@ -115,7 +115,7 @@ void draw_arrows(Canvas& c, const surface::Field& field) {
     }
 }
 
-// The line from a to b, mm, as far as the surface does not hide it.
+// Draws the line from a to b, mm, where the surface does not hide it.
 void draw_in_space(Canvas& c, Vec3 a, Vec3 b, double width, Rgb colour) {
     const double slack = 2 / c.plan.scale;
     a = c.plan.place(a);
@@ -127,9 +127,9 @@ void draw_in_space(Canvas& c, Vec3 a, Vec3 b, double width, Rgb colour) {
     }
 }
 
-constexpr double kLoose = 0.3; // of a bead's width: what lies beside the surface is drawn so thin, to be told apart
+constexpr double kLoose = 0.3; // share of the bead width that loose beads are drawn with, so that they look different
 
-// What does not lie on the surface: turns beyond its rims, beads that should lie on it, and moves without material.
+// Draws what does not lie on the surface: turns beyond its rims, beads away from it, and moves without material.
 void draw_loose(Canvas& c, const Laid& laid) {
     const double thread = std::clamp(c.plan.height / 700.0, 1.0, 4.0);
     for (const Stroke& s : laid.loose)
@@ -142,7 +142,7 @@ void draw_loose(Canvas& c, const Laid& laid) {
 
 void draw_ends(Canvas& c, double width) {
     const auto all = ends(c.scene);
-    const double most = 0.008 * c.plan.height + 4; // pixels; less where many would hide the path
+    const double most = 0.008 * c.plan.height + 4; // pixels; dots are smaller if many of them would hide the path
     const double crowd = std::sqrt(0.01 * c.plan.width * c.plan.height / static_cast<double>(all.size() + 1));
     const double size = std::clamp(1.1 * width * c.plan.scale, 4.0, std::max(4.0, std::min(most, crowd)));
     const double slack = std::max(2 / c.plan.scale, 0.3 * width);
@@ -156,7 +156,7 @@ void draw_ends(Canvas& c, double width) {
     }
 }
 
-// A number with three or four digits that count, and a sign that there is more beyond.
+// A number with three or four significant digits, followed by "..." if values lie beyond it.
 std::string end_text(double v, bool more) {
     const double size = std::abs(v);
     return fixed_text(v, size >= 100 ? 0 : (size >= 10 ? 1 : (size >= 1 ? 2 : 4))) + (more ? "..." : "");
@@ -180,8 +180,8 @@ void draw_key(Canvas& c, const Tint& tint, const Show& show, const Laid& laid, d
     if (!c.scene.spans.empty()) add_legend(key, tint);
 }
 
-// The names of several surfaces, each on the pixel of its own nearest to the middle of what is seen of it; not where
-// that is less than the name takes.
+// Writes the names of several surfaces, each at its pixel nearest to the middle of its visible part. A name is left out
+// if the visible part is too small for it.
 void draw_names(Canvas& c) {
     struct Seen {
         double x = 0, y = 0, count = 0, least = std::numeric_limits<double>::infinity();
@@ -212,7 +212,8 @@ void draw_names(Canvas& c) {
     }
 }
 
-// Mean direction that the path's tools come from, or the surface's normal; `otherwise` where they cancel out.
+// The mean tool axis of the beads, or, without axes, the mean normal of the surface. Returns `otherwise` if the
+// directions cancel out.
 Vec3 face(const Scene& scene, Vec3 otherwise) {
     Vec3 sum{};
     double total = 0;
@@ -233,14 +234,14 @@ Vec3 face(const Scene& scene, Vec3 otherwise) {
     return norm(sum) > 0.1 * total ? sum : otherwise;
 }
 
-// The plan of what is seen from there.
+// The plan of the picture for `look`.
 Plan plan_of(const Scene& scene, const Look& look, const std::vector<Vec3>& points, int width, int height) {
     if (!look.face) return lay_out(points, look.from, upwards(look.from), width, height);
     const Vec3 normal = unit(face(scene, look.from)), above = upwards(normal), right = unit(cross(above, normal));
     return lay_out(points, normal + look.aside * right + look.above * cross(normal, right), above, width, height);
 }
 
-// Throws Error(bad_input) if a point lies where pixels are no longer told apart.
+// Throws Error(bad_input) if a point is so far away that floating point cannot resolve pixels.
 void check_place(const std::vector<Vec3>& points) {
     constexpr double kFar = 1e10; // mm
     for (const Vec3& p : points)
@@ -248,7 +249,7 @@ void check_place(const std::vector<Vec3>& points) {
             throw Error(Exit::bad_input, "cannot draw what lies 10000 km from the origin; move it near");
 }
 
-// Points that the picture is laid out for: everything, or the corners of a box around a place.
+// The points that must fit into the picture: all of them, or the corners of the cube in the ball of --around.
 std::vector<Vec3> shown_points(const Scene& scene, const Show& show) {
     std::vector<Vec3> out = scene.sheet->surface.vertices;
     for (const auto& s : scene.spans) out.insert(out.end(), s.points.begin(), s.points.end());

@@ -1,4 +1,4 @@
-// A surface, and the path on it, in parallel projection: a map of the patch that it looks at.
+// Draws a surface and the path on it in parallel projection, as a map of the patch.
 #pragma once
 
 #include "render/layer.hpp"
@@ -9,17 +9,18 @@ namespace filum::render {
 
 struct DrapeView {
     int width = 1024, height = 768; // pixels
-    int samples = 4;                // per pixel, both ways together; at most 256 are taken
-    std::vector<Look> looks;        // several: side by side
+    int samples = 4;                // samples per pixel; at most 256 are used
+    std::vector<Look> looks;        // several looks are drawn side by side
     Show show;
 };
 
-// The surface shaded, its back darker, with rims and isolines; beads lie on the side that their normals look to, as
-// wide as they are, later layers over earlier ones.  Voids are the points of the front that no bead covers, overlaps
-// those that parts of one layer cover that are no neighbours along the path: both per sample, so the mesh does not
-// matter.  Moves without material are thin lines where the surface does not hide them; green dots are where a stretch
-// of path begins, red ones where it ends.  A bar tells the scale.  Same bytes for any `threads`.
-// Throws Error(usage) if a field to be shown is not there.  Precondition: scene.sheet.
+// Draws the surface shaded, its back darker, with rims and isolines.
+// Beads lie on the side that their normals face, in their true width, later layers over earlier ones. Voids are points
+// of the front that no bead covers. Overlaps are points covered by parts of one layer that are not neighbours along the
+// path. Both are found per sample, so they do not depend on the mesh.
+// Moves without material are thin lines where the surface does not hide them. Green dots mark the start and red dots
+// the end of each stretch of path. A bar shows the scale.
+// Same bytes for any `threads`. Throws Error(usage) if a requested field does not exist. Precondition: scene.sheet.
 Image draw_draped(const Scene& scene, const Tint& tint, const DrapeView& view, int threads);
 
 } // namespace filum::render

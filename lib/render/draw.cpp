@@ -22,7 +22,7 @@ By by(const std::string& color) {
     return By::progress;
 }
 
-// What needs a surface, or something on it.
+// Throws Error(usage) if an option needs a surface or a path on it, or does not work with a surface.
 void check_surface(const Scene& scene, const Options& o) {
     const char* asked = !o.by.empty()       ? "--by"
                         : !o.arrows.empty() ? "--arrows"
@@ -39,7 +39,7 @@ void check_surface(const Scene& scene, const Options& o) {
     if (scene.sheet && o.flat()) throw Error(Exit::usage, "cannot draw a surface as a layer; leave out --layer");
 }
 
-// The meshes named in `list`, commas between.
+// Adds the meshes whose files `list` names, separated by commas.
 void add_parts(Scene& scene, const std::string& list) {
     for (std::size_t at = 0; !list.empty() && at <= list.size();) {
         const std::size_t end = std::min(list.find(',', at), list.size());

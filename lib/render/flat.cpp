@@ -21,7 +21,7 @@ constexpr int kBand = 16; // rows of pixels that are drawn at once
 struct Frame {
     Vec2 middle;
     double scale = 1; // pixels per mm
-    Vec2 half;        // of the picture, pixels
+    Vec2 half;        // half the size of the picture, pixels
     [[nodiscard]] Vec2 to_pixel(Vec2 p) const {
         return {half.x + (p.x - middle.x) * scale, half.y - (p.y - middle.y) * scale};
     }
@@ -37,7 +37,7 @@ Frame frame(const geom::Box2& box, int width, int height) {
     return f;
 }
 
-// Which layer it is, and how high its top lies.
+// The number of the layer and the height of its top.
 std::string title(const Scene& scene) {
     if (scene.spans.empty() && scene.outlines.empty()) return "";
     double z = -std::numeric_limits<double>::infinity();
@@ -49,22 +49,22 @@ std::string title(const Scene& scene) {
     return "layer " + std::to_string(layer) + (std::isfinite(z) ? ", z " + fixed_text(z, 2) + " mm" : "");
 }
 
-// What lies at a sample.
+// What a sample shows.
 struct Sample {
-    double along = 0;       // mm of path up to there
+    double along = 0;       // mm of path up to the nearest bead's point
     float ratio2 = 2;       // (distance to the middle of the bead / half its width) squared; above 1: no bead
-    std::uint32_t bead = 0; // the nearest
-    bool twice = false;     // another stretch of path lies here, too
-    bool inside = false;    // the outlines
+    std::uint32_t bead = 0; // index of the nearest bead
+    bool twice = false;     // whether another stretch of path covers it too
+    bool inside = false;    // whether it lies inside the outlines
 };
 
-struct Pen { // a bead in samples
+struct Pen { // a bead, in samples
     Vec2 a, b;
     double half = 0;
 };
 
 struct Band {
-    int columns = 0, rows = 0; // samples
+    int columns = 0, rows = 0; // size in samples
     std::vector<Sample> sample;
     Sample& at(int x, int y) {
         return sample[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)];
@@ -94,7 +94,7 @@ void lay(Band& band, const Pen& p, std::uint32_t index, const std::vector<FlatBe
     }
 }
 
-// Marks the samples inside the outlines (even-odd): flips from every edge to the right.
+// Marks the samples inside the outlines, by the even-odd rule along each row.
 void flood(Band& band, const Scene& scene, const Frame& f, double first_row, int per_pixel) {
     std::vector<double> x;
     for (int row = 0; row < band.rows; ++row) {

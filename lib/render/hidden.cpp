@@ -6,7 +6,8 @@ namespace filum::render {
 
 using geom::Vec3;
 
-// Cells at points no farther apart than half a cell; f(index of word, mask) returns whether to go on.
+// Visits the cells at points of the segment at most half a cell apart. Calls f(index of word, mask) until it returns
+// false.
 template <class F>
 void Hidden::for_cells(Vec3 a, Vec3 b, F&& f) const {
     const Vec3 d = b - a;
@@ -30,7 +31,7 @@ Hidden::Hidden(const Scene& scene, double width, double height) : cell_{width, w
         }
     }
     if (!(hi.x >= lo.x)) return;
-    lo_ = lo - 1.5 * cell_; // an empty cell all around, and levels at the middle of cells
+    lo_ = lo - 1.5 * cell_; // leaves an empty cell on each side, and puts layers at the middle of cells
     const Vec3 size = hi - lo_;
     const double x = std::floor(size.x / cell_.x) + 2, y = std::floor(size.y / cell_.y) + 2,
                  z = std::floor(size.z / cell_.z) + 2;
@@ -48,7 +49,7 @@ Hidden::Hidden(const Scene& scene, double width, double height) : cell_{width, w
     erode();
 }
 
-// Keeps the cells whose neighbours along x, then y, then z are full.
+// Keeps the full cells whose 26 neighbours are full, by erosion along x, then y, then z.
 void Hidden::erode() {
     const std::size_t level = words_ * rows_;
     const auto old = [](const std::vector<std::uint64_t>& v, std::size_t i, std::size_t back) {

@@ -113,7 +113,7 @@ void draw_line(Image& image, geom::Vec2 a, geom::Vec2 b, double width, Rgb colou
     };
     const int y1 = row(std::max(a.y, b.y) + h + 1);
     for (int y = row(std::min(a.y, b.y) - h); y < y1; ++y) {
-        double from = 0, to = 1; // the stretch of the line that may touch this row
+        double from = 0, to = 1; // the part of the line that may touch this row
         if (dy != 0) {
             from = std::clamp((y - h - a.y) / dy, 0.0, 1.0);
             to = std::clamp((y + 1 + h - a.y) / dy, 0.0, 1.0);

@@ -1,4 +1,4 @@
-// Pictures as pixels, and as PNG.
+// Pictures as pixels and as PNG files.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -11,7 +11,7 @@
 
 namespace filum::render {
 
-// 8-bit sRGB, rows from the top.
+// A picture of 8-bit sRGB pixels, rows from top to bottom.
 struct Image {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgb;
@@ -33,16 +33,17 @@ struct Image {
     }
 };
 
-// The file's bytes: equal pictures give equal bytes.  Throws Error(failure) if libpng fails.
+// The bytes of the PNG file. Equal pictures give equal bytes. Throws Error(failure) if libpng fails.
 std::string encode_png(const Image& image);
 
-// Draws the line from a to b (pixels, y downwards, pixel centres at halves) with round ends, mixed in by `alpha`.
+// Draws a line from a to b with round ends, blended by `alpha`. Coordinates are pixels, y downwards, with pixel centres
+// at halves.
 void draw_line(Image& image, geom::Vec2 a, geom::Vec2 b, double width, Rgb colour, double alpha = 1);
 
 void draw_box(Image& image, int x0, int y0, int x1, int y1, Rgb colour, double alpha = 1);
 
-// Writes `text` in a plain stroke font of capitals, digits and . , - + / : = %; `size` is the height of a capital,
-// pixels; `at` its lower left corner.  Small letters are written as capitals.
+// Writes `text` in a simple stroke font with capitals, digits and . , - + / : = %. Small letters become capitals. `at`
+// is the lower left corner, `size` the height of a capital in pixels.
 void draw_text(Image& image, geom::Vec2 at, double size, std::string_view text, Rgb colour);
 double text_width(double size, std::string_view text);
 

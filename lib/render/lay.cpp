@@ -14,9 +14,10 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double kSimplify = 0.004; // of a bead's width
-constexpr double kMostReach = 8;    // half widths: what the grid of strokes bears
-constexpr double kBreak = 1e6;      // mm along the path: nothing is a neighbour across a travel
+constexpr double kSimplify = 0.004; // tolerance of visible_points, as a share of the bead width
+constexpr double kMostReach = 8;    // largest reach in half widths, limited by the memory of the grid of strokes
+constexpr double kBreak =
+    1e6; // mm added along the path for a travel, so that beads before and after it are no neighbours
 constexpr std::uint32_t kSamples = 1 << 17, kSeed = 7;
 
 std::vector<Stroke> beads(const Scene& scene, const Tint& tint) {
@@ -44,7 +45,8 @@ std::vector<Stroke> beads(const Scene& scene, const Tint& tint) {
     return out;
 }
 
-// True if both ends and the middle are within reach of triangles that face as the stroke does, or against it.
+// True if both ends and the middle lie within reach of triangles that face like the stroke, or opposite to it if
+// `against`.
 bool lies_on(const surface::curve::Locator& locator, const Stroke& s, bool against) {
     const Vec3 n = against ? -1.0 * s.normal : s.normal;
     for (const Vec3 p : {s.a, 0.5 * (s.a + s.b), s.b}) {

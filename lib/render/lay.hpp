@@ -1,4 +1,4 @@
-// A toolpath on a surface, as a picture of it needs it.
+// The beads of a toolpath on a surface, prepared for drawing.
 #pragma once
 
 #include "render/strokes.hpp"
@@ -6,22 +6,23 @@
 
 namespace filum::render {
 
-// Beads are taken 2 % wider than true where they are drawn, or voids would show where they just touch.
+// The factor by which beads are drawn wider than they are. Otherwise voids would appear where beads just touch.
 inline constexpr double kFat = 1.02;
 
 struct Laid {
-    Strokes beads{{}};         // of all extruding spans, as wide as they are
+    Strokes beads{{}};         // all extruding spans, widened by kFat
     std::vector<Stroke> loose; // those that do not lie on the surface: farther from it than half their width and as
                                // many heights as their layer's number, seen from the side that their normals look to
-    double length = 0, loose_length = 0; // mm: of all, and of those
-    bool behind = false;                 // most of the path lies on the side that the surface does not face
+    double length = 0, loose_length = 0; // mm, length of all beads and of the loose ones
+    bool behind = false;                 // whether most of the path lies on the back of the surface
 };
 
-// Spans without normals take those of the triangles nearest to them.  Precondition: scene.sheet.
+// Finds the beads of the scene and whether they lie on its surface. Spans without normals get those of the nearest
+// triangles. Precondition: scene.sheet.
 Laid lay(const Scene& scene, const Tint& tint);
 
-// Share of the side with the path that is farther than half a width from it, by 131072 samples spread evenly over the
-// surface: off by about 0.1 % of it at most.
+// The share of the side with the path that is farther than half a bead width from the path. Estimated with 131072
+// samples spread evenly over the surface; the error is about 0.1 % of the surface at most.
 double uncovered(const surface::Surface& surface, const Laid& laid);
 
 } // namespace filum::render

@@ -33,7 +33,7 @@ FlatLayer flatten(const Scene& scene) {
         if (open && (!bead || !(s.points.front() == last))) {
             out.marks.push_back({Mark::Kind::end, last.xy()});
             open = false;
-            along += 1e6; // never neighbours
+            along += 1e6; // mm; stretches across a gap never count as neighbours
         }
         if (s.role == toolpath::Role::lift) out.marks.push_back({Mark::Kind::lift, s.points.back().xy()});
         if (bead && !open) {

@@ -1,17 +1,17 @@
-// What a picture of one layer holds, raster or SVG.
+// The content of a picture of one layer, for pixels or SVG.
 #pragma once
 
 #include "render/tint.hpp"
 
 namespace filum::render {
 
-// A straight bead in its place, mm.
+// A straight piece of a bead, mm.
 struct FlatBead {
     geom::Vec2 a, b;
     double width = 0;
-    double along = 0;        // mm of path before it, to tell neighbours on the path from neighbouring lanes
-    std::uint32_t span = 0;  // of the scene
-    std::uint32_t point = 0; // it runs from this point of the span to the next
+    double along = 0;        // mm of path before it; distinguishes neighbours along the path from neighbouring lanes
+    std::uint32_t span = 0;  // index of the span in the scene
+    std::uint32_t point = 0; // index of its first point in the span
 };
 
 struct Mark {
@@ -22,10 +22,10 @@ struct Mark {
 
 struct FlatLayer {
     std::vector<FlatBead> beads;
-    std::vector<FlatBead> travels; // width 0
-    std::vector<Mark> marks;       // of every stretch without a gap
-    geom::Box2 box;                // around beads and outlines
-    double width = 0.4;            // mm, of a typical bead
+    std::vector<FlatBead> travels; // with width 0
+    std::vector<Mark> marks;       // starts and ends of every stretch without a gap, and lifts
+    geom::Box2 box;                // bounds of beads and outlines
+    double width = 0.4;            // mm, width of a typical bead
 };
 
 FlatLayer flatten(const Scene& scene);

@@ -13,10 +13,11 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double kCrease = 0.8;                 // cosine of the angle from which on an edge looks sharp
-constexpr std::uint32_t kIsoline = 0, kRim = 1; // layers of lines
-constexpr double kSlim = 0.35;                  // of their width, where a field is to be seen between the beads
-constexpr Rgb kBack{0.50F, 0.55F, 0.68F};       // the back is darker, and bluish
+constexpr double kCrease = 0.8;                 // cosine of the angle between normals from which an edge looks sharp
+constexpr std::uint32_t kIsoline = 0, kRim = 1; // layers of the lines
+constexpr double kSlim =
+    0.35; // share of their width that beads are drawn with, so that a field is visible between them
+constexpr Rgb kBack{0.50F, 0.55F, 0.68F}; // factor for the back: darker and bluish
 constexpr Rgb kLineInk{0.020F, 0.022F, 0.030F};
 
 Vec3 blend(const std::vector<Vec3>& v, const mesh::Triangle& t, Vec3 shares) {
@@ -94,7 +95,7 @@ Rgb Paint::ground(std::uint32_t triangle, Vec3 shares) const {
     return ramp(scale_.hi > scale_.lo ? (v - scale_.lo) / (scale_.hi - scale_.lo) : 0.5);
 }
 
-// A bead's section is round, as far as there are pixels to show it.
+// The colour of a bead. Its section looks round if there are enough pixels to show it; `normal` is bent accordingly.
 Rgb Paint::on_bead(const Cover& c, Vec3& normal) const {
     const double pixels = slim_ * plan_.scale * (c.stroke->half_a + c.stroke->half_b);
     const double strength = std::clamp((pixels - 1.5) / 4, 0.0, 1.0), off2 = c.off * c.off;
@@ -109,7 +110,7 @@ Rgb Paint::at(std::uint32_t triangle, Vec3 shares) const {
     const auto& s = sheet_->surface;
     const auto& t = s.triangles[triangle];
     const Vec3 flat = surface::normal(s, triangle), p = blend(s.vertices, t, shares);
-    const double facing = dot(flat, plan_.towards) < 0 ? -1 : 1; // the side that is seen
+    const double facing = dot(flat, plan_.towards) < 0 ? -1 : 1; // -1 if the back of the triangle is seen
     const bool back = (facing < 0) != laid_->behind;
     Vec3 n{};
     for (const auto& [v, share] : {std::pair{t[0], shares.x}, {t[1], shares.y}, {t[2], shares.z}})

@@ -1,4 +1,4 @@
-// What a point of a surface looks like: its shape, a field, lines on it, the beads that cover it, and where none does.
+// Colours the points of a surface: shading, a field, lines, beads, voids and overlaps.
 #pragma once
 
 #include "render/lay.hpp"
@@ -6,28 +6,29 @@
 
 namespace filum::render {
 
-// What is shown of a surface and the path on it.
+// What a picture of a surface and its path shows.
 struct Show {
-    std::string by;     // the field that colours the surface; none: it is grey.  Without `voids` beads are then slim
-    std::string arrows; // the field of vectors drawn as strokes
+    // the field that colours the surface; "": grey. With a field and without `voids`, beads are drawn slim
+    std::string by;
+    std::string arrows; // the field of vectors that is drawn as strokes
     bool voids = false, overlap = false, centres = true;
-    std::vector<double> around = {}; // x, y, z, radius in mm of what the picture is filled with; none: everything
+    std::vector<double> around = {}; // x, y, z, radius in mm of the ball that fills the picture; empty: everything
 };
 
-// What the ends of a field's ramp stand for: least and greatest of its known values, or the 1st and 99th percentile of
-// those where the rest would take more than a fifth of the ramp.
+// The amounts at the ends of a field's colour ramp. They are the least and greatest known values, or the 1st and 99th
+// percentile if the values beyond would take more than a fifth of the ramp.
 struct Scale {
     const surface::Field* field = nullptr;
     double lo = 0, hi = 1;
-    bool below = false, above = false; // there are values beyond the ends
+    bool below = false, above = false; // whether values lie beyond the ends
 };
 
-// Throws Error(usage), naming the surface's fields, if it has no field of that name or of that many components
-// (0: any).
+// The field of that name with that many components (0: any). Throws Error(usage), which lists the fields of the
+// surface, if there is none.
 const surface::Field& find_field(const surface::Sheet& sheet, const std::string& name, std::uint32_t components);
 
 Scale scale_of(const surface::Field& field);
-double amount(const surface::Field& field, std::size_t vertex); // the length of a vector
+double amount(const surface::Field& field, std::size_t vertex); // the value at a vertex, or the length of the vector
 
 Rgb void_colour();
 Rgb overlap_colour();
@@ -36,9 +37,9 @@ Rgb patch_colour(std::size_t patch);
 
 class Paint {
   public:
-    // Keeps references to the scene and the path.
+    // Keeps references to the scene and the path, which must outlive it.
     Paint(const Scene& scene, const Laid& laid, const Show& show, const Plan& plan);
-    // Colour of the point of `triangle` with these shares of its corners, in the light of the plan's lamp.
+    // The colour of the point of `triangle` with these barycentric coordinates, in the light of the plan's lamp.
     [[nodiscard]] Rgb at(std::uint32_t triangle, geom::Vec3 shares) const;
 
   private:
@@ -52,7 +53,7 @@ class Paint {
     Plan plan_;
     geom::Vec3 lamp_;
     Scale scale_;
-    double slim_ = 1;                // share of their width that beads are drawn
+    double slim_ = 1;                // share of their width that beads are drawn with
     std::vector<geom::Vec3> normal_; // per vertex
     Strokes lines_;                  // rims and isolines
 };

@@ -16,9 +16,9 @@ namespace {
 
 using geom::Vec3;
 
-// Bayer's matrix: neighbours far apart in the sequence.
+// Bayer's matrix: neighbouring pixels are far apart in the sequence.
 constexpr std::array<std::uint32_t, 16> kTile = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
-constexpr std::uint32_t kSkySeed = 1, kLampSeed = 2; // any
+constexpr std::uint32_t kSkySeed = 1, kLampSeed = 2; // arbitrary
 constexpr Rgb kLampLight{1.22F, 1.17F, 1.10F}, kSkyLight{0.66F, 0.71F, 0.79F}, kTableLight{0.50F, 0.48F, 0.46F};
 
 struct Studio {
@@ -26,28 +26,27 @@ struct Studio {
     const Table& table;
     const View& view;
     Camera camera;
-    Vec3 lamp;        // direction to it
-    double reach = 0; // mm; the sky is dimmed by what is nearer
-    double hair = 0;  // mm; secondary rays start that far off the surface
+    Vec3 lamp;        // direction to the lamp
+    double reach = 0; // mm; nearer objects dim the sky
+    double hair = 0;  // mm; secondary rays start at this distance from the surface
     double floor = 0; // z of the table
 };
 
-// A pixel before the light is smoothed: what it shows under a full sky and in the full light of the lamp, and how
-// much of either is free.  Sky and lamp vary slowly, what they shine on does not; so only the former are noisy, and
-// smoothed.
+// A pixel before its light is smoothed: its colour under an open sky and in full lamp light, and how much of sky and
+// lamp is free. Sky and lamp vary slowly, but the surfaces do not. So only the light is sampled coarsely and smoothed.
 struct Pixel {
     Rgb under_sky, under_lamp, other; // sums over the samples
-    float sky = 0, lamp = 0;          // sums of what is free
+    float sky = 0, lamp = 0;          // sums of the free rays
     float sky_rays = 0, lamp_rays = 0, hits = 0;
     float depth = 0; // sum
     float nx = 0, ny = 0, nz = 0;
 };
 
-Rgb backdrop(double down) { // 0 at the top of the picture, 1 at the bottom
+Rgb backdrop(double down) { // down: 0 at the top of the picture, 1 at the bottom
     return mix(oklch(0.985, 0.003, 250), oklch(0.91, 0.007, 250), static_cast<float>(down));
 }
 
-// The surface that a ray met, as far as the light does not matter.
+// Adds the colour of the surface that a ray met, as it is without shadows.
 void add_surface(const Studio& s, Vec3 d, const Hit& hit, Pixel& out) {
     const Vec3 n = hit.normal;
     out.under_sky = out.under_sky + mix(kTableLight, kSkyLight, static_cast<float>(0.5 + 0.5 * n.z)) * hit.albedo;
@@ -64,12 +63,12 @@ void add_surface(const Studio& s, Vec3 d, const Hit& hit, Pixel& out) {
     out.nz += static_cast<float>(n.z);
 }
 
-// How much of sky and lamp reaches the point that a ray met.
+// Adds how much of the sky and the lamp reaches the point that a ray met.
 void add_light(const Studio& s, Vec3 d, const Hit& hit, std::uint32_t k, Pixel& out) {
     const Vec3 n = hit.normal, from = s.camera.eye + double{hit.distance} * d + s.hair * n;
     Vec3 up = around(n, spread(kSkySeed, k));
     const bool down = s.view.table && up.z < 0;
-    if (down) up.z = -up.z; // the table gives light back, less of it
+    if (down) up.z = -up.z; // the table reflects light, dimmed by a factor
     out.sky += s.tubes.blocked(from, up, static_cast<float>(s.reach)) ? 0 : (down ? 0.55F : 1.0F);
     out.sky_rays += 1;
     if (dot(n, s.lamp) <= 0) return;
@@ -82,11 +81,12 @@ float table_light(const Studio& s, Vec3 d) {
     return t > 0 ? s.table.at(s.camera.eye.x + t * d.x, s.camera.eye.y + t * d.y) : 1.0F;
 }
 
-// Four rays at a time; where rays are few, light is looked for by every second one, and smoothed.
+// Samples a pixel, four rays at a time. With fewer than 16 rays per pixel, only one hit in four is tested for light,
+// and the result is smoothed later.
 Pixel sample(const Studio& s, int x, int y, Rgb back) {
     Pixel out;
     const auto seed = hash(static_cast<std::uint32_t>(y) * 65536U + static_cast<std::uint32_t>(x));
-    // The pixels of a tile of 4 x 4 share one even set of directions, so that smoothing over a tile sees all of it.
+    // Pixels of a tile of 4 x 4 share one even set of directions, so smoothing over a tile uses the whole set.
     const auto tile = kTile[static_cast<std::size_t>(4 * (y & 3) + (x & 3))];
     const auto samples = static_cast<std::uint32_t>(s.view.samples), stride = samples < 16 ? 4U : 1U;
     for (std::uint32_t k = 0; k < samples; k += 4) {
@@ -111,7 +111,7 @@ Pixel sample(const Studio& s, int x, int y, Rgb back) {
 
 constexpr int kStrip = 256; // rows that are kept in memory at once
 
-// Rows [first, last) of the picture before smoothing.
+// The rows [first, last) of the picture before smoothing.
 struct Strip {
     int first = 0, last = 0, width = 0;
     std::vector<Pixel> pixel;
@@ -125,7 +125,7 @@ struct Free {
     float sky = 0, lamp = 0;
 };
 
-// Shares of sky and lamp at pixel (x, y), from those around it that show the same surface.
+// The free shares of sky and lamp at pixel (x, y), averaged over pixels around it that show the same surface.
 Free smoothed(const Studio& s, const Strip& strip, int x, int y, int reach) {
     const int w = s.view.width, h = s.view.height;
     const auto place = [&](const Pixel& p, int i, int j) {
@@ -152,7 +152,7 @@ Free smoothed(const Studio& s, const Strip& strip, int x, int y, int reach) {
     return {sky_weight > 0 ? sky / sky_weight : 1, lamp_weight > 0 ? lamp / lamp_weight : 1};
 }
 
-// Bends what is brighter than white, so that colours do not run out.
+// Compresses bright colours towards white, so that they are not clipped.
 Rgb tone(Rgb c) {
     const auto bend = [](float v) { return v < 0.75F ? v : 0.75F + 0.25F * (1 - std::exp(-(v - 0.75F) / 0.25F)); };
     return {bend(c.r), bend(c.g), bend(c.b)};
@@ -207,7 +207,7 @@ Image draw_perspective(const Scene& scene, const Tint& tint, const View& view, i
     const Camera camera = view.around
                               ? aim(view.around->centre - tubes.centre(), view.around->radius, view.from, aspect)
                               : aim(scene, tubes.centre(), view.from, aspect, view.travels);
-    // Over the left shoulder of the viewer.
+    // The lamp is above the viewer's left shoulder.
     const Vec3 lamp =
         unit(-0.55 * unit(camera.right) + 0.85 * Vec3{0, 0, 1} - 0.45 * camera.forward + 0.25 * unit(camera.up));
     const Table table(tubes, lamp, floor, view.table ? 2.2 * size : 0, threads);

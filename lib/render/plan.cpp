@@ -12,9 +12,9 @@ namespace {
 
 using geom::Vec3;
 
-constexpr int kMostSamples = 1 << 22; // of a band, or of a row of pixels if that has more
+constexpr int kMostSamples = 1 << 22; // largest number of samples in a band, unless a single row of pixels has more
 
-// Twice the area of a b c in the picture.
+// Twice the signed area of the triangle a b c in the picture.
 double turn(Vec3 a, Vec3 b, Vec3 c) { return geom::orient(a.xy(), b.xy(), c.xy()); }
 
 } // namespace
@@ -27,7 +27,7 @@ Vec3 Plan::place(Vec3 p) const {
 Vec3 upwards(Vec3 from) { return std::abs(unit(from).z) > 0.9 ? Vec3{0, 1, 0} : Vec3{0, 0, 1}; }
 
 Plan lay_out(const std::vector<Vec3>& points, Vec3 from, Vec3 above, int width, int height) {
-    constexpr double kMargin = 0.04, kLegend = 0.06; // of the picture's height
+    constexpr double kMargin = 0.04, kLegend = 0.06; // as shares of the picture's height
     Plan plan;
     plan.width = width;
     plan.height = height;
@@ -91,7 +91,7 @@ void Raster::cover(std::uint32_t triangle, int first_row, Sights& out) const {
     const int y0 = static_cast<int>(std::min<double>(first(p[0].y, p[1].y, p[2].y), out.rows));
     const int x1 = static_cast<int>(std::min(out.columns - 1.0, std::max({p[0].x, p[1].x, p[2].x, -1.0})));
     const int y1 = static_cast<int>(std::min(out.rows - 1.0, std::max({p[0].y, p[1].y, p[2].y, -1.0})));
-    constexpr double kBorder = -1e-9; // so that no sample falls between neighbours
+    constexpr double kBorder = -1e-9; // tolerance, so that no sample falls between neighbouring triangles
     for (int y = y0; y <= y1; ++y) {
         for (int x = x0; x <= x1; ++x) {
             const Vec3 at{static_cast<double>(x), static_cast<double>(y), 0};

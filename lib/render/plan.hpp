@@ -1,4 +1,4 @@
-// Parallel projection onto a picture, and which triangle of a surface every sample of it shows.
+// Parallel projection onto a picture, and the triangle of a surface that each sample shows.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -9,30 +9,31 @@
 
 namespace filum::render {
 
-// Lengths across the line of sight are true to scale everywhere.
+// A parallel projection. Lengths across the line of sight have the same scale everywhere.
 struct Plan {
-    int width = 0, height = 0;             // pixels
-    geom::Vec3 centre, right, up, towards; // unit vectors; `towards` the viewer
-    double scale = 1;                      // pixels per mm
+    int width = 0, height = 0; // pixels
+    geom::Vec3 centre, right, up,
+        towards;      // `centre` in mm; the others are unit vectors, and `towards` points to the viewer
+    double scale = 1; // pixels per mm
 
-    // Pixels from the upper left corner, y downwards, and mm towards the viewer.
+    // The place of `p` in the picture: pixels from the upper left corner, y downwards, and mm towards the viewer.
     [[nodiscard]] geom::Vec3 place(geom::Vec3 p) const;
 };
 
-// Which way is up where one looks from direction `from`: z, or y where z would be short.
+// The direction that points up in a view from direction `from`: z, or y if z would look short.
 geom::Vec3 upwards(geom::Vec3 from);
 
-// Looks from direction `from` so that all points fill a picture of that size, but for a margin, wider below, where the
-// legend is.  `above`, not along `from`, points up.
+// A plan that looks from direction `from` and fits all points into a picture of that size. It leaves a margin, wider
+// below for the legend. `above` points up and must not be parallel to `from`.
 Plan lay_out(const std::vector<geom::Vec3>& points, geom::Vec3 from, geom::Vec3 above, int width, int height);
 
-// What a sample of the picture shows: the triangle, and the point of it.
+// What a sample of the picture shows: a triangle, and the height of its point.
 struct Sight {
-    std::uint32_t triangle = surface::kNone; // none: nothing
+    std::uint32_t triangle = surface::kNone; // kNone: nothing
     float height = 0;                        // mm towards the viewer
 };
 
-// Rows of samples: `fine` x `fine` in every pixel.
+// Samples in rows, with `fine` x `fine` of them in every pixel.
 struct Sights {
     int columns = 0, rows = 0;
     std::vector<Sight> sample;
@@ -41,15 +42,16 @@ struct Sights {
     }
 };
 
-// A depth buffer by bands of rows of pixels, some 32 MB each at most; the nearest triangle counts, the first of equals.
+// A depth buffer, computed in bands of pixel rows with at most about 32 MB each. The nearest triangle wins; ties: the
+// first.
 class Raster {
   public:
-    // `fine`: samples along either side of a pixel.
+    // `fine`: samples along each side of a pixel.
     Raster(const surface::Surface& s, const Plan& plan, int fine);
     [[nodiscard]] int bands() const { return static_cast<int>(in_band_.size()); }
-    [[nodiscard]] int rows() const { return rows_; } // of pixels, in every band but the last
+    [[nodiscard]] int rows() const { return rows_; } // rows of pixels in each band; the last may have fewer
     [[nodiscard]] Sights band(int b) const;
-    // The point of `triangle` that sample (x, y) of the picture shows, as shares of its corners.
+    // Barycentric coordinates of the point of `triangle` that sample (x, y) of the picture shows.
     [[nodiscard]] geom::Vec3 shares(std::uint32_t triangle, int x, int y) const;
 
   private:
@@ -57,7 +59,7 @@ class Raster {
     const surface::Surface* s_;
     Plan plan_;
     int fine_, rows_;
-    std::vector<geom::Vec3> place_; // of the vertices, in samples
+    std::vector<geom::Vec3> place_; // places of the vertices, in samples
     std::vector<std::vector<std::uint32_t>> in_band_;
 };
 

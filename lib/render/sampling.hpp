@@ -1,4 +1,4 @@
-// Evenly spread numbers for rays: the same for the same seed, everywhere.
+// Evenly spread numbers for rays: equal seeds give equal numbers on every machine.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -21,11 +21,11 @@ struct Square {
 
 // Point k of a sequence that fills the square evenly (Roberts' R2), shifted by the seed's own offset.
 inline Square spread(std::uint32_t seed, std::uint32_t k) {
-    const std::uint32_t a = hash(seed), b = hash(a); // the sequence in fixed point: overflow is the fraction
+    const std::uint32_t a = hash(seed), b = hash(a); // the sequence in fixed point: overflow keeps the fraction
     return {(a + k * 3242174889U) * 0x1p-32, (b + k * 2447445414U) * 0x1p-32};
 }
 
-// Direction around `n` (length 1), denser near it as the cosine asks.
+// A direction around `n` (length 1), distributed with the cosine to `n`.
 inline geom::Vec3 around(geom::Vec3 n, Square s) {
     const double sign = n.z >= 0 ? 1 : -1, a = -1 / (sign + n.z), b = n.x * n.y * a; // Duff et al. 2017
     const geom::Vec3 t{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, q{b, sign + n.y * n.y * a, -n.y};

@@ -12,9 +12,9 @@ namespace {
 
 using geom::Vec2;
 
-constexpr double kMostLines = 4000; // per outline
+constexpr double kMostLines = 4000; // largest number of lines that fill one outline
 
-// Where the horizontal line at y crosses the loops, ascending.
+// The x coordinates where the horizontal line at `y` crosses the loops, ascending.
 void crossings(const polygon::Loops& loops, double y, std::vector<double>& out) {
     out.clear();
     for (std::size_t i = 0; i < loops.size(); ++i) {

@@ -1,4 +1,4 @@
-// What is drawn: any planar stream as spans, the outlines of layers, a surface.
+// The content of a picture: any planar stream as spans, the outlines of layers, a surface, meshes.
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -20,7 +20,7 @@ struct Outline {
     polygon::Loops loops;
 };
 
-// A solid thing beside the beads.
+// A solid object besides the beads.
 struct Thing {
     mesh::Mesh mesh;
     Rgb colour;
@@ -29,32 +29,33 @@ struct Thing {
 struct Scene {
     std::vector<toolpath::Span> spans;
     std::vector<Outline> outlines;
-    bool solid = false;                       // spans only stand for the outlines' solid: there are no beads
-    std::optional<surface::Sheet> sheet = {}; // that the spans lie on, or alone; of several surfaces all triangles
-    std::vector<std::string> patches = {};    // the names of several surfaces, else none
-    std::vector<std::uint32_t> patch = {};    // per triangle: which of them
-    std::vector<Thing> meshes = {};           // in perspective only
+    bool solid = false; // spans only fill the outlines, and there are no real beads
+    // the surface that the spans lie on, or a surface alone; several surfaces are merged
+    std::optional<surface::Sheet> sheet = {};
+    std::vector<std::string> patches = {}; // the names of the surfaces, in the order of adding
+    std::vector<std::uint32_t> patch = {}; // per triangle: index of its surface in `patches`
+    std::vector<Thing> meshes = {};        // drawn in perspective only
 
     [[nodiscard]] bool empty() const { return spans.empty() && outlines.empty() && !sheet; }
 };
 
-// A layer range, both ends included.
+// A range of layers, both ends included.
 struct Range {
     std::uint32_t from = 0, to = UINT32_MAX;
     [[nodiscard]] bool has(std::uint32_t layer) const { return layer >= from && layer <= to; }
 };
 
 void add(Scene& scene, const toolpath::Span& span, Range range);
-void add(Scene& scene, const toolpath::RegionPaths& paths, Range range); // curves as beads
+void add(Scene& scene, const toolpath::RegionPaths& paths, Range range); // adds the curves as beads
 void add(Scene& scene, const polygon::Layer& layer, Range range);
 void add(Scene& scene, const polygon::Region& region, Range range);
 
-// Another surface beside those before.  Fields that one of them has not are unknown there.  Throws Error(bad_input) if
-// they have a field of different kinds.
+// Adds a surface beside earlier ones. A field that one surface lacks is unknown there. Throws Error(bad_input) if two
+// surfaces have fields of one name with different numbers of components.
 void add(Scene& scene, surface::Sheet sheet);
 
-// Stands for the solid of the outlines: their borders, and lines a layer height apart that fill them, as beads as wide
-// as high.  For pictures in perspective of what has no beads yet.
+// Adds beads that stand for the solid inside the outlines: their borders, and lines one layer height apart. The beads
+// are as wide as high. For perspective pictures of streams without beads.
 void fill_outlines(Scene& scene);
 
 } // namespace filum::render

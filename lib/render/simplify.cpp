@@ -6,7 +6,7 @@ namespace {
 
 using geom::Vec3;
 
-// Distance of p from the segment a -> b.
+// The distance of p from the segment a -> b.
 double off_segment(Vec3 a, Vec3 b, Vec3 p) {
     const Vec3 d = b - a;
     const double l2 = dot(d, d), t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;

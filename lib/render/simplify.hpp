@@ -1,4 +1,4 @@
-// Fewer points for paths whose pictures do not need all of them.
+// Leaves out points of paths that pictures do not need.
 #pragma once
 
 #include "toolpath/path.hpp"
@@ -8,8 +8,9 @@
 
 namespace filum::render {
 
-// Indices of the points that a picture needs: those left out lie within `tolerance` mm of the line between those kept
-// around them, and so do the widths there.  Greedy; long stretches are cut after 24 points.
+// Indices of the points to keep. A point that is left out lies within `tolerance` mm of the line between the kept
+// points around it, and its width differs by at most that much from the one interpolated there. Greedy; at most 24
+// points lie between two kept ones.
 std::vector<std::uint32_t> visible_points(const toolpath::Span& s, double tolerance);
 
 } // namespace filum::render

@@ -13,12 +13,14 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double kMostCells = 1 << 20;  // along an axis: 20 bits each in a key
-constexpr double kMostPieces = 1 << 17; // of strokes, a cell long each: bounds the memory for hair-thin ones
-constexpr double kTouch = 0.9;          // of half the width: what two passes share further out is their common border
-constexpr double kNear = 3;             // widths along the path that count as neighbours
+constexpr double kMostCells = 1 << 20; // largest number of cells along an axis: 20 bits each in a key
+constexpr double kMostPieces =
+    1 << 17; // largest number of pieces one cell long; bounds the memory for very thin strokes
+constexpr double kTouch =
+    0.9; // share of the half width that counts for overlaps; farther out, two passes share only their border
+constexpr double kNear = 3; // widths along the path within which passes count as neighbours
 
-// How far from its line something may be that a stroke covers.
+// The largest distance from its line of a point that the stroke covers.
 double radius(const Stroke& s) { return std::hypot(std::max(s.half_a, s.half_b), s.reach); }
 
 } // namespace
@@ -49,7 +51,7 @@ std::uint64_t Strokes::key(Vec3 p) const {
 }
 
 void Strokes::fill() {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> in; // cell, stroke
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> in; // pairs of cell and stroke
     const double half_diagonal = std::sqrt(0.75) * cell_;
     for (std::uint32_t k = 0; k < strokes_.size(); ++k) {
         const Stroke& s = strokes_[k];

@@ -19,9 +19,9 @@ void path_point(std::string& out, char command, Vec2 p) {
     append_fixed(out, p.y, 4);
 }
 
-// Beads that follow each other with the same width (to 0.01 mm) and colour make one path.
+// Writes the beads. Consecutive beads with the same colour and width (to 0.01 mm) become one path.
 void beads(std::string& out, const Scene& scene, const Tint& tint, const FlatLayer& layer) {
-    std::string open; // attributes of the path begun
+    std::string open; // attributes of the path that is still open
     Vec2 last;
     double begin = 0;
     for (const FlatBead& b : layer.beads) {

@@ -11,12 +11,12 @@ namespace filum::render {
 
 namespace {
 
-constexpr int kCells = 160; // per side
+constexpr int kCells = 160; // cells per side
 constexpr std::uint32_t kRays = 8;
 
 std::size_t cell(int x, int y) { return static_cast<std::size_t>(y) * kCells + static_cast<std::size_t>(x); }
 
-// Mean over 3 x 3 cells: the rays of neighbours differ, so this takes away what noise is left.
+// The mean over 3 x 3 cells. Neighbouring cells use different rays, so it reduces the noise.
 std::vector<float> smooth(const std::vector<float>& v) {
     std::vector<float> out(v);
     for (int y = 1; y + 1 < kCells; ++y)

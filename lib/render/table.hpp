@@ -1,4 +1,4 @@
-// The table that the part stands on: how bright it is around the part.
+// The table under the part: its brightness around the part.
 #pragma once
 
 #include "render/tubes.hpp"
@@ -7,14 +7,14 @@
 
 namespace filum::render {
 
-// Direction to the lamp, blurred as a lamp of some size is; `k` and `seed` choose where on the lamp.
+// A direction to the lamp, blurred for a lamp of some size. `k` and `seed` choose a point on the lamp.
 geom::Vec3 lamp_ray(geom::Vec3 lamp, std::uint32_t seed, std::uint32_t k);
 
 class Table {
   public:
-    // A square of half side `radius` around the origin at height `floor`, in the space of `tubes`.
+    // A square around the origin at height `floor` with half side `radius`, in the space of `tubes`.
     Table(const Tubes& tubes, geom::Vec3 lamp, double floor, double radius, int threads);
-    // Brightness at a point, 1 where nothing dims it; fades to 1 towards the border.
+    // The brightness at a point: 1 in full light. It fades to 1 towards the border.
     [[nodiscard]] float at(double x, double y) const;
 
   private:

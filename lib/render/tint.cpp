@@ -14,16 +14,16 @@ namespace {
 using toolpath::Feature;
 using toolpath::Role;
 
-constexpr int kSteps = 1024; // of the ramp
+constexpr int kSteps = 1024; // number of steps of the ramp
 
-// What a segment's colour stands for, where that is an amount of its own.
+// The amount that colours a segment: its feed for By::speed, else its mean width.
 double amount(const Tint& tint, const toolpath::Span& s, std::size_t i) {
     if (tint.by == By::speed) return machine::bead_feed(*tint.profile, machine::laid(s, i));
     return (s.width_at(i) + s.width_at(i + 1)) / 2;
 }
 
 void amount_range(const Scene& scene, Tint& out) {
-    std::vector<std::pair<double, double>> all; // amount, length
+    std::vector<std::pair<double, double>> all; // pairs of amount and length
     double total = 0;
     for (const auto& s : scene.spans) {
         if (!toolpath::extrudes(s.role)) continue;

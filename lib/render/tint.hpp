@@ -1,4 +1,4 @@
-// Which colour a bead has, and the legend that explains it.
+// The colours of beads, and the legend that explains them.
 #pragma once
 
 #include "machine/profile.hpp"
@@ -13,30 +13,30 @@ namespace filum::render {
 
 enum class By { progress, stroke, layer, width, speed, role };
 
-// Progress: from the first extruding move drawn to the last one.  Width, speed: from the 1st to the 99th percentile by
-// length.
+// How beads are coloured. The ramp of `progress` runs from the first extruding move drawn to the last one. The ramp of
+// `width` and `speed` runs from the 1st to the 99th percentile by length.
 struct Tint {
     By by = By::progress;
     const machine::Profile* profile = nullptr;
-    double lo = 0, hi = 1;                      // what the ramp's ends stand for
+    double lo = 0, hi = 1;                      // the amounts at the ends of the ramp
     std::vector<double> begin;                  // progress: mm extruded before each span
-    std::size_t strokes = 0;                    // distinct ones drawn
-    std::array<bool, toolpath::kRoles> roles{}; // drawn ones
+    std::size_t strokes = 0;                    // number of different strokes drawn
+    std::array<bool, toolpath::kRoles> roles{}; // the roles drawn
     std::array<bool, toolpath::kFeatures> features{};
-    std::vector<Srgb8> ramp; // steps of the ramp: looked up faster than mixed
+    std::vector<Srgb8> ramp; // colours of the ramp, tabulated because mixing is slower
 };
 
-// `profile`: whose feeds By::speed shows; null for anything else.
+// The tint of a scene. By::speed shows the feeds of `profile`; else it may be null.
 Tint tint(const Scene& scene, By by, const machine::Profile* profile);
 
-// Colour of the segment i -> i + 1 of span `s`, which begins `along` mm from the span's start.
+// The colour of the segment i -> i + 1 of span `s`; the segment begins `along` mm from the start of the span.
 Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i, double along);
 
 Rgb role_colour(toolpath::Role role);
 const char* role_name(toolpath::Role role);
-Rgb feature_colour(toolpath::Feature feature); // of a bead that has one
+Rgb feature_colour(toolpath::Feature feature); // the colour of a bead with a known feature
 
-// What the colours mean; alone, in the lower left corner.
+// Draws the meaning of the colours: as items of a key, or alone in the lower left corner.
 void add_legend(Key& key, const Tint& tint);
 void draw_legend(Image& image, const Tint& tint);
 

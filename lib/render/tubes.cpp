@@ -17,7 +17,8 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double kOverlap = 1.03; // beads a little fatter than true, or light shines through where they just touch
+constexpr double kOverlap =
+    1.03; // beads are drawn wider by this factor; otherwise light shines through where they just touch
 
 struct Box {
     Vec3 lo{INFINITY, INFINITY, INFINITY}, hi{-INFINITY, -INFINITY, -INFINITY};
@@ -35,7 +36,7 @@ double width_of(const toolpath::Span& s, std::size_t i, double thread) {
 
 using Kept = std::vector<std::uint32_t>;
 
-// Middle of v; `otherwise` if it is empty.
+// The median of v; `otherwise` if it is empty.
 double median(std::vector<double>& v, double otherwise) {
     if (v.empty()) return otherwise;
     const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
@@ -50,13 +51,13 @@ struct Tubes::State {
     RTCScene scene = nullptr;
     std::vector<Srgb8> colour; // per segment
     std::vector<Rgb> things;   // colours of the meshes
-    unsigned first_thing = 0;  // the first one's number in the scene; they follow one another
+    unsigned first_thing = 0;  // Embree's number of the first mesh; the others follow
     Vec3 centre, half;
-    double stretch = 1;               // z in Embree's space is z of the part times this
+    double stretch = 1;               // z in Embree's space divided by z of the part
     double thickness = 0;             // mm
-    double width = 0.4, height = 0.2; // mm, of a typical bead
-    double lift = 0;                  // mm from a bead's top, where the nozzle was, down to its axis
-    bool tilted = false;              // some beads lie on curved surfaces
+    double width = 0.4, height = 0.2; // mm, size of a typical bead
+    double lift = 0;                  // mm from the top of a bead, where the nozzle was, down to its axis
+    bool tilted = false;              // whether beads lie on curved surfaces
 
     ~State() {
         if (scene != nullptr) rtcReleaseScene(scene);
@@ -65,9 +66,10 @@ struct Tubes::State {
     void measure(const Scene& s, bool travels);
     void fill(const Scene& s, const Tint& tint, bool travels);
     void stand(const Thing& thing);
-    // On a curved surface beads lie flat in all directions.  They are drawn as round rods that rise as a bead is high
-    // where they are as wide as it is: its crest, where the nozzle was, and its rims are true, and the part, or the
-    // neighbours, hide the rest.  Not thicker than twice the bead, or they would come out behind a thin wall.
+    // The radius of the round rod that stands for a bead. Beads on curved surfaces lie flat in all directions. There
+    // the rod rises over the chord of the bead's width by the bead's height. So its crest, where the nozzle was, and
+    // its edges are true, and the part or the neighbours hide the rest. The radius is at most the bead's width,
+    // otherwise the rod would appear behind a thin wall.
     [[nodiscard]] double radius(const toolpath::Span& s, std::size_t i) const {
         const double w = width_of(s, i, 0.3 * 2 * thickness);
         if (!tilted || !toolpath::extrudes(s.role)) return w / 2;
@@ -125,7 +127,7 @@ void Tubes::State::measure(const Scene& s, bool travels) {
 
 void Tubes::State::fill(const Scene& s, const Tint& tint, bool travels) {
     std::vector<Kept> kept;
-    std::vector<bool> shown; // per segment between kept points
+    std::vector<bool> shown; // per segment between kept points: whether it is drawn
     std::size_t points = 0, segments = 0;
     const Hidden hidden(s, width, height);
     for (const auto& span : s.spans) {
@@ -149,7 +151,7 @@ void Tubes::State::fill(const Scene& s, const Tint& tint, bool travels) {
     if (vertex == nullptr || index == nullptr || flags == nullptr) throw std::bad_alloc();
     colour.reserve(segments);
     unsigned at = 0;
-    std::size_t next = 0; // in shown
+    std::size_t next = 0; // index in `shown`
     for (std::size_t k = 0; k < s.spans.size(); ++k) {
         const auto& span = s.spans[k];
         const double fat = toolpath::extrudes(span.role) ? kOverlap / 2 : 0.5;
@@ -202,9 +204,10 @@ void Tubes::State::stand(const Thing& thing) {
 }
 
 Tubes::Tubes(const Scene& scene, const Tint& tint, bool travels, int threads) : state_(std::make_unique<State>()) {
-    // Embree's limit holds for the whole process, and TBB complains where it is asked for more: none from all cores on.
+    // The limit on threads holds for the whole process. TBB complains if more threads are requested than there are, so
+    // no limit is set for all cores.
     const bool fewer = threads > 0 && static_cast<unsigned>(threads) < std::thread::hardware_concurrency();
-    // Embree's instructions for any x86-64 processor: those for newer ones round other pixels another way.
+    // SSE2 runs on any x86-64 processor. Newer instructions would round some pixels differently.
     const std::string config = "isa=sse2" + (fewer ? ",threads=" + std::to_string(threads) : "");
     state_->device = rtcNewDevice(config.c_str());
     if (state_->device == nullptr) throw Error(Exit::failure, "cannot draw in perspective: Embree does not start");

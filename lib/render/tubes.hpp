@@ -1,4 +1,4 @@
-// The beads of a scene as round curves, and its meshes, that rays can be shot at (Embree).
+// The beads of a scene as round curves, and its meshes, as targets of rays (Embree).
 #pragma once
 
 #include "render/tint.hpp"
@@ -11,11 +11,12 @@ namespace filum::render {
 struct Hit {
     bool any = false;
     float distance = 0; // along the ray, in lengths of its direction
-    geom::Vec3 normal;  // in the part's space, length 1, towards the ray's side
+    geom::Vec3 normal;  // in the space of the part, length 1, facing the ray
     Rgb albedo;
 };
 
-// Space for rays: that of the part, moved so that `centre` is the origin (floats then suffice at any coordinates).
+// Beads and meshes for rays. Rays use the space of the part, moved so that `centre` is the origin. So floats suffice at
+// any coordinates.
 class Tubes {
   public:
     Tubes(const Scene& scene, const Tint& tint, bool travels, int threads);
@@ -23,15 +24,15 @@ class Tubes {
     Tubes(const Tubes&) = delete;
     Tubes& operator=(const Tubes&) = delete;
 
-    // What four rays from one point hit first; faster than one by one where they run close together.
+    // The first hits of four rays from one point. Faster than single rays if they run close together.
     [[nodiscard]] std::array<Hit, 4> shoot(geom::Vec3 from, const std::array<geom::Vec3, 4>& direction) const;
     // True if something lies within `reach` lengths of `direction`.
     [[nodiscard]] bool blocked(geom::Vec3 from, geom::Vec3 direction, float reach) const;
 
     [[nodiscard]] bool empty() const;
-    [[nodiscard]] geom::Vec3 centre() const; // in the part's coordinates
-    [[nodiscard]] geom::Vec3 half() const;   // half the size of the box around everything
-    [[nodiscard]] double thickness() const;  // mm, of a typical bead: the larger of its half axes
+    [[nodiscard]] geom::Vec3 centre() const; // the origin of rays, in coordinates of the part
+    [[nodiscard]] geom::Vec3 half() const;   // half the size of the bounding box
+    [[nodiscard]] double thickness() const;  // mm, the larger half axis of a typical bead
 
   private:
     struct State;

@@ -16,7 +16,7 @@ constexpr std::size_t kMostLooks = 64;
 
 const std::vector<Look>& names() {
     constexpr Vec3 kIso{1, -1.5, 0.9};
-    constexpr double kLean = 1.2; // 50 degrees
+    constexpr double kLean = 1.2; // tangent of 50 degrees
     static const std::vector<Look> kNames = {
         {"iso", kIso},
         {"top", {0, 0, 1}},
@@ -52,7 +52,8 @@ std::vector<std::string> words(const std::string& list) {
     return out;
 }
 
-// Columns of a sheet of n cells: the ratio of their sides nearest to 4 : 3, fewer columns for equals.
+// The number of columns of a sheet of n cells: the one with cells nearest to 4 : 3 and few empty cells. Ties: fewer
+// columns.
 int columns(int n, int width, int height) {
     int best = 1;
     double least = INFINITY;
@@ -107,7 +108,7 @@ Image contact_sheet(const std::vector<Look>& looks, int width, int height, const
         const int i = k % across, j = k / across;
         const int x0 = i * width / across, x1 = (i + 1) * width / across;
         const int y0 = j * height / down, y1 = (j + 1) * height / down;
-        if (x1 - x0 < 2 || y1 - y0 < 2) continue; // no room
+        if (x1 - x0 < 2 || y1 - y0 < 2) continue; // no room for a picture
         Image cell = draw(looks[static_cast<std::size_t>(k)], x1 - x0 - 1, y1 - y0 - 1);
         const double size = std::clamp(cell.height / 60.0, 6.0, 24.0);
         draw_text(cell, {size, 1.8 * size}, size, looks[static_cast<std::size_t>(k)].name, oklch(0.42, 0.02, 260));

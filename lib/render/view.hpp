@@ -1,4 +1,4 @@
-// From where pictures are taken, and several pictures in one.
+// Directions that pictures are taken from, and several pictures in one.
 #pragma once
 
 #include "render/image.hpp"
@@ -11,20 +11,21 @@ namespace filum::render {
 
 struct Look {
     std::string name;
-    geom::Vec3 from;             // direction from the part to the camera
-    bool face = false;           // instead: straight onto what is shown, along its mean normal,
-    double aside = 0, above = 0; // or leaning from there to the picture's right and up: tangents of the angles
+    geom::Vec3 from; // direction from the part to the camera
+    // Instead of `from`: straight at the object along its mean normal, or turned from there to the right and up in the
+    // picture. `aside` and `above` are the tangents of these angles.
+    bool face = false;
+    double aside = 0, above = 0;
 };
 
-// Looks apart by commas: names (iso, top, bottom, front, back, left, right, face, face-left, face-right, face-up,
-// face-down) and directions of three numbers.
-// Throws Error(usage) naming the option --`option`.
+// Reads a list of looks separated by commas: names (iso, top, bottom, front, back, left, right, face, face-left,
+// face-right, face-up, face-down) or directions of three numbers. Throws Error(usage) naming the option --`option`.
 std::vector<Look> looks(const std::string& list, const std::string& option);
 
 using Draw = std::function<Image(const Look& look, int width, int height)>;
 
-// One picture of width x height: that of the only look, or one per look side by side in rows, each with its name; cells
-// as near to 4 : 3 as rows and columns allow.
+// A picture of width x height. A single look fills it. Several looks are drawn in a grid, each with its name, in cells
+// as near to 4 : 3 as possible.
 Image contact_sheet(const std::vector<Look>& looks, int width, int height, const Draw& draw);
 
 } // namespace filum::render

@@ -29,7 +29,7 @@ void append_base64(std::string& out, const std::string& bytes) {
     }
 }
 
-// `name` as the value of an XML attribute, control codes shown as text: XML knows no way to write them.
+// `name` as the value of an XML attribute. Control codes are shown as text, because XML cannot represent them.
 std::string quoted(const std::string& name) {
     std::string out;
     for (const char c : printable(name)) {
@@ -64,7 +64,7 @@ std::vector<double> flat(const std::vector<Vec3>& v) {
     return out;
 }
 
-// Lines or polygons by the indices of their corners, and where each ends.
+// Lines or polygons: the indices of their corners, and the end of each in that list.
 struct Cells {
     std::vector<std::int64_t> corners, ends;
 };

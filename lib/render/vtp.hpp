@@ -1,4 +1,4 @@
-// Surfaces and toolpaths for ParaView and its like: VTK's XML polygonal data.
+// Writes surfaces and toolpaths as VTK's XML polygonal data, for ParaView and other programs.
 #pragma once
 
 #include "render/scene.hpp"
@@ -7,10 +7,10 @@
 
 namespace filum::render {
 
-// The spans as lines, per point "normal" (0, 0, 1 where there is none), "width" and "height" in mm (0 in a travel) and
-// "progress", the mm of bead before it; per line "role" (a comment says which is which), "stroke", "layer" and
-// "region".  Without spans the surface's triangles with its fields per vertex, vectors as such.  Numbers are binary,
-// little-endian, in base 64.
+// The bytes of the file. Spans become lines. Each point has "normal" (0, 0, 1 if unknown), "width" and "height" in mm
+// (0 in a travel), and "progress", the mm of bead before it. Each line has "role" (a comment lists the names),
+// "stroke", "layer" and "region". Without spans the file holds the triangles of the surface with its fields per vertex;
+// vectors stay vectors. Numbers are binary, little-endian, in base 64.
 std::string vtp(const Scene& scene);
 
 } // namespace filum::render
