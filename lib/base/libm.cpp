@@ -1,16 +1,19 @@
-// The functions of the C library's libm whose last bit depends on the processor, defined once for all of them.
+// Functions of libm whose last bit depends on the processor, defined once for all processors.
 //
-// glibc has several versions of sin, atan2, exp, ... and chooses one when a program starts: with fused multiply-add
-// where the processor has it, without it elsewhere.  The versions differ in the last bit now and then, and a path that
-// is decided by the smaller of two lengths differs with them.  The definitions below replace glibc's in every program
-// that links this library.  They add, multiply and divide IEEE doubles in a fixed order, so they give the same bits on
-// every x86-64 processor.  Largest errors found, in units in the
-// last place (tests/lib/base/libm.cpp): sin, cos, exp 1; log, atan, atan2 1.5; tan, asin, acos, log10 2.5; pow, unless
-// its exponent is a small whole number, 2 + 1.5 |y log x|.
+// glibc has several versions of sin, atan2, exp and others, and chooses one when a program starts. Versions for
+// processors with fused multiply-add sometimes differ in the last bit from the others. A path that is decided by the
+// smaller of two lengths then differs too.
 //
-// Method: reduction of the argument to a short interval with constants split in two or three parts (Cody and Waite,
-// Software Manual for the Elementary Functions, 1980), then the Taylor series, long enough that its remainder is below
-// 2^-56 of the value.  This file is compiled with -fno-builtin, or a compiler would take it for what it replaces.
+// The definitions below replace those of glibc in every program that links this library. They add, multiply and divide
+// IEEE doubles in a fixed order, so they give the same bits on every x86-64 processor.
+//
+// Largest errors found, in units in the last place (tests/lib/base/libm.cpp): sin, cos, exp 1; log, atan, atan2 1.5;
+// tan, asin, acos, log10 2.5. pow: 2 + 1.5 |y log x|, unless its exponent is a small whole number.
+//
+// Method: the argument is reduced to a short interval, with constants split into two or three parts (Cody and Waite,
+// Software Manual for the Elementary Functions, 1980). The Taylor series follows, with a remainder below 2^-56 of the
+// value. This file is compiled with -fno-builtin, otherwise a compiler would take the definitions for the functions
+// that they replace.
 #include <cstdint>
 #include <limits>
 

@@ -8,8 +8,8 @@
 
 namespace filum {
 
-// The restricted Damerau-Levenshtein distance of two texts, in bytes: how many letters must be changed, added, dropped
-// or swapped with their neighbour to turn `a` into `b`.
+// The restricted Damerau-Levenshtein distance of two texts, in bytes. It is the number of letters that must be changed,
+// added, dropped or swapped with their neighbour to turn `a` into `b`.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 // The name in `names` that is nearest to `word`, if at most a third of the letters of the longer one differ. Ties: the

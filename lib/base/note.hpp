@@ -66,7 +66,7 @@ std::string line(const Note& note);
 
 // Adds `note` to a sum of the same kind. The sum keeps the place of the worst case.
 void add(Note& sum, const Note& note);
-// Whether two notes add up: the same code, detail and patch, by the same stage.
+// True if two notes can be summed: the same code, detail and patch, by the same stage.
 bool same_kind(const Note& a, const Note& b);
 // The notes summed by kind, ordered by grade: will_fail, look, harmless. Within a grade they keep the order of their
 // first cases.
