@@ -18,9 +18,10 @@ std::string markdown(const Spec& spec); // docs/commands/NAME.md
 // One line for shell completion: the name, then the options as --flag, --option=UNIT, --file=FILE, --choice={a,b}.
 std::string completion_line(const Spec& spec);
 
-// The facts that the tests and the front command rely on, one a line: "synopsis ...", "in file|text|none|stream
-// Regions", "out ...", "flag NAME", "option NAME UNIT", "default NAME VALUE", "range NAME LEAST MOST [open] [zero]",
-// "limit NAME", "needs NAME NEED" with the need in the syntax of Option::when, "example COMMAND".
+// The facts that the tests and the front command rely on, one a line:
+// "synopsis ...", "in file|text|none|stream Regions", "out ...", "flag NAME", "option NAME UNIT", "default NAME VALUE",
+// "range NAME LEAST MOST [open] [zero]", "limit NAME", "needs NAME NEED", "example COMMAND".
+// NEED has the syntax of Option::when.
 std::string contract(const Spec& spec);
 
 // The value of an option as the history records it.

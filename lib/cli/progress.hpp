@@ -13,8 +13,8 @@ struct Io;
 // The progress as text: "NAME [####   ]  40 %". With `expected` 0 it is "NAME: DONE", or "NAME" if nothing is done yet.
 std::string bar(const std::string& name, std::uint64_t done, std::uint64_t expected);
 
-// Counts finished steps. Clock shows the count. If the environment variable FILUM_PROGRESS names a file descriptor,
-// lines "PROGRAM DONE EXPECTED" are written to it, one every 16 steps and one at the end.
+// Counts finished steps, and Clock shows the count. If the environment variable FILUM_PROGRESS names a file descriptor,
+// lines "PROGRAM DONE EXPECTED" are written to it, every 16 steps and at the end.
 class Progress {
   public:
     Progress(const Io& io, std::uint64_t expected); // 0: unknown, counts only
