@@ -11,7 +11,7 @@ Vec3 Camera::ray(double sx, double sy) const { return unit(forward + sx * right 
 
 namespace {
 
-constexpr double kTan = 0.2679; // of half the smaller angle of view: 30 degrees in all
+constexpr double kTan = 0.2679; // tangent of half the smaller angle of view, which is 30 degrees
 
 Camera towards(Vec3 from) {
     Camera c;
@@ -34,12 +34,13 @@ Camera aim(Vec3 at, double radius, Vec3 from, double aspect) {
 }
 
 Camera aim(const Scene& scene, Vec3 centre, Vec3 from, double aspect, bool travels) {
-    constexpr double kMargin = 0.90; // of the picture that is filled
+    constexpr double kMargin = 0.90; // share of the picture that the points fill
     Camera c = towards(from);
     const double tan_v = aspect >= 1 ? kTan : kTan / aspect, tan_h = tan_v * aspect;
     const double th = kMargin * tan_h, tv = kMargin * tan_v;
-    // Largest r - t f and -r - t f over the points, where r, f are their coordinates to the right (or upwards) and
-    // forward: the four sides of the pyramid of sight, pushed outwards until nothing is beyond them.
+    // The largest r - t f and -r - t f over all points, where t is th or tv. r is the coordinate to the right or
+    // upwards, f the one forward. They give the four sides of the viewing pyramid, moved outwards until no point is
+    // beyond them.
     double right = -INFINITY, left = -INFINITY, top = -INFINITY, bottom = -INFINITY;
     const auto show = [&](const Vec3& at, double w) {
         const Vec3 p = at - centre;

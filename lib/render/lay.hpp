@@ -10,9 +10,10 @@ namespace filum::render {
 inline constexpr double kFat = 1.02;
 
 struct Laid {
-    Strokes beads{{}};         // all extruding spans, widened by kFat
-    std::vector<Stroke> loose; // those that do not lie on the surface: farther from it than half their width and as
-                               // many heights as their layer's number, seen from the side that their normals look to
+    Strokes beads{{}}; // all extruding spans, widened by kFat
+    // Beads that do not lie on the surface, seen from the side that their normals face. They are farther from it than
+    // half their width plus as many heights as the number of their layer.
+    std::vector<Stroke> loose;
     double length = 0, loose_length = 0; // mm, length of all beads and of the loose ones
     bool behind = false;                 // whether most of the path lies on the back of the surface
 };

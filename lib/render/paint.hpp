@@ -15,8 +15,8 @@ struct Show {
     std::vector<double> around = {}; // x, y, z, radius in mm of the ball that fills the picture; empty: everything
 };
 
-// The amounts at the ends of a field's colour ramp. They are the least and greatest known values, or the 1st and 99th
-// percentile if the values beyond would take more than a fifth of the ramp.
+// The amounts at the ends of a field's colour ramp: the least and greatest known values. If values beyond the 1st and
+// 99th percentile would take more than a fifth of the ramp, they are these percentiles.
 struct Scale {
     const surface::Field* field = nullptr;
     double lo = 0, hi = 1;

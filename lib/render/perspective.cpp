@@ -32,8 +32,9 @@ struct Studio {
     double floor = 0; // z of the table
 };
 
-// A pixel before its light is smoothed: its colour under an open sky and in full lamp light, and how much of sky and
-// lamp is free. Sky and lamp vary slowly, but the surfaces do not. So only the light is sampled coarsely and smoothed.
+// A pixel before its light is smoothed. It holds its colours under an open sky and in full lamp light, and how much of
+// both lights is free. Sky and lamp vary slowly, but the surfaces do not. So only the light is sampled coarsely and
+// smoothed.
 struct Pixel {
     Rgb under_sky, under_lamp, other; // sums over the samples
     float sky = 0, lamp = 0;          // sums of the free rays

@@ -9,8 +9,8 @@
 namespace filum::render {
 
 // Indices of the points to keep. A point that is left out lies within `tolerance` mm of the line between the kept
-// points around it, and its width differs by at most that much from the one interpolated there. Greedy; at most 24
-// points lie between two kept ones.
+// points around it. Its width differs by at most `tolerance` from the interpolated one. Greedy: each segment is
+// extended as far as possible, over at most 24 segments of the path.
 std::vector<std::uint32_t> visible_points(const toolpath::Span& s, double tolerance);
 
 } // namespace filum::render

@@ -33,8 +33,8 @@ struct Cover {
 class Strokes {
   public:
     explicit Strokes(std::vector<Stroke> strokes);
-    // The cover of the point `p` of a surface with `normal` there. A stroke covers it if it lies on this side, at most
-    // `reach` off, and at most half its width aside, seen along the stroke's own normal.
+    // The cover of the point `p` of a surface with `normal` there. A stroke covers it if it lies on this side and at
+    // most `reach` off. Seen along the stroke's own normal, the point must be at most half its width aside.
     [[nodiscard]] Cover at(geom::Vec3 p, geom::Vec3 normal) const;
     [[nodiscard]] bool empty() const { return strokes_.empty(); }
 
