@@ -1,5 +1,6 @@
 'use strict';
-// Beads as instances: one per segment, drawn as a ribbon that faces the eye (many) or as a tube of six sides (few).
+// Draws beads as instances, one per segment: as ribbons that face the eye (many beads) or as tubes with six sides (few
+// beads).
 Filum.VERTEX = `
 attribute vec3 from, to;
 attribute vec3 size;      // width, height, layer (below 0: nothing)

@@ -1,11 +1,11 @@
 'use strict';
-// What colours mean.
+// The colours of beads and their meaning.
 Filum.RAMP = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
 Filum.ramp = t => {
     const at = Math.min(0.99999, Math.max(0, t)) * (Filum.RAMP.length - 1), k = Math.floor(at), f = at - k;
     return Filum.RAMP[k].map((v, i) => v + (Filum.RAMP[k + 1][i] - v) * f);
 };
-Filum.distinct = i => { // hues by the golden angle
+Filum.distinct = i => { // hues step by the golden angle
     const h = (i * 0.381966 + 0.58) % 1, l = 0.5 + 0.12 * (i % 3 - 1) / 1.5, s = 0.62;
     const f = n => { const k = (n + h * 12) % 12; return l - s * Math.min(l, 1 - l) * Math.max(-1, Math.min(k - 3, 9 - k, 1)); };
     return [255 * f(0), 255 * f(8), 255 * f(4)];
@@ -15,7 +15,7 @@ Filum.FEATURE_COLOURS = [[0, 0, 0], [214, 69, 65], [240, 150, 50], [66, 120, 190
     [190, 190, 190], [250, 150, 165], [70, 150, 70], [150, 205, 110], [115, 122, 132], [70, 70, 130]];
 Filum.css = c => 'rgb(' + c.map(Math.round).join(',') + ')';
 
-// By name: kind 'ramp' with a value per segment, or 'kinds' with a number and a word per span.
+// Ways to colour, by name: 'ramp' gives a value per segment, 'kinds' a number and a word per span.
 Filum.COLOURS = {
     stroke: { kinds: (p, s) => p.c.stroke[s], word: k => 'stroke ' + (k + 1) },
     progress: { ramp: (p, i) => i, unit: '', ends: ['start', 'end'] },
@@ -32,7 +32,7 @@ Filum.COLOURS = {
 };
 Filum.kindColour = (how, k) => (how.colour || Filum.distinct)(k);
 
-// The range that a ramp spans over all programs: from the first to the last percent of the moves that lay something.
+// The range of a ramp over all programs, from the 1st to the 99th percentile of the extruding moves.
 Filum.range = (how, programs) => {
     const values = [];
     for (const p of programs) {
@@ -45,7 +45,7 @@ Filum.range = (how, programs) => {
     return [lo, hi > lo ? hi : lo + 1];
 };
 
-// RGBA per point, of the segment that begins there.
+// RGBA per point: the colour of the segment that begins there.
 Filum.tones = (p, name, range) => {
     const how = Filum.COLOURS[name], out = new Uint8Array(4 * p.n), known = new Map();
     for (let i = 0; i < p.n; i++) {

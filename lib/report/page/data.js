@@ -1,5 +1,5 @@
 'use strict';
-// The programs in the page: columns unpacked (lib/report/column.hpp), and what follows from them.
+// The programs in the page: their unpacked columns (lib/report/column.hpp), and values derived from them.
 const Filum = {};
 
 Filum.ROLES = ['bead', 'lift', 'jog', 'connector', 'travel', 'hairpin'];
@@ -39,7 +39,7 @@ Filum.Program = class {
         Object.assign(this, about);
         this.c = c;
         this.n = c.x.length;
-        this.spanOf = new Uint32Array(this.n); // per point
+        this.spanOf = new Uint32Array(this.n); // per point: index of its span
         for (let s = 0; s < c.start.length; s++) this.spanOf.fill(s, c.start[s], this.end(s));
         this.measure();
         this.bounds();
@@ -50,29 +50,30 @@ Filum.Program = class {
         const c = this.c;
         return Math.hypot(c.x[i + 1] - c.x[i], c.y[i + 1] - c.y[i], c.z[i + 1] - c.z[i]) / 1000;
     }
-    // A figure by its name, as a number; of several the first.
+    // The figure of that name as a number; if there are several, the first.
     figure(name) {
         const found = this.figures.find(f => f[1] === name && !f[0].startsWith('notes')), v = found ? parseFloat(found[2]) : NaN;
         return Number.isFinite(v) ? v : undefined;
     }
-    // What a stage was told, or undefined.
+    // The value of a stage's setting, or undefined.
     told(stage, name) {
         for (const [program, settings] of this.made)
             if (program === stage) for (const [key, value] of settings) if (key === name) return value;
         return undefined;
     }
-    // What kind of job it is: its figures and its colours go by that.
+    // The kind of the job, which selects figures and colours.
     job() {
         if (this.surfaces.length || this.c.nx.length) return 'surface';
         if (this.told('fill', 'pattern') === 'scaffold') return 'scaffold';
         return this.c.feature.some(f => f > 0) ? 'hollow' : 'solid';
     }
-    // Of a scaffold, mm.
+    // The spacing of a scaffold, mm.
     spacing() {
         const told = +this.told('fill', 'spacing'), pore = this.told('fill', 'pore-size'), width = +this.told('fill', 'bead-width');
         return pore ? +pore + width : told || 2.5 * width;
     }
-    // The direction that a surface is seen from: that of its path, or of most of its area; else null.
+    // The direction that a surface is seen from: the mean tool axis of its path, or the mean normal of its area. Null
+    // if there is no clear direction.
     facing() {
         const c = this.c, sum = [0, 0, 0];
         let all = 0;
@@ -87,13 +88,13 @@ Filum.Program = class {
                     all += Math.hypot(...n);
                 }
             });
-        const length = Math.hypot(...sum), least = 0.3; // of a closed surface no side is the front
+        const length = Math.hypot(...sum), least = 0.3; // a closed surface has no front
         return all > 0 && length > least * all ? sum.map(v => v / length) : null;
     }
     measure() {
         const c = this.c, layers = new Map();
-        this.volumes = new Map(); // mm3 by role, as the colour of that name counts
-        this.along = new Float64Array(this.n); // mm laid before each point
+        this.volumes = new Map(); // mm3 by role, in the groups of the colour 'role'
+        this.along = new Float64Array(this.n); // mm extruded before each point
         this.sums = { laid: 0, travel: 0, volume: 0, moves: 0 };
         this.strokes = new Map(); // number -> first point, length
         for (let s = 0; s < c.start.length; s++) {
@@ -144,7 +145,7 @@ Filum.Program = class {
         this.size = this.printed();
         this.radius = Math.max(0.1, Math.hypot(...this.hi.map((v, k) => v - this.lo[k])) / 2);
     }
-    // The size of the part as it is printed, as toolpath::Extent has it: mm along x, y and z.
+    // The size of the printed part as toolpath::Extent defines it: mm along x, y and z.
     printed() {
         const c = this.c, lo = [Infinity, Infinity, Infinity], hi = [-Infinity, -Infinity, -Infinity];
         for (let s = 0; s < c.start.length; s++) {
@@ -159,7 +160,7 @@ Filum.Program = class {
         }
         return lo.map((v, k) => v <= hi[k] ? (hi[k] - v) / 1000 : 0);
     }
-    // Which share of all that is laid lies before point i, and the first point that has so much before it.
+    // The share of the extruded length before point i, and the first point with that share before it.
     share(i) { return this.sums.laid > 0 ? this.along[Math.min(i, this.n - 1)] / this.along[this.n - 1] : 1; }
     atShare(share) {
         const want = share * (this.n ? this.along[this.n - 1] : 0);

@@ -1,5 +1,6 @@
 'use strict';
-// One layer from above, in true widths: outlines are filled in the colour of voids, beads lie on them.
+// Draws one layer from above in true widths. Outlines are filled with the colour of voids, and beads are drawn over
+// them.
 Filum.Flat = class {
     constructor(canvas, said, note) {
         Object.assign(this, { canvas, said, note });
@@ -20,7 +21,7 @@ Filum.Flat = class {
         Object.assign(this, { p, layer, path, tones });
         this.draw();
     }
-    // Shows a place of the part in the middle, closely.
+    // Shows a place of the part in the middle, enlarged by `zoom`.
     look(x, y, zoom) { this.shift = [this.p.middle[0] - x, this.p.middle[1] - y]; this.zoom = zoom; this.draw(); }
     draw() {
         const { canvas, p } = this, w = canvas.clientWidth, h = canvas.clientHeight;

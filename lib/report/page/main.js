@@ -1,5 +1,5 @@
 'use strict';
-// Puts the page together, and keeps what is shown in step with the sliders, buttons and keys.
+// Builds the page, and updates the views when sliders, buttons and keys are used.
 (async () => {
     const $ = id => document.getElementById(id), began = performance.now();
     const told = text => { $('layers-said').textContent = text; };
@@ -19,7 +19,7 @@
     const points = Math.max(1, programs[0].n - 1);
 
     // --- what is shown ---
-    // Each program has laid the same share of its own path.
+    // All programs show the same share of their own paths.
     const count = p => p === programs[0] || state.path >= points ? Math.min(p === programs[0] ? state.path : points * p.n, Math.max(0, p.n - 1)) : p.atShare(programs[0].share(state.path));
     function showPath() {
         views.forEach(v => v.path(count(v.p)));
@@ -37,7 +37,7 @@
         showFlat();
     }
     function showFlat() {
-        // While all layers are shown the top one would hide them: then the middle one is shown from above.
+        // If all layers are shown, the top one would hide the others, so the middle one is shown from above.
         const at = state.low === 0 && state.high === layers.length - 1 ? layers.length >> 1 : state.high;
         if (!$('tab-layer').hidden) flat.show(programs[0], layers[at] ?? 0, count(programs[0]), state.tones[0]);
     }

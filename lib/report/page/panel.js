@@ -1,5 +1,5 @@
 'use strict';
-// The figures, the lists of places, and how it was made.
+// The panel with figures, lists of places, and the settings of the programs.
 Filum.make = (parent, tag, text, css) => {
     const e = parent.appendChild(document.createElement(tag));
     if (text !== undefined) e.textContent = text;
@@ -7,7 +7,7 @@ Filum.make = (parent, tag, text, css) => {
     return e;
 };
 
-// A table under a heading; long values wrap, so that the panel needs no scroll bar below.
+// Adds a table under a heading. Long values wrap, so the panel needs no horizontal scroll bar.
 Filum.rows = (parent, heading, list) => {
     if (!list.length) return;
     if (heading) Filum.make(parent, 'h2', heading);
@@ -24,7 +24,7 @@ Filum.duration = s => {
     return h ? h + ' h ' + m + ' min' : m ? m + ' min ' + Math.round(s % 60) + ' s' : s.toFixed(1) + ' s';
 };
 
-// What tables hold: [name, value per program], without rows of which nothing is known.
+// Collects rows of a table, [name, value per program]. Rows without a known value are left out.
 Filum.table = programs => {
     const out = [];
     const row = (name, f) => { const v = programs.map(p => f(p) ?? '-'); if (v.some(t => t !== '-')) out.push([name, ...v]); };
@@ -32,7 +32,7 @@ Filum.table = programs => {
     return { out, row, given };
 };
 
-// The first things to know of any job.
+// The most important figures of any job.
 Filum.glance = programs => {
     const n = Filum.number, { out, row, given } = Filum.table(programs);
     row('time', given('print time', Filum.duration));
@@ -47,7 +47,7 @@ Filum.glance = programs => {
     return out;
 };
 
-// The figures that matter to a job of this kind.
+// The figures that matter to jobs of this kind.
 Filum.worth = programs => {
     const n = Filum.number, shares = v => n(100 * v, 1) + ' %', { out, row, given } = Filum.table(programs);
     const kinds = new Set(programs.map(p => p.job()));
@@ -110,7 +110,7 @@ Filum.figures = (tab, programs) => {
     }
 };
 
-// Where one may fly to: [heading, [text, x, y, z, layer, point]...].
+// The places that the view can go to: [heading, [text, x, y, z, layer, point]...].
 Filum.places = p => {
     const c = p.c, at = i => [c.x[i] / 1000, c.y[i] / 1000, c.z[i] / 1000], out = [];
     const spots = kind => p.spots.filter(s => s[0] === kind).map(s => [s[1] + (s[5] >= 0 ? ', layer ' + s[5] : ''), s[2], s[3], s[4], s[5], -1]);

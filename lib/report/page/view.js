@@ -1,12 +1,13 @@
 'use strict';
-// One program in three dimensions.  All views share one camera: `where`, about the middle of the first program.
+// The view of one program in three dimensions. All views share one camera: `where`, relative to the middle of the first
+// program.
 Filum.where = { turn: -0.9, rise: 0.6, far: 3, at: [0, 0, 0] };
 Filum.LOOKS = { iso: [-0.9, 0.6], top: [-Math.PI / 2, 1.5699], front: [-Math.PI / 2, 0], right: [0, 0] };
 
 Filum.View = class {
     constructor(p, parent, changed) {
         this.p = p;
-        this.changed = changed; // called where the camera was moved
+        this.changed = changed; // called when the camera was moved
         this.element = parent.appendChild(document.createElement('div'));
         this.element.className = 'view';
         this.canvas = this.element.appendChild(document.createElement('canvas'));
@@ -43,7 +44,7 @@ Filum.View = class {
     }
     addTravels() {
         const p = this.p, points = [];
-        this.travelEnds = []; // the point that each line ends at, ascending
+        this.travelEnds = []; // the last point of each line, ascending
         for (let s = 0; s < p.c.start.length; s++) {
             if (p.c.role[s] !== Filum.TRAVEL) continue;
             for (let i = p.c.start[s]; i + 1 < p.end(s); i++) {
@@ -82,7 +83,7 @@ Filum.View = class {
             return m;
         });
     }
-    // Lowers a surface by a bead's height, away from the path, so that beads lie on it and do not fight for depth.
+    // Moves a surface away from the path by the height of a bead. So beads lie on it, and depths do not conflict.
     sink(g, xyz) {
         const c = this.p.c, normal = g.attributes.normal.array, front = this.p.facing();
         let high = 0;
@@ -93,7 +94,7 @@ Filum.View = class {
         const side = front && front[0] * sum[0] + front[1] * sum[1] + front[2] * sum[2] < 0 ? -1 : 1;
         for (let i = 0; i < xyz.length; i++) xyz[i] -= side * 1.1 * high * normal[i];
     }
-    // Colours surfaces by a field; 'void': what is farther from the path than half a bead.
+    // Colours surfaces by a field; grey for surfaces without it.
     field(name) {
         this.surfaces.forEach((m, k) => {
             const which = this.p.surfaces[k].findIndex(f => f[0] === name), colour = m.geometry.attributes.color;
@@ -142,9 +143,9 @@ Filum.View = class {
         if (this.asked) return;
         this.asked = requestAnimationFrame(() => { this.asked = 0; this.draw(false); this.settle(); });
     }
-    settle() { // what stands still may be drawn finely
+    settle() { // a picture that stands still may be drawn finely
         clearTimeout(this.settling);
-        const patience = 500, dearer = 6; // ms for a still picture; what a tube costs beside a ribbon
+        const patience = 500, dearer = 6; // longest time for a still picture, ms; cost of a tube relative to a ribbon
         if (this.beads && dearer * this.cost * this.beads.shown < patience) this.settling = setTimeout(() => this.draw(true), 250);
     }
     draw(fine) {
@@ -166,7 +167,7 @@ Filum.View = class {
         this.renderer.setClearColor(getComputedStyle(document.documentElement).getPropertyValue('--back').trim());
         const began = performance.now(), first = this.beads && this.cost === undefined;
         this.renderer.render(this.scene, this.camera);
-        if (first) { // ms per bead: reading a pixel waits until it is drawn
+        if (first) { // measures ms per bead: reading a pixel waits until drawing ends
             const gl = this.renderer.getContext();
             gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
             this.cost = (performance.now() - began) / Math.max(1, this.beads.shown);
@@ -201,7 +202,7 @@ Filum.View = class {
         const unit = 2 * Math.tan(35 / 2 * Math.PI / 180) * Filum.where.far * this.p.radius / this.h, m = this.camera.matrix.elements;
         Filum.where.at = Filum.where.at.map((v, k) => v - dx * unit * m[k] + dy * unit * m[4 + k]);
     }
-    // The shown bead nearest to the eye under the pointer.
+    // Describes the bead under the pointer that is nearest to the eye.
     pick(e) {
         if (!this.beads) return;
         const box = this.canvas.getBoundingClientRect(), u = this.beads.uniforms;
