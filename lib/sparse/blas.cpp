@@ -1,9 +1,9 @@
 // The six functions of BLAS and LAPACK that CHOLMOD calls, by Eigen and sparse/product.
 //
-// OpenBLAS, the usual BLAS of Debian, chooses its kernels by the processor.  A sum that is added up in another order
-// has another last bit.  The definitions below replace them in every program that links this library: Eigen is compiled
-// with it, for any x86-64, and its blocks get one size on all machines.  Arguments, orders and layouts are those of the
-// BLAS standard (column-major, all arguments by address); CHOLMOD uses unit strides and these letters only:
+// OpenBLAS, the usual BLAS of Debian, chooses its kernels by the processor. A sum in another order can differ in its
+// last bit. The definitions below replace these functions in every program that links this library. They use Eigen,
+// compiled for any x86-64 processor, with the same block sizes on all machines. Arguments, orders and layouts are those
+// of the BLAS standard: column-major, all arguments by address. CHOLMOD uses unit strides and only these letters:
 //   dgemm  N,C  C = alpha A B' + beta C          dsyrk  L,N  C = alpha A A' + beta C, lower triangle
 //   dtrsm  R,L,C,N  B = B L'^-1 and L,L,(N|C),N  B = L^-1 B, L'^-1 B        dpotrf  L  A = L L'
 //   dgemv  (N|C)  y = alpha A x + beta y         dtrsv  L,(N|C),N  x = L^-1 x, L'^-1 x
