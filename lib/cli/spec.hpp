@@ -136,8 +136,8 @@ struct Spec {
     Port in, out;
     std::string memory; // what the command keeps in memory at once: "two layers"
     std::vector<Option> options;
-    std::vector<Group> groups =
-        {}; // the groups of options, in the order of the help; options without a group come first
+    // The groups of options, in the order of the help; options without a group come first.
+    std::vector<Group> groups = {};
     std::vector<Example> examples;
     std::vector<std::string> see_also = {};
     std::string arguments = "[INPUT]"; // how the usage line names positional arguments
