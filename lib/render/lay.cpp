@@ -16,8 +16,8 @@ using geom::Vec3;
 
 constexpr double kSimplify = 0.004; // tolerance of visible_points, as a share of the bead width
 constexpr double kMostReach = 8;    // largest reach in half widths, limited by the memory of the grid of strokes
-constexpr double kBreak =
-    1e6; // mm added along the path for a travel, so that beads before and after it are no neighbours
+// Length in mm added along the path for a travel, so that beads before and after it are no neighbours.
+constexpr double kBreak = 1e6;
 constexpr std::uint32_t kSamples = 1 << 17, kSeed = 7;
 
 std::vector<Stroke> beads(const Scene& scene, const Tint& tint) {

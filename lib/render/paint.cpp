@@ -15,8 +15,8 @@ using geom::Vec3;
 
 constexpr double kCrease = 0.8;                 // cosine of the angle between normals from which an edge looks sharp
 constexpr std::uint32_t kIsoline = 0, kRim = 1; // layers of the lines
-constexpr double kSlim =
-    0.35; // share of their width that beads are drawn with, so that a field is visible between them
+// Share of their width that beads are drawn with, so that a field is visible between them.
+constexpr double kSlim = 0.35;
 constexpr Rgb kBack{0.50F, 0.55F, 0.68F}; // factor for the back: darker and bluish
 constexpr Rgb kLineInk{0.020F, 0.022F, 0.030F};
 

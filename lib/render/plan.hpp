@@ -12,8 +12,8 @@ namespace filum::render {
 // A parallel projection. Lengths across the line of sight have the same scale everywhere.
 struct Plan {
     int width = 0, height = 0; // pixels
-    geom::Vec3 centre, right, up,
-        towards;      // `centre` in mm; the others are unit vectors, and `towards` points to the viewer
+    // `centre` in mm; the others are unit vectors, and `towards` points to the viewer.
+    geom::Vec3 centre, right, up, towards;
     double scale = 1; // pixels per mm
 
     // The place of `p` in the picture: pixels from the upper left corner, y downwards, and mm towards the viewer.

@@ -14,10 +14,10 @@ namespace {
 using geom::Vec3;
 
 constexpr double kMostCells = 1 << 20; // largest number of cells along an axis: 20 bits each in a key
-constexpr double kMostPieces =
-    1 << 17; // largest number of pieces one cell long; bounds the memory for very thin strokes
-constexpr double kTouch =
-    0.9; // share of the half width that counts for overlaps; farther out, two passes share only their border
+// Largest number of pieces one cell long; bounds the memory for very thin strokes.
+constexpr double kMostPieces = 1 << 17;
+// Share of the half width that counts for overlaps; farther out, two passes share only their border.
+constexpr double kTouch = 0.9;
 constexpr double kNear = 3; // widths along the path within which passes count as neighbours
 
 // The largest distance from its line of a point that the stroke covers.

@@ -17,8 +17,8 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double kOverlap =
-    1.03; // beads are drawn wider by this factor; otherwise light shines through where they just touch
+// Beads are drawn wider by this factor; otherwise light shines through where they just touch.
+constexpr double kOverlap = 1.03;
 
 struct Box {
     Vec3 lo{INFINITY, INFINITY, INFINITY}, hi{-INFINITY, -INFINITY, -INFINITY};
