@@ -42,8 +42,8 @@ struct Factor::State {
             cholmod_start(&common);
             common.print = 0;
             common.supernodal = CHOLMOD_AUTO; // CHOLMOD decides by its estimate of what supernodes save
-            common.final_ll =
-                1; // without it, a matrix that is not positive definite would be accepted without supernodes
+            // Without it, a matrix that is not positive definite would be accepted without supernodes.
+            common.final_ll = 1;
             common.nmethods = 1; // AMD only: nested dissection takes twice as long on surfaces, and threads would race
             common.method[0].ordering = CHOLMOD_AMD;
             common.postorder = 1;
