@@ -20,7 +20,7 @@ inline bool waited(int fd, short event) {
 
 inline constexpr std::size_t kBlock = std::size_t{256}
                                       << 10; // bytes; stays in the cache between read() and the copy out of it
-inline constexpr int kPipe =
-    1 << 20; // bytes, the most that Linux allows to every user: fewer switches between processes
+// Bytes, the most that Linux allows to every user: fewer switches between processes.
+inline constexpr int kPipe = 1 << 20;
 
 } // namespace filum::stream

@@ -45,8 +45,8 @@ const std::array<std::array<std::uint32_t, 256>, 4>& lane_shift() {
     static const auto tables = [] {
         std::array<std::array<std::uint32_t, 256>, 4> t{};
         for (std::uint32_t k = 0; k < 4; ++k)
-            for (std::uint32_t i = 1; i < 256;
-                 ++i) { // the map is linear, so only single bits are computed byte by byte
+            // The map is linear, so only single bits are computed byte by byte.
+            for (std::uint32_t i = 1; i < 256; ++i) {
                 const std::uint32_t rest = i & (i - 1);
                 t[k][i] = rest != 0 ? t[k][rest] ^ t[k][i ^ rest] : shift_by_table(i << (8 * k), kLane);
             }
