@@ -12,8 +12,8 @@ inline constexpr double kMaxCoordinate = 1e8; // mm; keeps later products far fr
 
 inline constexpr double kMaxBead = 1e4; // mm, largest width and height of a bead: no machine deposits a bead of 10 m
 
-inline constexpr double kLongestSpan =
-    1e7; // mm, largest length of the beads in a span: as on a layer of ten square metres
+// Largest length of the beads in a span, mm: as on a layer of ten square metres.
+inline constexpr double kLongestSpan = 1e7;
 
 inline bool usable(double v) { return std::abs(v) <= kMaxCoordinate; } // false for nan
 
