@@ -18,7 +18,7 @@ using geom::Vec3;
 
 constexpr int kRound = 48;             // corners of a circle
 constexpr std::size_t kMostDots = 500; // places that are drawn as dots
-constexpr double kFarthest = 1e7;      // mm from the origin
+constexpr double kFarthest = 1e7;      // largest absolute number that the list may hold, mm
 
 // A coordinate system at the tip; z points up the tool.
 struct Pose {
