@@ -86,7 +86,8 @@ void put_loops(proto::Loops& m, const polygon::Loops& loops) {
 // An array of positive numbers up to kMaxBead, one per point or one for all points. Throws Error(bad_input) for others.
 std::vector<double> per_point(const RepeatedField<double>& v, std::size_t n, const char* what, const char* name) {
     const auto size = static_cast<std::size_t>(v.size());
-    if (size != 1 && size != n) bad_frame(what, std::string(name) + " is neither one for all nor one per point");
+    if (size != 1 && size != n)
+        bad_frame(what, std::string(name) + " must have one entry for all points, or one per point");
     for (const double value : v)
         if (!(value > 0 && value <= kMaxBead))
             bad_frame(what, std::string(name) + " is not between 0 and 10 m, as of a bead");
@@ -102,7 +103,7 @@ toolpath::Feature feature(int value, const char* what) {
 
 std::vector<toolpath::Feature> features(const proto::Curve& c, std::size_t points) {
     const std::size_t segments = points - (c.closed() ? 0 : 1), n = static_cast<std::size_t>(c.feature_size());
-    if (n > 1 && n != segments) bad_frame("paths", "its features are neither none, one, nor one per segment");
+    if (n > 1 && n != segments) bad_frame("paths", "its features must be none, one for all, or one per segment");
     std::vector<toolpath::Feature> out;
     out.reserve(n);
     for (const int value : c.feature()) out.push_back(feature(value, "paths"));
@@ -310,7 +311,7 @@ std::vector<geom::Vec3> normals(const proto::Span& m, std::size_t points) {
     const auto n = static_cast<std::size_t>(m.nx_size());
     if (static_cast<std::size_t>(m.ny_size()) != n || static_cast<std::size_t>(m.nz_size()) != n)
         bad_frame("span", "the parts of its normals differ in number");
-    if (n != 0 && n != points) bad_frame("span", "normals are neither none nor one per point");
+    if (n != 0 && n != points) bad_frame("span", "normals must be none, or one per point");
     std::vector<geom::Vec3> out(n);
     for (std::size_t i = 0; i < n; ++i) {
         const int k = static_cast<int>(i);
@@ -333,7 +334,7 @@ toolpath::Span span(const RawFrame& frame) {
     const auto xy = plane_points(m.x(), m.y(), "span");
     if (xy.size() < 2) bad_frame("span", "it has fewer than two points");
     const auto zs = static_cast<std::size_t>(m.z_size());
-    if (zs != 1 && zs != xy.size()) bad_frame("span", "z is neither one for all nor one per point");
+    if (zs != 1 && zs != xy.size()) bad_frame("span", "z must be one for all points, or one per point");
     out.points.reserve(xy.size());
     for (std::size_t i = 0; i < xy.size(); ++i) {
         const double z = m.z(static_cast<int>(zs == 1 ? 0 : i));

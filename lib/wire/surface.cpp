@@ -57,7 +57,7 @@ surface::Surface connected(const proto::Surface& m) {
 
 surface::Field field(const proto::Field& m, std::size_t vertices) {
     surface::Field out{m.name(), {m.value().begin(), m.value().end()}, std::max(1U, m.components())};
-    if (out.components != 1 && out.components != 3) bad_surface("a field is neither of numbers nor of vectors");
+    if (out.components != 1 && out.components != 3) bad_surface("the values of a field must be numbers or vectors");
     if (out.values.size() != vertices * out.components) bad_surface("a field has not one value per vertex");
     if (std::any_of(out.values.begin(), out.values.end(), [](double v) { return std::isnan(v); }))
         bad_surface("a field's value is not a number");
