@@ -28,7 +28,7 @@ double least_width(const Options& o) { return o.min_width > 0 ? o.min_width : o.
 
 int rings(const Options& o, int usual) { return o.rings < 0 ? usual : static_cast<int>(o.rings); }
 
-// One pass along the walls of a region that is thin all over; nothing for others.
+// One pass along the walls of a region that is thin everywhere; no curves for other regions.
 std::vector<toolpath::Curve> single_walls(const polygon::Region& r, double width, Notes& notes) {
     const auto graph = walls::wall_graph(r.loops, width);
     if (!graph) return {};
@@ -40,7 +40,7 @@ std::vector<toolpath::Curve> single_walls(const polygon::Region& r, double width
     return std::move(walk.curves);
 }
 
-// Opens the curve of a region that has thin walls, among others, along the longest of them.
+// Opens the curve along the longest thin wall of the region. A note gives the length of the other thin walls.
 void pass_one_wall_once(const polygon::Region& r, double width, toolpath::Curve& curve, Notes& notes) {
     const walls::WallGraph thin = walls::thin_walls(r.loops, width);
     const auto once = walls::pass_once(curve, thin, width);
@@ -64,7 +64,7 @@ std::vector<toolpath::Curve> by_spiral(const polygon::Region& r, const Options& 
     return std::move(s.curves);
 }
 
-// Of all patterns but scaffold, which depends on the regions before.
+// The curves of all patterns except scaffold, which depends on earlier regions.
 std::vector<toolpath::Curve> curves_by_pattern(const polygon::Region& r, const Options& o, double& unplaced,
                                                Notes& notes) {
     const double w = o.bead_width;
@@ -90,7 +90,7 @@ std::vector<toolpath::Curve> curves_by_pattern(const polygon::Region& r, const O
     return by_spiral(r, o, unplaced, notes);
 }
 
-// Lays walls whose lanes would be narrower than the least width in two passes, one on the other.
+// Prints walls whose lanes would be narrower than the least width in two passes, one on the other.
 void stack_thin_walls(const polygon::Region& r, const Options& o, Notes& notes, std::size_t first,
                       toolpath::RegionPaths& out) {
     if (out.curves.size() != 1) return;
@@ -98,7 +98,7 @@ void stack_thin_walls(const polygon::Region& r, const Options& o, Notes& notes, 
     out.stacked = walls::stack_lanes(out.curves[0], walls::thin_walls(r.loops, w), w, least);
     double length = 0;
     for (const auto& line : out.stacked) length += geom::length(line);
-    for (std::size_t i = first; i < notes.size(); ++i) // those are not narrow any more
+    for (std::size_t i = first; i < notes.size(); ++i) // stacked lanes are not narrow any more
         if (notes[i].code == NoteCode::bead_too_thin) notes[i].amount -= std::min(notes[i].amount, 2 * length);
     const auto from = notes.begin() + static_cast<std::ptrdiff_t>(first);
     notes.erase(std::remove_if(from, notes.end(),
@@ -106,7 +106,7 @@ void stack_thin_walls(const polygon::Region& r, const Options& o, Notes& notes, 
                 notes.end());
 }
 
-// Puts the notes from `first` on to their layer.
+// Sets the layer of the notes from index `first` on, and adds unreached areas to `unplaced`.
 void place(const polygon::Region& r, Notes& notes, std::size_t first, toolpath::RegionPaths& out) {
     for (std::size_t i = first; i < notes.size(); ++i) {
         notes[i].layer = r.layer;
@@ -114,7 +114,7 @@ void place(const polygon::Region& r, Notes& notes, std::size_t first, toolpath::
     }
 }
 
-// The column that r belongs to.
+// The index of the column that r belongs to. Adds a column if r begins one.
 std::size_t column(const polygon::Region& r, Before& before) {
     if (r.join == Join::vertical && !before.columns.empty()) return before.column;
     const auto box = polygon::bounds(r.loops[0]);
@@ -125,7 +125,7 @@ std::size_t column(const polygon::Region& r, Before& before) {
     return before.columns.size() - 1;
 }
 
-// Whether the region has an area at all; one of crossing or reversed loops may have none.
+// True if the region has an area. Else adds a note: a region of crossing or reversed loops may have none.
 bool has_area(const polygon::Region& r, Notes& notes) {
     if (polygon::signed_area(r.loops) > 0) return true;
     const geom::Vec2 at = r.loops.points.empty() ? geom::Vec2{} : r.loops.points.front();
@@ -146,7 +146,7 @@ toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& no
     if (has_area(r, notes)) out.curves = curves_by_pattern(r, o, out.unplaced, notes);
     if (o.thin == Thin::half_height && o.pattern == Pattern::spiral) stack_thin_walls(r, o, notes, first, out);
     if (o.pattern != Pattern::spiral)
-        join::lay_on_grid(out.curves, o.bead_width, notes); // which is made and checked there
+        join::lay_on_grid(out.curves, o.bead_width, notes); // spiral curves are made and checked on the grid
     place(r, notes, first, out);
     return out;
 }

@@ -1,4 +1,4 @@
-// Bead lines that fill one connected region, by the pattern asked for.
+// Fills one connected region with bead lines in a given pattern.
 #pragma once
 
 #include "base/note.hpp"
@@ -13,58 +13,61 @@
 
 namespace filum::fill {
 
-// spiral_zigzag and contour_zigzag: rings outside, as of the first, and rows inside.
+// spiral_zigzag and contour_zigzag: rings outside, joined as in `spiral` or separate as in `contour`, and rows inside.
 enum class Pattern : std::uint8_t { spiral, contour, zigzag, spiral_zigzag, contour_zigzag, rectilinear, scaffold };
 inline constexpr std::array kPatternNames{"spiral",         "contour",     "zigzag",  "spiral+zigzag",
                                           "contour+zigzag", "rectilinear", "scaffold"};
 
-// How walls of the spiral that are thinner than a bead are laid.
+// How the spiral fills walls thinner than a bead.
 enum class Thin : std::uint8_t {
-    lanes,       // two narrow ones, there and back
-    half_height, // there at half the layer's height, and back on top
-    single,      // once, where the curve may have two ends for it
+    lanes,       // two narrow lanes side by side, there and back
+    half_height, // two passes of half the layer height, one on the other
+    single,      // one pass, where the curve may have two ends
 };
 inline constexpr std::array kThinNames{"lanes", "half-height", "single"};
 
 struct Options {
     Pattern pattern = Pattern::spiral;
     double bead_width = 0.4;        // mm
-    double min_width = 0.1;         // mm: narrower beads of the spiral are reported
-    double min_radius = 0;          // mm: the spiral turns no tighter where it has room
-    std::vector<double> angles_deg; // of straight lines from the x axis: layer after layer, over and over;
-                                    // none: the pattern's own (0; scaffold 0, 90)
-    std::int64_t rings = -1;        // along the outline: of contour at most this many, of the others exactly;
-                                    // -1: the pattern's own number (all, 2 of the hybrids, 0)
+    double min_width = 0.1;         // mm: a note reports narrower beads of the spiral
+    double min_radius = 0;          // mm: the minimum radius of the spiral where it has room
+    std::vector<double> angles_deg; // of straight lines from the x axis, one per layer, repeated;
+                                    // empty: the default of the pattern (0; scaffold 0, 90)
+    std::int64_t rings = -1;        // along the outline: contour at most this many, other patterns exactly;
+                                    // -1: the default (contour all, the hybrids 2, others 0)
     Thin thin = Thin::lanes;
-    double spacing = 0; // scaffold: mm between strands; 0: two and a half bead widths
-    double stagger = 0; // scaffold: spacings by which every other round of angles is shifted
+    double spacing = 0; // scaffold: mm between strands; 0: 2.5 bead widths
+    double stagger = 0; // scaffold: shift of every other round of angles, in spacings
 };
 
-// What fills `region`, with the region's own data handed on.  Curves and ties as the pattern's own header says; spiral,
-// zigzag and spiral+zigzag give one closed curve.
+// Fills `region`. The result carries the id, layer, height, stroke and join of the region. Order and ties of curves are
+// those of the pattern's header. spiral, zigzag and spiral+zigzag give one closed curve, except where rings cannot be
+// joined or `thin` is `single`. A region without area gives no curve and a note.
 toolpath::RegionPaths fill(const polygon::Region& region, const Options& options, Notes& notes);
 
-// The same by another way to lay curves, such as a baseline's.
+// Fills `region` with curves from `lay`, such as a baseline's.
 using Lay = std::function<std::vector<toolpath::Curve>(const polygon::Region&, Notes&)>;
 toolpath::RegionPaths fill_by(const Lay& lay, const polygon::Region& region, Notes& notes);
 
-// What a scaffold's next region takes from those before: where it begins, and which lattice its strands lie on.
+// What a scaffold needs to know about the regions before: where the last curve ended, and the lattices of the columns.
 struct Before {
     struct Column {
-        geom::Box2 box;        // of its first region
-        polygon::Loops region; // that
+        geom::Box2 box;        // bounding box of the outline of its first region
+        polygon::Loops region; // its first region
     };
     std::vector<Column> columns;
-    std::size_t column = 0;         // of the region before
-    std::optional<geom::Vec2> exit; // of its curve
+    std::size_t column = 0;         // index of the column of the previous region
+    std::optional<geom::Vec2> exit; // last point of its last curve; none if that is closed
 };
 
-// The same, of a scaffold; regions come in processing order.  A region that continues the one before it begins where
-// that ended.  It shares the lattice of the first column that its middle lies in; else it begins a column.
+// Fills `region` with a scaffold. Call it with regions in processing order; it updates `before`. A region joined
+// vertically to the previous one begins where that one ended, and belongs to its column. Any other region belongs to
+// the first column whose box contains the centre of its own; without one it begins a column. All regions of a column
+// share one lattice.
 toolpath::RegionPaths fill_scaffold(const polygon::Region& region, const Options& options, Before& before,
                                     Notes& notes);
 
-// The strands' spacing, mm.  Throws Error(usage) where strands would overlap.
+// The distance between strands in mm. Throws Error(usage) if strands would overlap.
 double strand_spacing(const Options& options);
 
 } // namespace filum::fill

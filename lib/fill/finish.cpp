@@ -12,15 +12,14 @@ namespace filum::fill {
 
 namespace {
 
-// Whether a bead runs from a to b and back over itself to c: no turn at all, and where it is cut, rounding makes it
-// cross itself.
+// True if a bead runs from a to b and back over itself to c. Rounding such a point makes the bead cross itself.
 bool spike(geom::Vec2 a, geom::Vec2 b, geom::Vec2 c) {
     const double flat = 2 * toolpath::kLeastMove;
     return dot(b - a, c - b) <= 0 &&
            (geom::point_segment_distance(b, c, a) < flat || geom::point_segment_distance(a, b, c) < flat);
 }
 
-// Puts the line on the grid; drops points that fall together and the tips of spikes.
+// Puts the line on the grid; drops points that coincide and the tips of spikes.
 void tidy(toolpath::Curve& line) {
     for (geom::Vec2& p : line.points) p = toolpath::on_grid(p);
     toolpath::Curve out;
@@ -42,7 +41,7 @@ void tidy(toolpath::Curve& line) {
             ++first;
         }
     }
-    if (size() - first < 3) return; // less than a curve: as it was
+    if (size() - first < 3) return; // too few points for a curve: keep all
     line.points.assign(out.points.begin() + static_cast<std::ptrdiff_t>(first), out.points.end());
     line.width.assign(out.width.begin() + static_cast<std::ptrdiff_t>(first), out.width.end());
 }

@@ -1,4 +1,4 @@
-// Rings made curves that a machine can follow: joined, rounded, with few points, on its grid.
+// Turns rings into curves that a machine can follow: joined, rounded, with few points, on its grid.
 #pragma once
 
 #include "fill/join/cycle.hpp"
@@ -13,23 +13,24 @@
 namespace filum::fill {
 
 struct Finish {
-    double bead_width = 0.4; // mm, where widths differ the narrowest
-    double tolerance = 0.01; // mm: what the edges of beads may be off
-    bool wind = true;        // stacks of rings as double spirals
+    double bead_width = 0.4; // mm, the narrowest if widths differ
+    double tolerance = 0.01; // mm: tolerance of bead edges
+    bool wind = true;        // join stacks of rings as double spirals
     Rounded corners = Rounded::everywhere;
-    double open = 0;      // mm2 that a rounded right angle leaves; 0: the least void that counts, and all rounded
-                          // corners of a curve together no more than rings::kMostOpen of the region
-    bool thin_out = true; // leave out the points that are not needed
-    join::Hanging hung{}; // as of join_rings
-    double widest = 0;    // mm, of beads; 0: all are alike
+    double open = 0;      // mm2 of void at a rounded right angle; 0: the least void that counts, and for all
+                          // corners of a curve together at most rings::kMostOpen of the region
+    bool thin_out = true; // drop the points that are not needed
+    join::Hanging hung{}; // as in join_rings
+    double widest = 0;    // mm, widest bead; 0: all beads are bead_width wide
 };
 
-// The rings of a region as closed curves, one if they can be joined, the longest first; points in whole micrometres,
-// no two the same, no spikes.  They may cross themselves where corners were rounded.
+// Joins the rings of a region into closed curves, one if possible, the longest first, and rounds their corners. Points
+// lie on the grid of whole micrometres, no two consecutive points coincide, and there are no spikes. A curve may cross
+// itself where a corner was rounded.
 std::vector<toolpath::Curve> finished(const rings::Rings& rings, const polygon::Loops& region, const Finish& how);
 
-// Leaves open what tiny rings would lay (less than a bead's width squared) that no link has room for beside: all but
-// the first curve.  Returns that, mm2.
+// Removes tiny curves: those whose beads cover less than bead_width squared. They are rings that no link could join.
+// The first curve always stays. Returns the area in mm2 of the removed beads.
 double leave_tiny(std::vector<toolpath::Curve>& curves, double bead_width);
 
 } // namespace filum::fill

@@ -1,4 +1,4 @@
-// Whose paths they are.
+// Marks paths with the region that they fill.
 #pragma once
 
 #include "polygon/region.hpp"
@@ -6,7 +6,7 @@
 
 namespace filum::fill {
 
-// Gives `paths` the number, place, area, stroke and join of the region that they fill; curves stay as they are.
+// Copies id, layer, z, height, area, stroke and join from `region` to `paths`. The curves stay as they are.
 inline void identify(toolpath::RegionPaths& paths, const polygon::Region& region) {
     paths.region = region.id;
     paths.layer = region.layer;

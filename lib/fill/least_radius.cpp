@@ -15,14 +15,14 @@ using polygon::Loops;
 
 namespace {
 
-constexpr double kRoundingMargin = 1.05; // for what rounding takes off an arc
+constexpr double kRoundingMargin = 1.05; // factor of the radius: rounding tightens arcs
 
 bool sliver(const Loops& piece, double tolerance) {
     return polygon::signed_area(piece) < 1.5 * tolerance * polygon::perimeter(piece[0]);
 }
 
-// The part without the corners, tips and specks that no disc of `radius` reaches; arms larger than those stay, and so
-// do slivers.
+// The part without the corners, tips and specks that no disc of `radius` reaches. Arms (pieces larger than radius
+// squared) stay, and so do slivers beside an arm.
 Loops rounded_off(const Loops& part, double radius, double tolerance) {
     const Loops open = polygon::opened(part, radius, tolerance);
     Loops corners;
@@ -40,7 +40,7 @@ Loops rounded_off(const Loops& part, double radius, double tolerance) {
     return out;
 }
 
-// Adds loops as rings of a lane, each point as wide as that lane where it is nearest.
+// Adds loops as rings of a lane. Each point gets the width of that lane at the nearest place.
 void add_lane(const Loops& loops, int lane, const rings::Rings& from, const join::RingGraph& graph, double reach,
               rings::Rings& out) {
     for (std::size_t l = 0; l < loops.size(); ++l) {
@@ -67,7 +67,7 @@ rings::Rings with_round_corners(const rings::Rings& lanes, double width, double 
     rings::Rings out;
     if (lanes.size() == 0) return out;
     const join::RingGraph graph(lanes, 1.5 * width);
-    Loops outer; // the lane before, once it has been rounded
+    Loops outer; // the previous lane, rounded
     double most = 0;
     for (std::size_t first = 0, next = 0; first < lanes.size(); first = next) {
         const int lane = lanes.lane[first];
@@ -108,7 +108,7 @@ Note tight_turns(const std::vector<toolpath::Curve>& curves, double scale, doubl
     Note out{NoteCode::turn_too_tight, 0, 0};
     double tightest = radius;
     for (const auto& c : curves) {
-        double since = std::numeric_limits<double>::infinity(); // the last tight vertex
+        double since = std::numeric_limits<double>::infinity(); // mm since the last tight vertex
         for (std::size_t i = 0; i < c.points.size(); ++i) {
             if (i > 0) since += geom::distance(c.points[i - 1], c.points[i]);
             const double r = toolpath::radius_at(c.points, true, i, scale);

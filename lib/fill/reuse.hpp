@@ -1,4 +1,4 @@
-// Regions filled before: walls that stand upright give the same outlines on layer after layer.
+// Reuses fills of equal regions: upright walls have the same outlines on layer after layer.
 #pragma once
 
 #include "fill/fill.hpp"
@@ -11,20 +11,21 @@
 
 namespace filum::fill {
 
-// Fills regions with the same options, by any number of threads.  Gives what fill() gives; of outlines that are equal
-// to the last bit, and told apart by nothing but their layer, the first is worked out and the others take its curves.
-// Holds up to `most` points of outlines and curves; what came first is forgotten first.
+// Fills regions with the same options, from any number of threads. Results are those of fill(). Of outlines that are
+// equal to the last bit and differ only by their layer, the first is filled and the others get its curves.
+//
+// Keeps up to `most` points of outlines and curves; the oldest results go first.
 class Reuse {
   public:
     explicit Reuse(Options options, std::size_t most = kMost);
 
-    // The same of another way to fill; `of_layer` is all that matters to it of a layer.
+    // Uses `work` instead of fill(). `of_layer` gives the number that is all that `work` depends on in a layer.
     using Work = std::function<toolpath::RegionPaths(const polygon::Region&, Notes&)>;
     using OfLayer = std::function<double(std::uint32_t layer)>;
     Reuse(Work work, OfLayer of_layer, std::size_t most = kMost)
         : work_(std::move(work)), of_layer_(std::move(of_layer)), most_(most) {}
 
-    // As fill(region, options, notes), or the other way.
+    // The paths and notes of `region`, from fill() or `work`; notes get the layer of the region.
     toolpath::RegionPaths operator()(const polygon::Region& region, Notes& notes);
 
   private:
@@ -32,14 +33,14 @@ class Reuse {
     struct Filled {
         std::uint64_t key = 0;
         polygon::Loops loops;
-        double layer = 0; // what of the layer matters: the angle of rows, the shift of starts
-        std::mutex mutex; // of what follows: who comes second waits, and takes what the first one made
+        double layer = 0; // what the result depends on in a layer: the angle of rows, the shift of starts
+        std::mutex mutex; // guards the members below: a second thread waits for the result of the first
         bool done = false;
         toolpath::RegionPaths paths;
         Notes notes;
         std::size_t points = 0;
     };
-    std::shared_ptr<Filled> find(const polygon::Region& region); // or begins it
+    std::shared_ptr<Filled> find(const polygon::Region& region); // adds an entry if there is none
     void work_out(const polygon::Region& region, const std::shared_ptr<Filled>& filled);
     void hold(const std::shared_ptr<Filled>& filled);
 
@@ -47,8 +48,8 @@ class Reuse {
     OfLayer of_layer_;
     std::size_t most_, held_ = 0; // points
     std::mutex mutex_;
-    std::unordered_map<std::uint64_t, std::shared_ptr<Filled>> filled_; // only ever asked for one key
-    std::deque<std::shared_ptr<Filled>> done_;                          // in the order they were worked out
+    std::unordered_map<std::uint64_t, std::shared_ptr<Filled>> filled_; // looked up by key, never traversed
+    std::deque<std::shared_ptr<Filled>> done_;                          // oldest result first
 };
 
 } // namespace filum::fill

@@ -11,7 +11,7 @@ namespace filum::fill {
 
 namespace {
 
-// A closed line by arc length.  Asking for places near the last one is quick.
+// A closed line by arc length. Queries near the previous one are fast.
 class Course {
   public:
     explicit Course(const toolpath::Curve& line) : line_(&line), n_(line.points.size()) {
@@ -32,9 +32,9 @@ class Course {
     struct At {
         Vec2 point;
         double width;
-        Vec2 sum; // of the points from the line's begin on, times mm
+        Vec2 sum; // integral of the points over arc length, from the start of the line
     };
-    // i: the segment to look from; then the one that was found.
+    // The place at s. `i` is the segment where the search begins, and becomes the segment found.
     [[nodiscard]] At at(double s, std::size_t& i) const {
         const double turns = std::floor(s / length());
         s -= turns * length();
@@ -61,7 +61,7 @@ struct Corner {
 struct RoundedStretch {
     double begin, end;
     std::vector<Corner> corner;
-    // A point is moved to the mean of what is nearer to it than this: constant about a corner, and continuous.
+    // The reach at s, mm: constant near a corner, and continuous. A point moves to the mean of the line within it.
     [[nodiscard]] double reach(double s) const {
         double out = 0;
         for (const Corner& c : corner) out = std::max(out, std::min(c.reach, 2 * c.reach - std::abs(s - c.s)));
@@ -69,7 +69,7 @@ struct RoundedStretch {
     }
 };
 
-// On each side of a right angle: a parabola that begins so far from the corner leaves `open` mm2 beyond it.
+// The reach on each side of a right angle that replaces it by a parabola leaving `open` mm2 beyond it.
 double reach_for(double open) { return std::sqrt(6 * open); }
 
 class Rounding {
@@ -80,7 +80,7 @@ class Rounding {
         find_corners();
     }
 
-    // How many right angles its corners turn by, all together.
+    // The sum of the turns at corners, in right angles.
     [[nodiscard]] double right_angles() const { return turned_ / std::numbers::sqrt2; }
 
     toolpath::Curve run() {
@@ -105,26 +105,26 @@ class Rounding {
     }
 
   private:
-    // What lies within `reach` mm of s.
+    // The stretch of line within a reach of a place.
     struct Window {
         Vec2 mean;
-        double slower; // its length by that of its chord
+        double slower; // its length divided by that of its chord
     };
     [[nodiscard]] Window window(double s, double reach) {
         const auto a = course_.at(s - reach, behind_), b = course_.at(s + reach, ahead_);
         return {(1 / (2 * reach)) * (b.sum - a.sum), 2 * reach / std::max(1e-9, geom::distance(a.point, b.point))};
     }
-    // Of the corner at a vertex, 0 where there is none.
+    // The reach of the corner at a vertex; 0 if there is none.
     [[nodiscard]] double reach_at(std::size_t vertex) {
         const Vec2 p = line_->points[vertex];
         const double w = line_->width[vertex], most = rings::kMostOff * w;
-        const double reach = reach_ * std::min(1.0, 2 * w / width_); // narrow lanes are near
+        const double reach = reach_ * std::min(1.0, 2 * w / width_); // narrow lanes are near each other
         const double moved = geom::distance(p, window(course_.s(vertex), reach).mean);
         if (2 * moved < most) return 0;
         if ((*room_)(p) >= std::min(w, width_)) return reach; // else it lies along the outline
         return outline_ ? reach * std::min(1.0, most / moved) : 0;
     }
-    // By how much the line turns at a vertex: what the unit vectors before and after it differ by.
+    // The turn at a vertex: the length of the difference of the unit vectors before and after it.
     [[nodiscard]] double turn(std::size_t i) const {
         const std::size_t n = line_->points.size();
         const Vec2 p = line_->points[i], u = p - line_->points[i == 0 ? n - 1 : i - 1];
@@ -133,14 +133,14 @@ class Rounding {
         return l > 0 ? std::sqrt(std::max(0.0, 2 - 2 * dot(u, v) / std::sqrt(l))) : 0;
     }
 
-    // Ascending and apart, all within a turn from the first one's begin.
+    // Finds the stretches to round: ascending, disjoint, and all within one lap from the start of the first one.
     void find_corners() {
         const std::size_t n = line_->points.size();
-        std::vector<double> turned; // up to vertex i
+        std::vector<double> turned; // sum of the turns before vertex i
         turned.reserve(n + 1);
         turned.push_back(0);
         for (std::size_t i = 0; i < n; ++i) turned.push_back(turned.back() + turn(i));
-        // A window whose unit vectors change by less in all has its mean nearer to its middle than what makes a corner.
+        // The middle of a window with a smaller sum of turns moves by less than that of a corner.
         const double least = 2 * rings::kMostOff * width_ / reach_;
         std::size_t first = 0, last = 0; // vertices within the reach
         for (std::size_t i = 0; i < n; ++i) {
@@ -183,12 +183,12 @@ class Rounding {
 
     const toolpath::Curve* line_;
     Course course_;
-    double width_, reach_, step_; // mm; between points that are off by a quarter of the tolerance at most
+    double width_, reach_, step_; // mm; points step_ apart are off by at most a quarter of the tolerance
     bool outline_;
     const std::function<double(Vec2)>* room_;
-    std::size_t behind_ = 0, here_ = 0, ahead_ = 0; // segments of the places asked for last
+    std::size_t behind_ = 0, here_ = 0, ahead_ = 0; // segments of the previous queries
     std::vector<RoundedStretch> parts_;
-    double turned_ = 0; // at corners, as turn() tells it
+    double turned_ = 0; // sum of turn() over corners
     toolpath::Curve out_{true, {}, {}};
 };
 

@@ -17,10 +17,10 @@ namespace {
 
 using polygon::Loops;
 
-// The rings of the region; with corners of the radius that is asked for, if any.
+// The rings of the region, with corners of min_radius if that is set.
 rings::Rings rings_of(const Loops& region, const SpiralOptions& o, double tolerance, Spiral& out) {
     const double w = o.bead_width, r = o.min_radius;
-    const double fine = r > 0 ? std::min(tolerance, w * w / (128 * r)) : tolerance; // vertices turn, too
+    const double fine = r > 0 ? std::min(tolerance, w * w / (128 * r)) : tolerance; // the line also turns at vertices
     rings::Rings all = rings::lanes(region, {.width = w, .tolerance = fine});
     out.unplaced = std::max(0.0, polygon::signed_area(region) - rings::laid_area(all));
     return r > 0 ? with_round_corners(all, w, fine, drawn_radius(r, w / 2, toolpath::kLeastMove + fine), out.open)
@@ -36,12 +36,13 @@ Spiral spiral_by(const Loops& region, const SpiralOptions& o, const join::Attemp
     const double r = std::min(o.min_radius, w), open = r * r / 3;
     out.curves = finished(all, region, {w, tolerance, how.wind, corners, open, r <= 0});
     leave_tiny(out.curves, w);
-    double lost = rings::laid_area(all); // by joining, and with tiny rings
+    double lost = rings::laid_area(all); // mm2 lost by joining and with tiny rings
     for (const auto& curve : out.curves) lost -= rings::laid_area(curve);
     out.unplaced += std::max(0.0, lost);
     return out;
 }
 
+// The region without holes smaller than `least` mm2, which a note reports.
 Loops without_small_holes(const Loops& region, double least, Notes& notes) {
     Loops out;
     Note closed{NoteCode::hole_closed_small, 0, 0};
@@ -79,8 +80,8 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
     if (length > 0) notes.push_back({NoteCode::bead_too_thin, length, 1, -1, where.x, where.y});
 }
 
-// The first of several ways to fill the region, from the best to the safest, that gives one curve which does not cross
-// itself; else the one with the fewest crossings, then curves.
+// Tries several ways to fill the region, from the best to the safest. Returns the first that gives one curve which does
+// not cross itself; else the one with the fewest crossings, then the fewest curves.
 Spiral certified(const Loops& region, const SpiralOptions& o) {
     const auto faults = [](const Spiral& s) { return std::pair{s.crossings, s.curves.size()}; };
     std::optional<Spiral> best;
@@ -99,7 +100,7 @@ Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes)
     const Loops region = without_small_holes(given, rings::kLeastVoid * o.bead_width * o.bead_width, notes);
     Spiral out = certified(region, o);
     const bool sound = out.curves.size() == 1 && out.crossings == 0;
-    if (o.min_radius > 0 && !sound) { // one curve that does not cross itself matters more
+    if (o.min_radius > 0 && !sound) { // one curve that does not cross itself matters more than the radius
         SpiralOptions any = o;
         any.min_radius = 0;
         out = certified(region, any);

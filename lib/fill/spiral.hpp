@@ -11,27 +11,32 @@ namespace filum::fill {
 
 struct SpiralOptions {
     double bead_width = 0.4; // mm
-    double min_width = 0.1;  // mm: beads narrower than this are reported
-    double min_radius = 0;   // mm: the path turns no tighter where there is room for that
+    double min_width = 0.1;  // mm: a note reports beads narrower than this
+    double min_radius = 0;   // mm: the minimum radius of the path, where there is room for it
 };
 
 struct Spiral {
-    std::vector<toolpath::Curve> curves; // closed; one, unless rings could not be joined (then a note says so)
-    double unplaced = 0;                 // mm2 that no bead reaches: corners and tips
-    std::size_t crossings = 0;           // pairs of segments that cross all the same (a note says so)
-    Note open{NoteCode::area_left_for_radius, 0, 0}; // of it
+    std::vector<toolpath::Curve> curves;             // closed; one, unless a note says that rings could not be joined
+    double unplaced = 0;                             // mm2 that no bead reaches: corners and tips
+    std::size_t crossings = 0;                       // pairs of segments that still cross (with a note)
+    Note open{NoteCode::area_left_for_radius, 0, 0}; // the part of `unplaced` lost to the minimum radius
 };
 
-// Fills one connected region (outer loop first, then holes).  Rings along the lanes of the region (rings/lanes.hpp),
-// which share walls of every thickness evenly, are joined to one curve: stacks of rings as double spirals, the rest by
-// pairs of links.  Corners and turns are rounded, so that sharp turns are left at the ends of walls, at centres and
-// where rings branch.  The result is checked: should it cross itself, it is made again with finer lines, then without
-// rounding and spirals.  Notes: beads below min_width (mm of length), rings that could not be joined and
-// crossings that no way avoids (counts).
+// Fills one connected region (outer loop first, then holes) with one closed curve.
 //
-// With a min_radius, corners of rings become arcs of that radius, and rings too small for it are left out; a note says
-// what area that leaves open, another how many turns are tighter all the same: of links, at the ends of walls, round
-// corners of the outline that point inwards.
+// Rings follow the lanes of the region (rings/lanes.hpp), which divide walls of every thickness evenly. Stacks of rings
+// are joined as double spirals, other rings by pairs of links. Corners and turns are rounded. Sharp turns remain at the
+// ends of walls, at centres, and where rings branch. Holes smaller than the least void that counts are closed.
+//
+// The result is checked. If it crosses itself or is more than one curve, it is made again (join::kAttempts): without
+// double spirals, then with finer lines, then with finer lines and without spirals and rounding. The result with the
+// fewest crossings is returned. Notes: holes closed, beads below min_width (mm of length), rings that could not be
+// joined, and crossings that remain (counts).
+//
+// With a min_radius, corners of rings become arcs of that radius, and rings too small for it are left out. One note
+// gives the area left open, another the number of tighter turns that remain: at links, at the ends of walls, and around
+// corners of the outline that point inwards. If the radius prevents one curve without crossings, the region is filled
+// without it.
 Spiral spiral(const polygon::Loops& region, const SpiralOptions& options, Notes& notes);
 
 struct ContourOptions {
@@ -39,9 +44,9 @@ struct ContourOptions {
     int rings = 0;           // at most this many, from the outline inwards; 0: until the region is full
 };
 
-// Contour-parallel fill (the 2019 paper's Cp): closed rings of one connected region (outer loop, then holes), in the
-// order of depth, each point with its width: the spiral's before they are joined.  They are checked for crossings, and
-// laid finer if there are any.
+// Contour-parallel fill (pattern Cp of the 2019 paper): the closed rings of one connected region (outer loop first,
+// then holes), from the outline inwards. They are the rings of `spiral` before they are joined; each point has its
+// width. If rings cross, they are made again with finer lines.
 std::vector<toolpath::Curve> contour(const polygon::Loops& region, const ContourOptions& options);
 
 } // namespace filum::fill

@@ -40,7 +40,7 @@ void append(const Knot& knot, toolpath::Curve& to) {
     if (to.points.empty() || to.points.back() != knot.at) to.add(knot.at, knot.width);
 }
 
-// Points `first` to `last` of a curve, which may be beyond its end: from its first point again; or backwards.
+// Appends points `first` to `last` of a closed curve. Indices wrap around; first > last goes backwards.
 void append(const toolpath::Curve& from, std::size_t first, std::size_t last, toolpath::Curve& to) {
     const std::size_t n = from.points.size(), count = first <= last ? last - first : first - last;
     for (std::size_t k = 0; k <= count; ++k) {
@@ -49,7 +49,8 @@ void append(const toolpath::Curve& from, std::size_t first, std::size_t last, to
     }
 }
 
-// The curve a up to its segment i, then by x over points `first` to `last` of b, and by x back to its point `next`.
+// The curve a up to its segment i, then along points `first` to `last` of b, and on from point `next` of a. It passes x
+// before and after b.
 toolpath::Curve by_way_of(const toolpath::Curve& a, std::size_t i, const Knot& x, const toolpath::Curve& b,
                           std::size_t first, std::size_t last, std::size_t next) {
     toolpath::Curve out{true, {}, {}};
@@ -81,7 +82,7 @@ std::size_t uncross(std::vector<toolpath::Curve>& curves, double cell, Notes& no
         const toolpath::Curve& two = curves[b.curve];
         const std::size_t i = a.segment, j = b.segment;
         const Knot x = crossing(one, i, two, j);
-        if (a.curve == b.curve) { // what lies between is run the other way round
+        if (a.curve == b.curve) { // reverse the stretch between the two passes
             one = by_way_of(one, i, x, one, j, i + 1, j + 1);
         } else {
             one = by_way_of(one, i, x, two, j + 1, j + two.points.size(), i + 1);

@@ -11,11 +11,11 @@ namespace filum::fill::join {
 
 namespace {
 
-constexpr double kPlaces = 12; // along a ring, where strips are looked for
-// Half a link's width, of its beads': beside the turn from a bead into two links a void is left, which grows with the
-// square of that.
+constexpr double kPlaces = 12; // places along a ring where neighbours are sought
+// Half the width of a link, in widths of its beads. Beside the turn from a bead into two links there is a void, which
+// grows with the square of that width.
 constexpr double kLink = 0.25;
-constexpr double kAlike = 3; // two windows: neither is longer than the other by more than this factor
+constexpr double kAlike = 3; // largest ratio of the lengths of two facing windows
 
 // Two rings facing each other at one place.
 struct Candidate {
@@ -23,7 +23,7 @@ struct Candidate {
     double s;      // on `ring`
     Vec2 across;   // unit, towards the other ring
     double bead;   // mm, the narrower bead of the two
-    double faults; // mm: the fewer the better
+    double faults; // mm off the ideal place
 };
 
 // One exchange: both rings lose their window, two links join the four ends.
@@ -52,7 +52,7 @@ class Joiner {
     Joiner(const rings::Rings& rings, double width, const Loops& outline, const Hanging& hung)
         : graph_(rings, 1.5 * width), outline_(polygon::segments(outline)), outline_grid_(outline_, 1.5 * width),
           width_(width), groups_(graph_.size()), splices_(graph_), hung_(&hung) {
-        for (std::uint32_t r = 1; r < graph_.size(); ++r) // lines with ends never become one
+        for (std::uint32_t r = 1; r < graph_.size(); ++r) // open lines never join each other
             if (graph_.open(r)) groups_.unite(r - 1, r);
         if (!hung) return;
         for (std::uint32_t r = 0; r < rings.size(); ++r)
@@ -72,7 +72,7 @@ class Joiner {
         }
         for (may_hang_ = 1; *hung_ && may_hang_ <= kHangsMost && groups_.sets() > 1; ++may_hang_) link(true, {kLink});
         if (groups_.sets() > 1 &&
-            !graph_.open(0)) { // parts that only touch: links beside a neck of no width leave the region a little
+            !graph_.open(0)) { // parts that only touch: links beside a neck of no width may leave the region
             stay_inside_ = false;
             link(true, {kLink, rings::kNarrowest});
         }
@@ -80,14 +80,14 @@ class Joiner {
     }
 
   private:
-    // Exchanges where a few places of a ring, or all, see another, the wide ones first.
+    // Adds exchanges at a few places of each ring, or at all of them; for each width in `halves`, in order.
     void link(bool all, std::initializer_list<double> halves) {
         const auto found = candidates(all);
         for (const double half : halves) accept(found, half);
     }
 
-    // Double spirals wherever three rings or more that are still apart run side by side.  From the outside in, so that
-    // most begin at an outline and end at a centre.
+    // Adds double spirals wherever three or more rings that are still apart run side by side. Goes from the outside in,
+    // so that most begin at an outline and end at a centre.
     void wind() {
         std::vector<char> wound(graph_.size(), 0);
         for (std::uint32_t r = 0; r < graph_.size() && groups_.sets() > 1; ++r) {
@@ -104,7 +104,7 @@ class Joiner {
 
     [[nodiscard]] bool runs_over_air(std::uint32_t ring) const { return !over_air_.empty() && over_air_[ring] != 0; }
 
-    // The one of most lanes across ring r among a few places.
+    // The double spiral with the most lanes across ring r, among a few places.
     [[nodiscard]] std::optional<Splice> best_spiral(std::uint32_t r) {
         const double l = graph_.length(r);
         const auto n = static_cast<int>(std::clamp(l / (2 * width_), 1.0, kPlaces));
@@ -133,12 +133,13 @@ class Joiner {
         return best;
     }
 
-    // Whether the outline is not in the way of this link.
+    // True if no outline crosses this link.
     [[nodiscard]] bool clear(const geom::Segment& l) const {
         return !stay_inside_ || !outline_grid_.crosses(l.a, l.b, outline_, [](std::uint32_t) { return true; });
     }
 
-    // Places, evenly spread over every ring that still stands apart, where another ring is near.
+    // Places on rings, evenly spread, where a ring of another group is near; the best come first. With `all` there are
+    // more places, and none on the largest group.
     std::vector<Candidate> candidates(bool all) {
         std::vector<Candidate> out;
         if (all && !near_) near_ = graph_.near_others(kNeighbourReach * width_);
@@ -159,7 +160,7 @@ class Joiner {
                 if (!there || there->distance == 0) continue;
                 const Vec2 across = (1 / there->distance) * (there->point - here);
                 const double bead = std::min(graph_.width(r, s), graph_.width(there->ring, there->s));
-                // by how much they are not a bead apart, and narrower than one
+                // deviation from a distance of one bead, and from the width of one
                 const double faults = std::abs(there->distance - width_) + std::max(0.0, width_ - bead);
                 out.push_back({r, there->ring, s, across, std::min(bead, width_), faults});
             }
@@ -169,8 +170,8 @@ class Joiner {
         return out;
     }
 
-    // The first place at or after the one at s that may have a neighbour, of places `step` mm apart along ring r: how
-    // many places further it is.  `stretch` counts up through the ring's stretches.
+    // Places lie `step` mm apart along ring r. Returns how many to skip from the one at s to the first that may have a
+    // neighbour. `stretch` counts up through the stretches of the ring.
     [[nodiscard]] int places_without(std::uint32_t r, double s, double step, std::size_t& stretch) const {
         const auto& near = (*near_)[r];
         while (stretch < near.size() && near[stretch].to < s) ++stretch;
@@ -196,8 +197,8 @@ class Joiner {
         }
     }
 
-    // The window of `half` on each side of the candidate's place, and the one straight across on the other ring, so
-    // that the two links run side by side like beads.
+    // Sets the window of `half` on each side of the candidate's place, and the one straight across on the other ring.
+    // So the two links run side by side like beads. False if there is no such window.
     bool make(const Candidate& c, double half, Bridge& b) const {
         const double s0 = c.s - half, s1 = c.s + half;
         if (4 * half > graph_.length(c.ring)) return false;
@@ -247,13 +248,13 @@ class Joiner {
     geom::SegmentGrid outline_grid_;
     double width_;
     bool stay_inside_ = true;
-    int may_hang_ = 0;          // links, as hung_ says
+    int may_hang_ = 0;          // the largest value of hung_ at a link
     geom::DisjointSets groups_; // of rings
     Splices splices_;
     std::optional<std::vector<std::vector<Stretch>>>
-        near_; // per ring, where others are; as soon as all places are tried
+        near_; // per ring, stretches near others; set once all places are tried
     const Hanging* hung_;
-    std::vector<char> over_air_; // per ring; none if nothing hangs
+    std::vector<char> over_air_; // per ring; empty if nothing hangs
 };
 
 } // namespace

@@ -10,17 +10,17 @@ namespace filum::fill::join {
 
 namespace {
 
-// All in bead widths unless said otherwise.
+// In bead widths, except where noted.
 constexpr double kBend = std::numbers::pi / 3; // rad
-// Links are at least so far apart: the lanes that turn do so this far behind the line, and the first bend leans as far
-// back behind the turn.
+// The least distance of links. The turning lanes turn this far behind the line, and the first bend leans back by as
+// much behind the turn.
 constexpr double kApart = 0.65;
 
 struct Direction {
     Vec2 along, left; // unit
 };
 
-// Of the ring at s, by a chord of a bead; nothing where it bends too much to tell.
+// The direction of the ring at s, from a chord one bead long; nullopt if the ring bends too much there.
 std::optional<Direction> direction(const RingGraph& graph, std::uint32_t ring, double s, double width) {
     const double half = std::min(width / 2, graph.length(ring) / 8);
     const Vec2 chord = graph.at(ring, s + half) - graph.at(ring, s - half);
@@ -29,7 +29,7 @@ std::optional<Direction> direction(const RingGraph& graph, std::uint32_t ring, d
     return Direction{(1 / l) * chord, (1 / l) * geom::left_of(chord)};
 }
 
-// The lane that the line from `from` meets next, inwards (side 1) or outwards (-1).
+// The next lane on the line from `from`, inwards (side 1) or outwards (-1).
 std::optional<Lanes::Lane> next_lane(const RingGraph& graph, const Lanes::Lane& from, double side, double width) {
     const double aslant = kBend / 2;
     const Vec2 d = side * (std::cos(aslant) * from.inward + std::sin(aslant) * from.forward);
@@ -44,7 +44,7 @@ std::optional<Lanes::Lane> next_lane(const RingGraph& graph, const Lanes::Lane& 
     return Lanes::Lane{*hit, inward, sense * there->along, sense};
 }
 
-// A double spiral in the making: lanes lo..hi - 1 of those given.
+// Builds a double spiral from lanes lo_ .. hi_ - 1 of those given.
 class Making {
   public:
     Making(const RingGraph& graph, const Lanes& lanes, double width, const Room& room)
@@ -95,7 +95,7 @@ class Making {
             return at.ring == lane(k - 1).at.ring && within(at.s, k - 1, first_[k - 1], second_[k - 1]);
         });
     }
-    // Whether s lies between the places a and b of lane k.
+    // True if s lies between the places a and b of lane k.
     [[nodiscard]] bool within(double s, std::size_t k, double a, double b) const {
         const double l = graph_->length(lane(k).at.ring);
         const double ahead = std::fmod(lane(k).sense * (s - a), l);
@@ -122,7 +122,7 @@ class Making {
         double outer, inner; // places on the two lanes
         geom::Segment link;
     };
-    // The turn between lanes k and k + 1 at s on the one of them named `on`.
+    // The turn between lanes k and k + 1 at place s of lane `on`; nullopt if a ring or outline lies between.
     [[nodiscard]] std::optional<Turn> turn(std::size_t k, std::size_t on, double s) const {
         const auto other = facing(on, s, on == k ? k + 1 : k);
         if (!other) return std::nullopt;
@@ -132,7 +132,7 @@ class Making {
         return t;
     }
 
-    // Lanes that bend lean back into the room behind the turn, each less than the one before.
+    // Makes the lanes that bend lean back into the room behind the turn, each less than the one before.
     void lean(std::vector<double>& first, std::vector<double>& second) const {
         const std::size_t bends = hi_ - lo_ - 2;
         const double most = kApart * width_ * std::min(1.0, static_cast<double>(bends) / 2);
@@ -166,7 +166,7 @@ class Making {
     }
 
     using Line = std::array<Vec2, 4>;
-    // Every link with a bit of the lanes that it joins, from the outer turn to the inner one.
+    // Every link with a short stretch of the lanes that it joins, from the outer turn to the inner one.
     [[nodiscard]] std::vector<Line> with_rims(const std::vector<double>& first,
                                               const std::vector<double>& second) const {
         const auto at = [&](std::size_t k, const std::vector<double>& line, double on) {
@@ -178,7 +178,7 @@ class Making {
         out.push_back({at(hi_ - 2, second, 1), at(hi_ - 2, second, 0), at(hi_ - 1, second, 0), at(hi_ - 1, second, 1)});
         return out;
     }
-    // A bend as wide as its neighbours leave it room.
+    // The bead of a bend, as wide as its neighbours leave room for.
     [[nodiscard]] Curve bead(const Line& before, const Line& own, const Line& after) const {
         const auto gap = [&](const Line& other, Vec2 p) {
             double best = std::numeric_limits<double>::infinity();

@@ -21,7 +21,7 @@ std::vector<geom::Segment> segments_of(const rings::Rings& rings) {
     return out;
 }
 
-// Where along the axis u (unit, from the origin) a point may lie that is within `reach` of the segment.
+// The stretch of the axis u (unit, through the origin) that may lie within `reach` of the segment.
 std::optional<Stretch> shadow(const geom::Segment& s, Vec2 u, double reach) {
     const double h0 = geom::cross(u, s.a), h1 = geom::cross(u, s.b);
     double lo = 0, hi = 1; // the part of the segment that is within reach of the axis
@@ -71,12 +71,12 @@ std::vector<std::vector<Stretch>> RingGraph::near_others(double reach) const {
     reach += kSlack;
     const geom::SegmentGrid grid(segments_, geom::cell_for(segments_, reach), reach);
     std::vector<std::vector<Stretch>> out(size());
-    std::vector<std::uint32_t> seen(segments_.size(), kNone); // from which segment
+    std::vector<std::uint32_t> seen(segments_.size(), kNone); // the last segment that met it
     for (std::uint32_t i = 0; i < segments_.size(); ++i) {
         const std::uint32_t ring = ring_of_[i];
         const Vec2 a = segments_[i].a, b = segments_[i].b;
         const double length = geom::distance(a, b);
-        if (length < 2 * reach) { // not worth while
+        if (length < 2 * reach) { // too short to be worth the search
             out[ring].push_back({s_[i], s_[i] + length});
             continue;
         }
@@ -132,7 +132,7 @@ Place RingGraph::place_on(std::uint32_t segment, Vec2 p) const {
 void RingGraph::append(std::uint32_t ring, double s0, double s1, toolpath::Curve& to) const {
     const std::uint32_t first = rings_->start[ring], n = rings_->start[ring + 1] - first;
     const double from = wrapped(ring, s0), end = from + (s1 - s0);
-    const double close = 1e-7; // mm: no second point there
+    const double close = 1e-7; // mm: nearer points count as one
     to.add(at(ring, from), width_of(locate(ring, from)));
     for (std::uint32_t i = segment_at(ring, from) - first + 1; i <= 2 * n; ++i) {
         const double s = s_[first + i % n] + (i >= n ? length_[ring] : 0) + (i >= 2 * n ? length_[ring] : 0);

@@ -1,4 +1,4 @@
-// Rings with arc lengths and a grid: where is which ring near what?  Private to lib/fill.
+// Rings with arc lengths and a grid: finds the places of rings near a point. Private to lib/fill.
 #pragma once
 
 #include "geom/segment_grid.hpp"
@@ -19,7 +19,7 @@ struct Place {
     std::uint32_t ring = 0;
     double s = 0;
     Vec2 point;
-    double distance = 0; // from where it was asked for
+    double distance = 0; // mm from the point or ray origin of the query
 };
 
 // A stretch of a ring, in arc lengths.
@@ -27,10 +27,10 @@ struct Stretch {
     double from = 0, to = 0;
 };
 
-// Of rings that outlive it.
+// Refers to the rings, which must outlive it.
 class RingGraph {
   public:
-    // `cell`: mm, the least size of the cells in which neighbours are looked for.
+    // `cell`: mm, the least cell size of the grid.
     RingGraph(const rings::Rings& rings, double cell);
 
     [[nodiscard]] std::size_t size() const { return length_.size(); }
@@ -42,7 +42,7 @@ class RingGraph {
     [[nodiscard]] Vec2 at(std::uint32_t ring, double s) const; // s is taken modulo the length
     [[nodiscard]] double width(std::uint32_t ring, double s) const { return width_of(locate(ring, s)); }
 
-    // The nearest place to p within `reach` on a ring for which use(ring) holds.  Ties: the lower segment.
+    // The nearest place to p within `reach` on a ring for which use(ring) holds. Ties: the lower segment.
     template <class Use>
     [[nodiscard]] std::optional<Place> nearest(Vec2 p, double reach, Use&& use) const {
         double best = reach * reach;
@@ -59,8 +59,8 @@ class RingGraph {
         return place_on(*found, p);
     }
 
-    // The first place that the ray from p along d (unit) meets at least `from` and at most `reach` away, on a ring for
-    // which use(ring) holds.
+    // The first place where the ray from p along d (unit) meets a ring for which use(ring) holds. The distance from p
+    // is at least `from` and at most `reach`, mm.
     template <class Use>
     [[nodiscard]] std::optional<Place> first_hit(Vec2 p, Vec2 d, double from, double reach, Use&& use) const {
         std::optional<Place> best;
@@ -76,8 +76,9 @@ class RingGraph {
         return best;
     }
 
-    // For each ring the stretches on which another ring may lie within `reach`, ascending: all such places, and some
-    // others.  Costs what the number of segments and of neighbours costs; long rows far apart cost little.
+    // For each ring the stretches on which another ring may lie within `reach`, ascending. They include all such places
+    // and some others. The cost depends on the number of segments and of neighbours, so long rows far apart cost
+    // little.
     [[nodiscard]] std::vector<std::vector<Stretch>> near_others(double reach) const;
 
     // True if the open segment p-q crosses any ring.
@@ -85,7 +86,7 @@ class RingGraph {
         return grid_.crosses(p, q, segments_, [](std::uint32_t) { return true; });
     }
 
-    // Calls f(place) where the open segment p-q crosses a ring; maybe more than once for a crossing.
+    // Calls f(place) where the open segment p-q crosses a ring. A crossing may be reported more than once.
     template <class F>
     void each_crossing(Vec2 p, Vec2 q, F&& f) const {
         grid_.near({std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)},
@@ -102,16 +103,16 @@ class RingGraph {
 
   private:
     [[nodiscard]] Place place_on(std::uint32_t segment, Vec2 nearest_to) const;
-    // Segment and parameter on it.
+    // The segment at arc length s and the parameter on it.
     [[nodiscard]] std::pair<std::uint32_t, double> locate(std::uint32_t ring, double s) const;
     [[nodiscard]] double width_of(std::pair<std::uint32_t, double> at) const;
     [[nodiscard]] std::uint32_t segment_at(std::uint32_t ring, double s) const;
     [[nodiscard]] double wrapped(std::uint32_t ring, double s) const;
 
     const rings::Rings* rings_;
-    std::vector<geom::Segment> segments_; // from each point to the next; from the last of an open line to itself
+    std::vector<geom::Segment> segments_; // from each point to the next; the last point of an open line to itself
     std::vector<std::uint32_t> ring_of_;  // per segment
-    std::vector<double> s_, length_;      // arc length at the segment's begin; per ring
+    std::vector<double> s_, length_;      // arc length at the start of each segment; length of each ring
     geom::SegmentGrid grid_;
 };
 

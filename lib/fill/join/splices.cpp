@@ -99,7 +99,7 @@ std::vector<Splices::Arc> Splices::arcs() const {
     return out;
 }
 
-// The arc's points and those of the link that follows.
+// Appends the points of the arc and of the link that follows it.
 void Splices::walk(const Arc& arc, bool backwards, Curve& line) const {
     const auto first = static_cast<std::ptrdiff_t>(line.points.size());
     graph_->append(arc.ring, arc.s0, arc.s1, line);
@@ -123,7 +123,7 @@ std::vector<Curve> Splices::trace() const {
     for (const std::uint32_t start : starts) {
         if (seen[start]) continue;
         std::vector<End> way; // where arcs are entered
-        double points = 0;    // about so many
+        double points = 0;    // an estimate
         for (End at{start, false}; at.arc != kNone && !seen[at.arc]; at = all[at.arc].next[at.last ? 0 : 1]) {
             const Arc& arc = all[at.arc];
             seen[at.arc] = 1;

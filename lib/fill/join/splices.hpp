@@ -1,4 +1,4 @@
-// Windows cut out of rings, and the beads laid instead: where rings become one curve.  Private to lib/fill.
+// Windows cut out of rings, and the links that replace them: joins rings into one curve. Private to lib/fill.
 #pragma once
 
 #include "base/none.hpp"
@@ -11,29 +11,29 @@ namespace filum::fill::join {
 
 using toolpath::Curve;
 
-// Share of a link's length at either end that lies on rings, as good as: it is as wide as they are there, and touches
-// them.
+// The share of a link at either end that counts as part of the ring: it touches the ring and is as wide.
 inline constexpr double kLinkEnd = 0.02;
 
-// What a ring gives up: from s0 on to s1 > s0.
+// A stretch of a ring that is cut out: from s0 to s1 > s0.
 struct Window {
     std::uint32_t ring = 0;
     double s0 = 0, s1 = 0;
 };
 
-// One rim of a window: where the ring ends or goes on.
+// One end of a window, where the rest of the ring stops or continues.
 struct Rim {
-    std::uint32_t window = 0; // of the splice
-    bool end = false;         // at s1, else at s0
+    std::uint32_t window = 0; // index in Splice::windows
+    bool end = false;         // true: at s1; false: at s0
 };
 
-// The bead from rim to rim, without the rims' own points.
+// The bead from rim to rim, without the points of the rims.
 struct Link {
     Rim from, to;
     Curve bead{};
 };
 
-// Windows of different rings and the links that tie all their rims: the rings become one curve (Lemma 1 for two).
+// Windows of different rings, and links that connect all their rims, so that the rings become one curve (Lemma 1 for
+// two rings).
 struct Splice {
     std::vector<Window> windows;
     std::vector<Link> links;
@@ -43,25 +43,25 @@ class Splices {
   public:
     explicit Splices(const RingGraph& graph);
 
-    // Whether no window has taken any of `ring` between s0 and s1, and enough of it is left.
+    // True if no window overlaps the stretch of `ring` from s0 to s1, and the stretch is shorter than the ring.
     [[nodiscard]] bool free(std::uint32_t ring, double s0, double s1) const;
     void add(Splice splice);
 
-    // The curves that the rings have become, the longest first; rings without windows as they were.  Before them open
-    // ones, in the order of the open lines that they begin as.
+    // The curves after all splices. Open curves come first, in the order of the open lines that they start with; then
+    // closed curves, the longest first. Rings without windows stay as they were.
     [[nodiscard]] std::vector<Curve> trace() const;
 
   private:
     struct End {
-        std::uint32_t arc = kNone; // else an end of an open curve
-        bool last = false;         // the arc's last point, else its first
+        std::uint32_t arc = kNone; // kNone: the end of an open curve
+        bool last = false;         // true: the last point of the arc; false: its first
     };
-    struct Arc { // what is left of a ring between two windows
+    struct Arc { // the stretch of a ring between two windows
         std::uint32_t ring;
         double s0, s1;
-        End next[2];         // what the links at its first and last point lead to
-        const Link* link[2]; // none if it leads straight on, or nowhere
-        bool along[2];       // the link from its first point to its last, else backwards
+        End next[2];         // the ends that the links at its first and last point lead to
+        const Link* link[2]; // nullptr: leads straight on, or nowhere
+        bool along[2];       // true: the link runs forwards from here; false: backwards
     };
     [[nodiscard]] std::vector<Arc> arcs() const;
     void walk(const Arc& arc, bool backwards, Curve& line) const;

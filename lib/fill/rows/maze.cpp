@@ -16,11 +16,11 @@ namespace filum::fill::rows {
 
 using geom::Vec2;
 using polygon::Loops;
-using toolpath::kLeastMove; // mm, as thick as a wall: no more than separates two areas
+using toolpath::kLeastMove; // mm, thickness of a wall: just enough to separate two areas
 
 namespace {
 
-constexpr double kRowGive = 0.2; // how much higher or lower than wanted a row may be
+constexpr double kRowGive = 0.2; // share by which the height of a row may differ
 constexpr double kOpen = 2.0;    // bead widths that an opening needs
 constexpr double kDoor = 0.95;   // share of kOpen that a door's narrowest place keeps clear
 
@@ -32,7 +32,7 @@ struct Border {
     std::vector<polygon::LevelStretch> walls;
 };
 
-// One row's level edge along a cut.
+// A level edge of one row along a cut.
 struct Side {
     double from, to;
     std::uint32_t cell;
@@ -102,7 +102,7 @@ class Maze {
         });
     }
 
-    // Walls along the borders, but for long stretches that have no room for a bead beside them.
+    // Sets walls along the borders, except on long stretches that have no room for a bead beside them.
     void find_walls() {
         std::vector<std::vector<std::vector<polygon::LevelStretch>>> clear;
         for (const double by : {-1.0, -0.5, 0.5, 1.0}) {
@@ -117,7 +117,7 @@ class Maze {
         }
     }
 
-    // Openings too narrow for two beads are closed; then walls shorter than a bead, which guide none, are dropped.
+    // Closes openings too narrow for two beads. Then drops walls shorter than a bead, which guide no bead.
     [[nodiscard]] std::vector<polygon::LevelStretch> without_gaps(const std::vector<polygon::LevelStretch>& walls,
                                                                   const Border& b) const {
         std::vector<polygon::LevelStretch> out;
@@ -139,7 +139,7 @@ class Maze {
         return out;
     }
 
-    // A spanning tree of the rows: first what is open anyhow, then doors, wide borders before narrow ones.
+    // Builds a spanning tree of the rows: from open borders first, then from doors, in wide borders before narrow ones.
     void open_doors() {
         geom::DisjointSets rows(cells_);
         for (const Border& b : borders_)
@@ -152,7 +152,7 @@ class Maze {
             }
     }
 
-    // What is left of a closed border's wall once it has a door.
+    // The remaining wall of a closed border once it has a door.
     [[nodiscard]] std::vector<polygon::LevelStretch> door(const Border& b) const {
         const double y = y_[b.line];
         if (const auto x = clear_from(b.from, b.to, y)) return {{*x, b.to}};
@@ -180,7 +180,7 @@ class Maze {
         for (const Border& b : borders_)
             for (const polygon::LevelStretch& s : b.walls) {
                 const double y = y_[b.line], lo = y - kLeastMove / 2, hi = y + kLeastMove / 2;
-                // into the outline, lest a thread of area is left there
+                // walls extend into the outline, so that no thread of area remains there
                 const double l = s.from - (s.from == b.from ? 2 * kLeastMove : 0),
                              r = s.to + (s.to == b.to ? 2 * kLeastMove : 0);
                 slits.add(std::vector<Vec2>{{l, lo}, {r, lo}, {r, hi}, {l, hi}});

@@ -15,18 +15,18 @@ using polygon::Loops;
 
 namespace {
 
-// A line is kept where it is this many pitches inside the outline; its ends draw back to half a pitch from an upright
-// outline.  Shorter lines than that inset are dropped.  So a line along a flat edge may stand out by a quarter of its
-// width rather than leave a void of up to one.
+// A line is kept where it lies this many pitches inside the outline. Its ends move back to half a pitch from an upright
+// outline, and lines shorter than that inset are dropped. So a line along a flat edge may protrude by a quarter of its
+// width; otherwise it would leave a void of up to one width.
 constexpr double kInset = 0.25, kTrim = 1 - 2 * kInset;
-constexpr double kLineGive = 0.15; // how much wider or narrower than asked a line may be to fit between flat edges
+constexpr double kLineGive = 0.15; // share by which a line's width may differ, to fit between flat edges
 
 struct Line {
     double y, from, to, width;
     bool laid = false;
 };
 
-// Lays the lines row by row, each next to the one before where they overlap.
+// Appends the lines row by row. Each continues with an overlapping line in the next row.
 void lay_lines(std::vector<std::vector<Line>>& rows, std::vector<toolpath::Curve>& out) {
     for (std::size_t first = 0; first < rows.size(); ++first)
         for (auto& start : rows[first]) {
@@ -46,7 +46,7 @@ void lay_lines(std::vector<std::vector<Line>>& rows, std::vector<toolpath::Curve
         }
 }
 
-// The lines of one connected part, in the frame where they run along x.
+// Appends the lines of one connected part, in the frame where they run along x.
 void fill_with_lines(const Loops& part, double bead_width, std::vector<toolpath::Curve>& out) {
     const auto strips = polygon::strip_bounds(part, bead_width, kLineGive);
     std::vector<double> y, pitch;

@@ -17,10 +17,10 @@ namespace {
 
 using polygon::Loops;
 
-// From the best way to the last resort.
+// Settings of one attempt, from the best to the last resort.
 struct Try {
-    double share; // of the tolerance
-    double row;   // height wanted of two rows, bead widths
+    double share; // of join::tolerance_for()
+    double row;   // wanted height of a corridor of two rows, bead widths
 };
 constexpr Try kTries[] = {
     {join::kShares[0], 2}, {join::kShares[1], 2}, {join::kShares[1], 2.12}, {join::kShares[1], 1.9}};
@@ -31,7 +31,7 @@ struct Laid {
     double unplaced = 0;       // mm2 that no bead reaches
 };
 
-// In a frame where the rows are level.
+// Fills a region in the frame where its rows are level.
 Laid lay_rows(const Loops& region, const ZigzagOptions& o, const Try& how) {
     const double w = o.bead_width, tolerance = how.share * join::tolerance_for(w);
     rings::FirstLanes outer{{}, {region}};

@@ -17,7 +17,7 @@
 
 namespace filum::fill::scaffold {
 
-using toolpath::kLeastMove; // mm, by which a strand on the very edge of the area is moved in
+using toolpath::kLeastMove; // mm: a strand on the very edge of the area moves inwards by this
 
 namespace {
 
@@ -37,7 +37,7 @@ std::vector<double> heights(const Loops& part, const Loops& frame, const Scaffol
     return out;
 }
 
-// The strands of one connected part and what joins them.
+// Adds the curves of one connected part: its strands and the turns between them.
 void fill_with_strands(const Loops& part, const Loops& frame, std::optional<Vec2> from, const ScaffoldOptions& o,
                        std::vector<toolpath::Curve>& out, double& again) {
     const double w = o.bead_width;
@@ -69,7 +69,8 @@ std::vector<geom::Segment> segments(const std::vector<toolpath::Curve>& curves) 
     return out;
 }
 
-// Leads an open curve, too short for a link beside it, on from its end to a ring next to that and once around it.
+// Extends an open curve, too short for a link beside it, from its end to a ring nearby and once around that. False if
+// the ring is too far away or a curve lies between.
 bool lead_on(toolpath::Curve& open, const toolpath::Curve& ring, const std::vector<geom::Segment>& all, double width) {
     const auto sums = toolpath::arc_lengths(ring);
     const Vec2 end = open.points.back();
@@ -84,7 +85,7 @@ bool lead_on(toolpath::Curve& open, const toolpath::Curve& ring, const std::vect
     return true;
 }
 
-// The curves with the rings of the region beside them in the same strokes.
+// Joins the rings of the region to the curves, so that they share strokes.
 std::vector<toolpath::Curve> with_rings(std::vector<toolpath::Curve> curves, const Loops& region,
                                         const ScaffoldOptions& o, Notes& notes) {
     rings::Rings lines;
@@ -119,7 +120,7 @@ std::vector<toolpath::Curve> scaffold(const Loops& region, const Loops& frame, c
     polygon::rotate(at, -o.angle);
     std::vector<toolpath::Curve> out;
     double again = 0;
-    // the part next to the nozzle first, then always the next one
+    // the part nearest to the nozzle first, then always the nearest one
     for (auto parts = polygon::split(area).part; !parts.empty();) {
         auto next = parts.begin();
         if (!at.empty())

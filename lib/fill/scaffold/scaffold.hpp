@@ -17,29 +17,29 @@ struct ScaffoldOptions {
     double bead_width = 0.4;       // mm
     double spacing = 1;            // mm between the centre lines of strands, >= bead_width
     double angle = 0;              // rad, of the strands from the x axis
-    double shift = 0;              // spacings by which the strands are moved across themselves
-    int rings = 0;                 // closed rings along the outline and the holes, of the same stroke
-    std::optional<Vec2> from = {}; // where the nozzle is
+    double shift = 0;              // sideways shift of the strands, in spacings
+    int rings = 0;                 // closed rings along the outline and the holes, in the same stroke
+    std::optional<Vec2> from = {}; // position of the nozzle
 };
 
-// Strands across one connected region, joined to one open curve: a meander whose turns run half a bead inside the
-// outline (inside the rings), their corners rounded to half the spacing, at most two beads.
+// Fills one connected region with strands joined to one open curve: a meander. Its turns run half a bead inside the
+// outline, or inside the rings. Corners are rounded to half the spacing, at most two beads.
 //
-// The strands lie on a lattice that is centred in `frame` (of its extent across the strands, less what beads and rings
-// take, as many as fit): the outline of a column's first region keeps the strands of all its layers in line.  A
-// connected part of the region that no line of the lattice meets gets one strand in its middle.
+// The strands lie on a lattice centred in `frame`. As many as fit are used, across the extent of the frame less the
+// beads and rings at its sides. With the outline of a column's first region as `frame`, the strands of all its layers
+// line up. A connected part that no line of the lattice meets gets one strand in its middle.
 //
-// Where holes or notches interrupt strands, the curve walks along the boundary to those that are left
-// (strand_walk.hpp). A stretch of boundary that is passed k times is laid in k beads of a k-th of the width, one on the
-// other, so that the material stays right; the note NoteCode::path_runs_twice tells the length.  With `from` the curve
-// begins at the place of the boundary next to it, so that the layers of a column are joined by plain lifts; else at an
-// outermost strand.
+// Where holes or notches interrupt strands, the curve follows the boundary to the remaining strands (strand_walk.hpp).
+// A stretch of boundary that is passed k times gets k beads of 1 / k of the width, one on the other. So the amount of
+// material is right. The note NoteCode::path_runs_twice gives the length.
 //
-// One curve; more where a region thinner than a bead (and its rings) falls apart, or strands on the edge of a hole are
-// cut off: each further one is a stop.  Rings are joined to the curve as rings to each other (join_rings), or it
-// leads on from its end round one; a ring that finds no place is a closed curve by itself, with a note.  Parts too thin
-// for a bead are noted as NoteCode::area_unreached. Tie: as strand_walk.hpp.  Cost: near-linear in the points and
-// strands.
+// With `from`, the curve begins at the nearest place of the boundary, so that plain lifts join the layers of a column.
+// Without it, the curve begins at an outermost strand.
+//
+// Returns one curve, or more if a region thinner than a bead with its rings falls apart, or if a hole cuts strands off.
+// Each further curve is a stop. Rings are joined to the curve by join_rings, or the curve continues from its end around
+// a ring. A ring that finds no place is a closed curve of its own, with a note. NoteCode::area_unreached gives the
+// parts too thin for a bead. Tie: as in strand_walk.hpp. Cost: near-linear in the points and strands.
 std::vector<toolpath::Curve> scaffold(const Loops& region, const Loops& frame, const ScaffoldOptions& options,
                                       Notes& notes);
 

@@ -20,7 +20,7 @@ struct Leg {
     bool strand = false, once = false;
 };
 
-// Points where the width of a pass may change, at the same places whichever way it runs: so passes never cross.
+// Adds points where the width of a pass may change. They do not depend on its direction, so passes never cross.
 void add_tapers(Leg& leg, double taper) {
     for (int end = 0; end < 2; ++end) {
         const Vec2 a = leg.line[0], b = leg.line[1];
@@ -57,14 +57,14 @@ void shorten(std::vector<Vec2>& line, double by) {
     }
 }
 
-// From a to b around the corner c, tangent to both sides: the cubic nearest to a circle's arc.
+// Appends the curve from a to b around the corner c, tangent to both sides: the cubic nearest to a circular arc.
 void append_rounded(Vec2 a, Vec2 c, Vec2 b, std::vector<Vec2>& to) {
     const Vec2 u = c - a, v = b - c;
     const double turn = std::abs(std::atan2(geom::cross(u, v), geom::dot(u, v)));
     const double pull = turn > 1e-6 && turn < 3.1 ? 4.0 / 3 * std::tan(turn / 4) / std::tan(turn / 2) : 0;
     const Vec2 p = a + pull * u, q = b - pull * v;
     const double radius = geom::norm(u) / std::max(1e-9, std::tan(turn / 2));
-    const double step = 2 * std::acos(std::max(0.0, 1 - polygon::kBeadArc / radius)); // chords are off by no more
+    const double step = 2 * std::acos(std::max(0.0, 1 - polygon::kBeadArc / radius)); // chords are off by this at most
     const int n = std::max(1, static_cast<int>(std::ceil(turn / step)));
     for (int i = 1; i <= n; ++i) {
         const double t = static_cast<double>(i) / n, s = 1 - t;
@@ -72,7 +72,7 @@ void append_rounded(Vec2 a, Vec2 c, Vec2 b, std::vector<Vec2>& to) {
     }
 }
 
-// Rounds the corner between two legs: the first gets the round.
+// Rounds the corner between two legs. The round belongs to the first leg.
 void round_corner(Leg& before, Leg& after, double radius) {
     if (before.strand == after.strand || !before.once || !after.once) return;
     const double by = std::min({radius, before.length / 2, after.length / 2});
@@ -118,7 +118,7 @@ Bead joined(std::vector<Leg> legs, std::span<const double> radius, double taper)
     return out;
 }
 
-// Halves the radii of the corners at the ends of the leg that a segment belongs to.  False: they are 0 all.
+// Halves the radii of the corners at both ends of the leg that a segment belongs to. False if all of them are 0.
 bool less_round(const Bead& bead, std::uint32_t segment, std::vector<double>& radius) {
     const auto leg =
         static_cast<std::size_t>(std::lower_bound(bead.last.begin(), bead.last.end(), segment) - bead.last.begin());

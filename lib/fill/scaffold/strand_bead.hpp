@@ -1,4 +1,4 @@
-// The walk through a scaffold's layer as a bead line.
+// Turns the walk through a layer of a scaffold into a bead line.
 #pragma once
 
 #include "fill/scaffold/strand_walk.hpp"
@@ -8,14 +8,15 @@
 
 namespace filum::fill::scaffold {
 
-// The open curve along `trail`, `width` wide; what all trails of the walk pass k times is laid in beads of width / k.
-// Corners between strands and turns that are passed once are rounded, by cutting off at most `radius` mm and half of
-// either side, and less where the bead would cross itself.  `passes` holds how often each strand (first) and arc
-// (second) is passed, see below.
+// How often a walk passes each strand and each arc.
 struct Passes {
     std::vector<std::uint32_t> strand, arc;
 };
 Passes passes(const StrandGraph& graph, const StrandWalk& walk);
+
+// The open curve along `trail`, `width` mm wide. A stretch that the walk passes k times, over all trails, gets beads of
+// width / k. Corners between strands and turns that are passed once are rounded. Rounding cuts off at most `radius` mm
+// and half of either side, and less where the bead would cross itself.
 toolpath::Curve strand_bead(const StrandGraph& graph, std::span<const Step> trail, const Passes& passes, double width,
                             double radius);
 

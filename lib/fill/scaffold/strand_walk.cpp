@@ -10,16 +10,17 @@ namespace filum::fill::scaffold {
 
 namespace {
 
-constexpr double kStrand = 4; // a strand passed before counts as this much longer
+constexpr double kStrand = 4; // passing a strand again costs this many times its length
 
 class Walker {
   public:
-    // `lean`: strands above are preferred to those below by this share of the way; below, if negative
+    // `lean`: strands above count as nearer by this share of the way; if it is negative, strands below
     Walker(const StrandGraph& g, double lean)
         : g_(g), lean_(lean), laid_(g.strands, 0), passed_(g.arcs.size(), 0), cost_(g.node.size(), 0),
           seen_(g.node.size(), 0), before_(g.node.size()) {}
 
-    // From `from`, first to the strand that ends at `first` (kNone: to the nearest), then on until all are laid.
+    // Walks from the node `from` to the strand end `first` (kNone: to the nearest one), then on until every strand is
+    // visited.
     StrandWalk run(std::uint32_t from, std::uint32_t first) {
         out_.trails.emplace_back();
         std::uint32_t at = from;
@@ -36,7 +37,7 @@ class Walker {
   private:
     [[nodiscard]] bool is_open(std::uint32_t node) const { return node < 2 * g_.strands && laid_[node / 2] == 0; }
 
-    // The end of a strand not laid yet that is cheapest to get to, or `goal` if that is given; kNone if there is none.
+    // The cheapest end of an unvisited strand to reach, or `goal` if that is given; kNone if there is none.
     std::uint32_t search(std::uint32_t from, std::uint32_t goal) {
         ++round_;
         using Item = std::pair<double, std::uint32_t>;
@@ -77,7 +78,7 @@ class Walker {
         return best;
     }
 
-    // Where a step comes from.
+    // The node where a step begins.
     [[nodiscard]] std::uint32_t tail(const Step& s) const {
         if (s.strand) return 2 * s.id + (s.against ? 1 : 0);
         return s.against ? g_.arcs[s.id].to : g_.arcs[s.id].from;
@@ -105,7 +106,7 @@ class Walker {
         return end ^ 1U;
     }
 
-    // The first strand left: the loops that it ends on are reached by no way.
+    // Begins a new trail at the first unvisited strand: no way leads to the loops that it ends on.
     std::uint32_t begin_anew() {
         if (!out_.trails.back().empty()) out_.trails.emplace_back();
         return 2 * static_cast<std::uint32_t>(std::find(laid_.begin(), laid_.end(), 0) - laid_.begin());
@@ -115,7 +116,7 @@ class Walker {
     double lean_;
     std::vector<char> laid_;            // per strand
     std::vector<std::uint32_t> passed_; // per arc, how often
-    std::vector<double> cost_;          // per node, in the present search:
+    std::vector<double> cost_;          // per node, in the current search:
     std::vector<std::uint64_t> seen_;   // 2 * round - 1: reached, 2 * round: settled
     std::vector<Step> before_;          //
     std::uint64_t round_ = 0;

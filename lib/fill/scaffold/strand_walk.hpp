@@ -1,4 +1,4 @@
-// The order in which a scaffold's strands are laid, in as few strokes as the boundary allows.
+// The order of the strands of a scaffold, in as few strokes as the boundary allows.
 #pragma once
 
 #include "fill/scaffold/strands.hpp"
@@ -7,27 +7,28 @@
 
 namespace filum::fill::scaffold {
 
-// One strand or arc, from its first node to its second, or against that.
+// One strand or arc, from its first node to its second, or backwards if `against`.
 struct Step {
     std::uint32_t id = 0;
     bool strand = false, against = false;
 };
 
 struct StrandWalk {
-    std::vector<std::vector<Step>> trails; // one, unless strands cannot be reached along the boundary
-    double along = 0;                      // mm along the boundary
-    double again = 0;                      // mm of it, and of strands, that are passed more than once
+    std::vector<std::vector<Step>> trails; // one, unless some strand cannot be reached along the boundary
+    double along = 0;                      // mm of boundary
+    double again = 0;                      // mm of boundary and strands passed again
 };
 
-// Lays every strand once, from `graph.start` if there is one.  From the end of a strand the walk goes along the
-// boundary to the nearest end of a strand not laid yet: mostly the next turn of a meander.  Where the
-// boundary does not lead to what is left, the walk passes a strand again; where nothing leads there, a new trail
-// begins. Of several such walks, which begin at other corners and prefer to go up or down, the one with the least
-// `along` + `again` is taken.  Tie: the first.
+// Visits every strand, from `graph.start` if there is one. From the end of a strand the walk follows the boundary to
+// the nearest end of an unvisited strand. Mostly that is the next turn of a meander. If the boundary leads to none, the
+// walk passes a strand again. If nothing leads to one, a new trail begins.
 //
-// No walk can do without passing again, in general: every loop holds an even number of strand ends, so only turns that
-// pair them up alternately pass nothing twice, and these are one trail only where the area is monotone across the
-// strands, begun and ended at its outermost two.
+// Several walks are tried: they begin at different corners and prefer to go up or down. The one with the fewest trails
+// is returned, and among these the one with the least `along` + `again`. Tie: the first.
+//
+// In general no walk can avoid passing some stretch again. Every loop has an even number of strand ends, so only turns
+// that pair them alternately pass nothing again. These form one trail only if the area is monotone across the strands,
+// from one outermost strand to the other.
 StrandWalk strand_walk(const StrandGraph& graph);
 
 } // namespace filum::fill::scaffold

@@ -11,7 +11,7 @@ namespace filum::fill::scaffold {
 
 namespace {
 
-// A place on the boundary: its loop, and the way along it from its first point in units of edges.
+// A place on the boundary: its loop, and its position there, counted in edges from the first point.
 struct OnLoop {
     std::size_t loop = 0;
     double at = 0;
@@ -38,7 +38,7 @@ std::vector<std::vector<OnLoop>> hits(const Loops& area, std::span<const double>
     return out;
 }
 
-// The place nearest to p on the loops that carry nodes.  Tie: the first.
+// The place nearest to p on the loops that carry nodes. Tie: the first.
 std::optional<OnLoop> nearest(const Loops& area, std::span<const char> used, Vec2 p) {
     std::optional<OnLoop> best;
     double least = std::numeric_limits<double>::infinity();

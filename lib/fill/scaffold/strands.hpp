@@ -1,5 +1,5 @@
-// Strands across an area, and the stretches of its boundary between their ends: the graph that a scaffold's layer runs
-// through.
+// Strands across an area, and the stretches of its boundary between their ends: the graph in which a scaffold's layer
+// is routed.
 #pragma once
 
 #include "polygon/loops.hpp"
@@ -15,14 +15,14 @@ namespace filum::fill::scaffold {
 using geom::Vec2;
 using polygon::Loops;
 
-// A stretch of the boundary from one node to the next along its loop, both ends in `line`.
+// A stretch of the boundary from one node to the next along its loop. `line` includes both ends.
 struct Arc {
     std::uint32_t from = 0, to = 0;
     std::vector<Vec2> line;
     double length = 0; // mm
 };
 
-// Node 2k is the left end of strand k, node 2k + 1 its right end; a node behind those is a place to begin at.
+// Node 2k is the left end of strand k, node 2k + 1 its right end. A node after those is a place to begin at.
 struct StrandGraph {
     std::size_t strands = 0;                           // ascending y, then x
     std::vector<Vec2> node;                            //
@@ -33,9 +33,9 @@ struct StrandGraph {
     [[nodiscard]] double strand_length(std::size_t k) const { return node[2 * k + 1].x - node[2 * k].x; }
 };
 
-// The stretches of the lines y = const (ascending) inside `area` that are at least `shortest` mm long, as strands, and
-// the boundary loops that they end on, cut there.  With `start` they are cut at the place nearest to it, too.
-// An edge belongs to the lines lower <= y < upper.
+// The strands and boundary arcs of `area`. Strands are the stretches of the lines y = const (ascending) inside `area`
+// that are at least `shortest` mm long. The boundary loops on which they end are cut there, and with `start` also at
+// the place nearest to it. An edge belongs to the lines with lower <= y < upper.
 StrandGraph strand_graph(const Loops& area, std::span<const double> y, double shortest, std::optional<Vec2> start);
 
 } // namespace filum::fill::scaffold

@@ -23,7 +23,7 @@ using toolpath::place_at;
 
 constexpr double kShort = 3; // bead widths: shorter walls stay as they are
 
-// The closed curve, with the way to each place on it.
+// A closed curve with its arc lengths.
 struct Measured {
     const Curve& curve;
     std::vector<double> sums;
@@ -50,17 +50,17 @@ Wall reversed(Wall w) {
     return w;
 }
 
-// Left (side 1) or right (-1) of the wall's end at `i`, where a lane runs.
+// The place of a lane beside point `i` of the wall: left (side 1) or right (-1).
 Vec2 beside(const Wall& w, std::size_t i, int side) {
     const auto& line = w.line.points;
     const Vec2 d = i == 0 ? line[1] - line[0] : line[i] - line[i - 1];
     return line[i] + side * w.line.width[i] / 4 / geom::norm(d) * geom::left_of(d);
 }
 
-// The curve that keeps only the lane on `side` of the wall, or both, in its middle; if its lanes are there and
-// nothing crosses the middle line.
+// The curve with the lane on `side` of the wall moved to its middle, and the other lane removed, or moved as well if
+// `both`. nullopt if the lanes are not in their places, or if the new curve crosses itself.
 std::optional<Curve> to_middle(const Measured& m, const Wall& w, bool tip, double width, int side, bool both) {
-    const double back = tip ? std::min(w.length / 4, w.line.width.back() / 2) : 0; // lanes turn round before the tip
+    const double back = tip ? std::min(w.length / 4, w.line.width.back() / 2) : 0; // lanes turn before the tip
     const Wall lanes = part(w, 0, back);
     if (lanes.line.points.size() < 2) return std::nullopt;
     const std::size_t last = lanes.line.points.size() - 1;
@@ -83,7 +83,7 @@ std::optional<Curve> to_middle(const Measured& m, const Wall& w, bool tip, doubl
     return out;
 }
 
-// The longest stretch that is thinner than 2 * `least`: from where to where, mm.
+// The longest stretch of the wall that is thinner than 2 * `least`: its start and end, mm along the wall.
 std::pair<double, double> thin_stretch(const Wall& w, double least) {
     std::pair<double, double> best{0, 0};
     double along = 0, first = 0;
@@ -95,7 +95,7 @@ std::pair<double, double> thin_stretch(const Wall& w, double least) {
     return best;
 }
 
-// A wall that ends at a tip, if it has one, and whether it has.
+// Wall k, reversed if needed so that it ends at a tip, and whether it does.
 std::pair<Wall, bool> towards_tip(const WallGraph& walls, std::size_t k, double width) {
     const auto is_tip = [&](std::uint32_t v, double radius) {
         const auto at =

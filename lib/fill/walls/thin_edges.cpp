@@ -10,12 +10,12 @@ namespace filum::fill::walls {
 
 namespace {
 
-// The edges of the medial axis that a thin wall's bead follows: radius below `most` at one end at least, dead ends
-// shortened until they reach farther beyond the disc at their foot than the round end of a bead.
+// The edges of the medial axis that the bead of a thin wall follows: those with a radius below `most` at one end at
+// least. Dead ends are removed if they reach at most half a bead, its round end, beyond the disc at their foot.
 class ThinAxis {
   public:
     ThinAxis(const polygon::MedialAxis& axis, double width, double most)
-        : axis_(axis), width_(width), most_(most * (1 - 1e-9)) { // 1e-9: the axis was split there, but for rounding
+        : axis_(axis), width_(width), most_(most * (1 - 1e-9)) { // 1e-9: rounding, where the axis was split
         const std::size_t n = axis.nodes();
         degree_.assign(n, 0);
         kept_.assign(axis.half_edges() / 2, 0);
@@ -63,13 +63,13 @@ class ThinAxis {
             if (leaf(u)) leaves.emplace(reach_[u], u);
         }
     }
-    // A dead end that does not lie in a fat part.
+    // True for a dead end that lies outside thick parts.
     [[nodiscard]] bool leaf(std::uint32_t v) const { return degree_[v] == 1 && axis_.radius[v] < most_; }
 
     const polygon::MedialAxis& axis_;
     double width_, most_; // mm
     std::vector<int> degree_;
-    std::vector<double> reach_; // per vertex: how far its discs and the twigs cut off there reach
+    std::vector<double> reach_; // per vertex: reach of its disc and of the twigs removed there
     std::vector<std::vector<std::uint32_t>> at_;
     std::vector<char> kept_;
 };

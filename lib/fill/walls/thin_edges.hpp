@@ -1,4 +1,4 @@
-// The part of the medial axis that lies in walls, necks and tips thinner than a bead.  Private to lib/fill.
+// The part of the medial axis that lies in walls, necks and tips thinner than a bead. Private to lib/fill.
 #pragma once
 
 #include "polygon/medial_axis.hpp"
@@ -8,15 +8,16 @@
 
 namespace filum::fill::walls {
 
-// The medial axis of `area`, for beads `width` wide: exact to a 64th of that, of the outline too.
+// The medial axis of `area` for beads `width` mm wide. It is exact to half of join::tolerance_for(width), and so is the
+// outline it is computed from.
 polygon::MedialAxis axis_for(const polygon::Loops& area, double width);
 
-// The same with a node wherever a piece passes `radius` mm.
+// The medial axis with a node wherever an edge passes `radius` mm.
 polygon::MedialAxis split_at(const polygon::MedialAxis& axis, double radius);
 
-// The pieces of the axis that a bead follows in walls of a half-thickness below `most` mm, ascending; without twigs to
-// corners and tips that reach less than 0.4 width beyond the disc at their foot.  An axis that passes `most` has a node
-// there (split_at).
+// The edges of the axis in walls with a half-thickness below `most` mm, ascending. Twigs to corners and tips are left
+// out if they reach at most width / 2 beyond the disc at their foot. Precondition: the axis has a node wherever it
+// passes `most` (split_at).
 std::vector<std::uint32_t> thin_edges(const polygon::MedialAxis& axis, double width, double most);
 
 } // namespace filum::fill::walls

@@ -17,7 +17,7 @@ namespace filum::fill::walls {
 
 namespace {
 
-// Tapers are divided, and where tips taper to nothing a bead still has some width.
+// Divides tapers, and gives beads a least width where tips taper to nothing.
 void make_beads(WallGraph& g, double width) {
     const double least = rings::kLeastVoid * width * width;
     for (Wall& w : g.walls) {
@@ -45,7 +45,7 @@ class Tracer {
         for (std::uint32_t v = 0; v < at_.size(); ++v)
             if (!at_[v].empty() && at_[v].size() != 2) add_node(v);
         for (std::uint32_t v = 0; v < at_.size(); ++v) follow_from(v);
-        for (std::uint32_t v = 0; v < at_.size(); ++v) { // rings that no node lies on
+        for (std::uint32_t v = 0; v < at_.size(); ++v) { // rings without a node
             const bool left = std::any_of(at_[v].begin(), at_[v].end(), [&](auto k) { return done_[k] == 0; });
             if (left) {
                 add_node(v);
@@ -118,7 +118,7 @@ Ways ways(const WallGraph& g, const std::vector<std::vector<std::uint32_t>>& at,
 
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-// All of 0 .. n - 1 (n even) in pairs: the nearest two first, then two pairs exchange partners while that helps.
+// Pairs up 0 .. n - 1 (n even): the nearest two first. Then two pairs exchange partners while that helps.
 Pairs matched(std::size_t n, const std::vector<std::vector<double>>& cost) {
     std::vector<char> taken(n, 0);
     Pairs all, out;
@@ -152,11 +152,11 @@ Pairs matched(std::size_t n, const std::vector<std::vector<double>>& cost) {
 
 std::uint32_t other_end(const Wall& w, std::uint32_t v) { return w.a == v ? w.b : w.a; }
 
-// The trail may begin at one odd node and end at another: takes the way between two of `odd` whose walls, passed once
-// more or once less, save the most.  Exact in a tree, where there is but one way.
+// Lets the trail begin at one odd node and end at another. Chooses the way between two nodes of `odd` that saves the
+// most length when its walls change between one and two passes. Exact in a tree, where there is only one way.
 void open_up(const WallGraph& g, const std::vector<std::vector<std::uint32_t>>& at,
              const std::vector<std::uint32_t>& odd, std::vector<int>& passes) {
-    WallGraph priced{g.node, g.walls}; // what is passed twice already is no loss
+    WallGraph priced{g.node, g.walls}; // walls that are passed twice cost nothing
     for (std::size_t k = 0; k < g.walls.size(); ++k)
         if (passes[k] == 2) priced.walls[k].length = 0;
     double most = 0;
@@ -183,11 +183,11 @@ void open_up(const WallGraph& g, const std::vector<std::vector<std::uint32_t>>& 
 } // namespace
 
 std::optional<WallGraph> wall_graph(const Loops& area, double width) {
-    // thinner than this, one bead is nearer to its usual width than two beside each other, by the factor
+    // half-thickness up to which the width of one bead is, as a ratio, nearer to the usual one than that of two
     const double most = width / std::numbers::sqrt2;
     if (!polygon::offset(area, -most).empty()) return std::nullopt;
     const polygon::MedialAxis axis = axis_for(area, width);
-    const auto edges = thin_edges(axis, width, 2 * most); // all but twigs: the offset may be off by its arcs
+    const auto edges = thin_edges(axis, width, 2 * most); // all except twigs: the offset is inexact at arcs
     if (edges.empty()) return std::nullopt;
     WallGraph out = Tracer(axis, edges).run();
     make_beads(out, width);

@@ -1,4 +1,4 @@
-// A region of thin walls as a plane graph: where walls meet and end, and their middle lines between.
+// Thin walls as a plane graph: nodes where walls meet and end, and middle lines between them.
 #pragma once
 
 #include "polygon/loops.hpp"
@@ -13,7 +13,7 @@ namespace filum::fill::walls {
 using geom::Vec2;
 using polygon::Loops;
 
-// A wall's middle line from node a to node b, both in it, as wide as the wall.
+// The middle line of a wall from node a to node b, both included, with the width of the wall at each point.
 struct Wall {
     std::uint32_t a = 0, b = 0;
     toolpath::Curve line;
@@ -25,18 +25,19 @@ struct WallGraph {
     std::vector<Wall> walls;
 };
 
-// The medial axis of `area` without the twigs to its corners (thin_edges), if no wall is thicker than sqrt(2)
-// `width`, where two beads would come as near to that as one; else nothing.  Nodes are where walls meet or end; a ring
-// without any has one, at the axis' first vertex.  Connected if the area is.
+// The walls of an area that is thin everywhere: its medial axis without the twigs to corners (thin_edges). nullopt if
+// some wall is thicker than sqrt(2) `width`, where two beads fit as well as one. Nodes are where walls meet or end. A
+// ring without such a place has one node, at the first vertex of the axis. Connected if the area is.
 std::optional<WallGraph> wall_graph(const Loops& area, double width);
 
-// The same of the thin parts of any area: where it is thinner than `width`, without twigs to corners and tips that
-// reach less than 0.4 width.  A wall ends at a node where it gets thicker (radius width / 2), ends or meets others.
+// The thin walls of any area: the parts thinner than `width` mm, without twigs to corners and short tips (thin_edges).
+// A wall has nodes where it becomes thicker (radius width / 2), ends, or meets others.
 WallGraph thin_walls(const Loops& area, double width);
 
-// How often each wall must be passed at least, once or twice, so that one trail passes all of them and nothing else: in
-// sum the shortest in a tree, short in others: a T-join by pairs of near nodes that exchange partners while that helps.
-// All walls twice but the longest path, if the graph is a tree; all once, if it is a ring.
+// How often each wall must be passed, once or twice, so that one trail passes all walls and nothing else. The total
+// length is the shortest in a tree and near the shortest elsewhere: a T-join by pairs of near nodes, which exchange
+// partners while that helps. In a tree all walls except those of the longest path are passed twice; in a ring all are
+// passed once.
 std::vector<int> passes_of_walls(const WallGraph& graph);
 
 } // namespace filum::fill::walls

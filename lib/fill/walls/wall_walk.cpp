@@ -15,7 +15,7 @@ namespace filum::fill::walls {
 
 namespace {
 
-// One pass along a wall.  Its end at the wall's node a is number 2 * track, that at node b 2 * track + 1.
+// One pass along a wall. Its end at the wall's node a is number 2 * track, that at node b 2 * track + 1.
 struct Track {
     std::uint32_t wall = 0;
     int side = 0; // 0: in the middle; 1: left of the wall from a to b; -1: right of it
@@ -39,7 +39,7 @@ class Circuit {
         circuits_ = geom::DisjointSets(tracks_.size());
     }
 
-    // The ends in the order in which they are entered, of each circuit; the open one first.
+    // Per circuit the ends in the order in which they are entered; the open circuit comes first.
     std::vector<std::vector<std::uint32_t>> run() {
         for (auto& ends : at_) pair_up(ends);
         for (bool joined = true; joined;) {
@@ -67,7 +67,7 @@ class Circuit {
     [[nodiscard]] const Track& track(std::uint32_t end) const { return tracks_[end / 2]; }
 
   private:
-    // Direction in which an end leaves its node, and its place beside its twin.
+    // The sort key of an end around its node: its direction there, then its place beside its twin.
     [[nodiscard]] std::tuple<double, int, std::uint32_t> order(std::uint32_t end) const {
         const Track& t = tracks_[end / 2];
         const Wall& w = g_.walls[t.wall];
@@ -78,7 +78,7 @@ class Circuit {
         return {std::atan2(to.y - from.y, to.x - from.x), at_b ? -t.side : t.side, end};
     }
 
-    // Neighbours around the node; of an odd number a pass in the middle of its wall is left over.
+    // Pairs neighbours around the node. If their number is odd, an end of a wall that is passed once is left over.
     void pair_up(std::vector<std::uint32_t>& ends) {
         std::sort(ends.begin(), ends.end(), [&](auto e, auto f) { return order(e) < order(f); });
         std::vector<std::uint32_t> rest = ends;
@@ -96,14 +96,14 @@ class Circuit {
         circuits_.unite(e / 2, f / 2);
     }
 
-    // Whether the pairs (a, b) and (c, d), places around a node, cross.
+    // True if the pairs (a, b) and (c, d), places around a node, cross.
     static bool cross(std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
         if (a > b) std::swap(a, b);
         return (c > a && c < b) != (d > a && d < b);
     }
 
-    // Joins two circuits at the node, if two of its pairs, or a pair and the end of the curve, belong to different
-    // ones.
+    // Joins two circuits at the node, if two of its pairs, or a pair and an end of the curve, belong to different ones.
+    // True if it did.
     bool join(const std::vector<std::uint32_t>& ends) {
         const std::size_t n = ends.size();
         std::vector<std::size_t> mate(n, n); // n: where the curve begins or ends
@@ -120,7 +120,7 @@ class Circuit {
             for (std::size_t c = 0; c < n; ++c) {
                 const std::size_t b = mate[a], d = mate[c];
                 if (b == n || b < a || circuits_.root(ends[a] / 2) == circuits_.root(ends[c] / 2)) continue;
-                if (d == n) { // the curve goes on into the circuit, and ends where that came back
+                if (d == n) { // the curve continues into the circuit and ends where that returns
                     for (const auto& [p, q] : {std::pair{a, b}, std::pair{b, a}}) {
                         if (!free(p, c, {a, b, c})) continue;
                         connect(ends[p], ends[c]);
@@ -142,8 +142,8 @@ class Circuit {
     const WallGraph& g_;
     std::vector<Track> tracks_;
     std::vector<std::vector<std::uint32_t>> at_; // per node: ends, in their order around it
-    std::vector<std::uint32_t> partner_;         // per end: what follows it, kNone: the curve begins or ends there
-    geom::DisjointSets circuits_;                // of tracks
+    std::vector<std::uint32_t> partner_; // per end: the end that follows it; kNone where the curve begins or ends
+    geom::DisjointSets circuits_;        // of tracks
 };
 
 Vec2 unit(Vec2 v) {
@@ -159,7 +159,7 @@ void unfold(const Wall& w, toolpath::Curve& lane) {
     toolpath::Curve out;
     for (std::size_t i = 0; i < n; ++i) {
         const double least = 0.98 * width[i] / 4;
-        const auto far = [&](std::size_t k) { // from segment k, or no longer in reach
+        const auto far = [&](std::size_t k) { // true if the point keeps away from segment k
             return geom::point_segment_distance(middle[k], middle[k + 1], lane.points[i]) >= least;
         };
         bool free = true;
@@ -187,7 +187,8 @@ toolpath::Curve trimmed(const toolpath::Curve& lane, double first, double last) 
     return out;
 }
 
-// The pass as it lies, from the wall's node a to b.  `dead`: the node is the wall's dead end; lanes turn there.
+// The line of one pass, from node a to node b of the wall. `dead_a`, `dead_b`: that node is a dead end, where lanes
+// turn. Without `apart` both passes of a wall follow its middle.
 toolpath::Curve line(const Wall& w, int side, bool apart, bool dead_a, bool dead_b) {
     toolpath::Curve out = w.line;
     if (side == 0) return out;
@@ -244,7 +245,7 @@ WallWalk wall_walk(const WallGraph& g) {
     Circuit circuit(g, passes);
     const auto all = circuit.run();
     WallWalk out;
-    for (const bool apart : {true, false}) { // lanes that cross are laid on one line
+    for (const bool apart : {true, false}) { // if lanes cross, both follow the middle
         out.curves.clear();
         for (const auto& ends : all) out.curves.push_back(lay_walls(g, circuit, ends, circuit.closed(ends), apart));
         if (join::crossing_pairs(out.curves, 0.5).empty()) break;
