@@ -32,9 +32,9 @@ using polygon::Loops;
 using polygon::Region;
 using toolpath::Feature;
 
-constexpr double kTolerance = 0.01; // mm: what a bead's edges may be off
-constexpr double kOfSkins = 0.75;   // of it: nothing is laid on seams of a skin, nor against them
-constexpr double kStripGive = 0.25; // of a strip's height: rows are from three to five quarters of a bead wide
+constexpr double kTolerance = 0.01; // mm: tolerance of bead edges
+constexpr double kOfSkins = 0.75;   // of the tolerance: no other bead covers the seams of a skin
+constexpr double kStripGive = 0.25; // of a strip's height: rows are 0.75 to 1.25 beads wide
 
 // Closed curves, each of one feature.
 struct Loose {
@@ -42,7 +42,7 @@ struct Loose {
     std::vector<Feature> feature; // per loop
 };
 
-// The first `walls` lanes are walls, the first of them an outer one or as the others.
+// Adds rings. The first `walls` lanes become walls, lane 1 with the feature `first`; other lanes are solid.
 void add(Loose& to, const rings::Rings& from, std::uint32_t walls, Feature first = Feature::outer_wall) {
     to.rings.add(from);
     for (const int lane : from.lane) {
@@ -56,19 +56,21 @@ void add(Loose& to, const Loops& from, double width, Feature feature) {
     to.feature.resize(to.rings.size(), feature);
 }
 
-// What walls leave, parted.
+// The area inside the walls, divided.
 struct Division {
     Loops all_sparse;
-    std::vector<Loops> sparse; // of each area
+    std::vector<Loops> sparse; // for each of `area`
     std::vector<const Area*> area;
     std::vector<Loops> solid;      // connected parts
-    std::vector<Loops> bridge;     // likewise
+    std::vector<Loops> bridge;     // connected parts
     std::vector<double> direction; // rad, of each bridge
 };
 
-// Cuts bridges out of the solid area, together with places beside them that are narrower than a bead.  `depth`: mm, of
-// all walls.  A bridge takes nothing farther than two beads from its reach, so it is cut from a window of the solid
-// area; the outermost bead of the window may differ from the whole area, and is not looked at.
+// Moves bridges from `solid` to `out`, together with places beside them that are narrower than a bead. `depth` is the
+// total width of the walls in mm.
+//
+// A bridge takes nothing farther than two beads from its reach, so it is cut from a window of the solid area. The
+// outermost bead of the window may differ from the whole area, and has no influence.
 void take_bridges(const Region& r, double depth, double w, Loops& solid, Division& out) {
     constexpr double kWindow = 4; // bead widths around the reach
     Loops all;
@@ -98,7 +100,7 @@ void take_bridges(const Region& r, double depth, double w, Loops& solid, Divisio
     if (!all.empty()) solid = polygon::subtract(solid, all);
 }
 
-// A ring in each of the strips two beads high that run along the bridge: rows that turn where it is carried.
+// Adds a ring in each strip, two beads high, along the bridge: rows that turn where the bridge is carried.
 void add_rows(Loose& to, const Loops& bridge, double direction, double w, double tolerance) {
     const Loops level = polygon::rotated(bridge, -direction);
     const auto cuts = polygon::strip_bounds(level, 2 * w, kStripGive);
@@ -119,9 +121,9 @@ void add_rows(Loose& to, const Loops& bridge, double direction, double w, double
     }
 }
 
-// What is solid and narrower than a bead becomes sparse, then what is sparse and narrower than two becomes solid: so no
-// slivers stand where the outlines of areas run along those of the walls.  Solid parts nowhere as wide as half a bead
-// are left open.
+// Divides `rest`. Solid parts narrower than a bead become sparse, then sparse parts narrower than two beads become
+// solid. So no slivers remain where the outlines of areas run along those of the walls. Solid parts nowhere as wide as
+// half a bead are left open.
 Division divided(const Loops& rest, const Region& r, double depth, double w) {
     Division out;
     Loops solid = rest;
@@ -148,7 +150,7 @@ bool has(const Region& r, AreaKind kind) {
     return std::any_of(r.areas.begin(), r.areas.end(), [&](const Area& a) { return a.kind == kind; });
 }
 
-// Lays what lies within walls that are `depth` mm wide together, with beads w wide.
+// Adds the curves inside walls that are `depth` mm wide in total, with beads w mm wide.
 void add_inside(Loose& to, const Loops& rest, const Region& r, double depth, double w, double tolerance) {
     const Division parts = divided(polygon::simplify(rest, kTolerance), r, depth, w);
     Loops rim;
@@ -164,7 +166,7 @@ void add_inside(Loose& to, const Loops& rest, const Region& r, double depth, dou
     for (const Loops& part : parts.solid) add(to, rings::lanes(part, {.width = w, .tolerance = tolerance}), 0);
 }
 
-// Lays a piece within walls of `depth` mm: further ones of its own, and what they leave.
+// Adds the curves of a piece inside walls of `depth` mm: the walls of the piece and what lies inside them.
 void add_piece(Loose& to, const Piece& piece, const Region& r, double depth, double tolerance) {
     if (piece.walls == 0) return add_inside(to, piece.where, r, depth, piece.width, tolerance);
     const auto walls = rings::first_lanes(
@@ -174,14 +176,14 @@ void add_piece(Loose& to, const Piece& piece, const Region& r, double depth, dou
         add_inside(to, rest, r, depth + piece.walls * piece.width, piece.width, tolerance);
 }
 
-// Whether an area that stays empty covers all of what walls leave, however narrow that is.
+// True if an area that stays empty covers everything inside the walls, however narrow that is.
 bool stays_empty(const Loops& rest, const Region& r) {
     return std::any_of(r.areas.begin(), r.areas.end(), [&](const Area& a) {
         return a.kind == AreaKind::sparse && a.spacing >= infill::kHollow && polygon::subtract(rest, a.loops).empty();
     });
 }
 
-// All closed curves of the region, none joined.
+// All closed curves of the region, not joined yet.
 Loose closed_curves(const Region& r, double w, double tolerance) {
     Loose out;
     if (!has(r, AreaKind::sparse) && !has(r, AreaKind::bridge) && !has(r, AreaKind::zone)) {
@@ -203,7 +205,7 @@ Loose closed_curves(const Region& r, double w, double tolerance) {
     return out;
 }
 
-// Tells which points of a region are seen from above.
+// Finds the points of a region that lie on a top surface.
 class TopSkin {
   public:
     explicit TopSkin(const Region& r) {
@@ -218,13 +220,14 @@ class TopSkin {
     std::vector<polygon::InsideTest> inside_; // of each area
 };
 
-// Of a region that is no part.
+// The feature at p in a region that is not of the part: skirt, support or interface.
 Feature feature_beside(const Region& r, const TopSkin& top, Vec2 p) {
     if (r.is == polygon::RegionClass::rim) return Feature::skirt;
     return top.holds(p) ? Feature::interface : Feature::support;
 }
 
-// Every segment of the curves gets the feature of the loop nearest to its middle.
+// Sets the feature of every segment of the curves: that of the loop nearest to its middle. Solid segments on a top
+// surface become `top`. Regions that are not of the part get one of the features of supports and skirts.
 void tell_features(const Region& r, const Loose& from, double w, std::vector<toolpath::Curve>& curves) {
     const auto segments = polygon::segments(Loops{from.rings.points, from.rings.start});
     std::vector<std::uint32_t> loop_of;
@@ -251,8 +254,8 @@ void tell_features(const Region& r, const Loose& from, double w, std::vector<too
         }
 }
 
-// Tells how beads are carried over the air that bridges of the region span; empty without bridges.  At the rim are the
-// turns of rows that end at a wall, two beads wide.
+// How beads are carried over the air that bridges of the region span; empty without bridges. The rim of the air is two
+// beads wide: there are the turns of rows that end at a wall.
 fill::join::Hanging hanging(const Region& r, double w) {
     Loops all;
     for (const Area& a : r.areas)
@@ -262,7 +265,7 @@ fill::join::Hanging hanging(const Region& r, double w) {
     return [inside, deep](Vec2 p) { return !inside(p) ? 0 : deep(p) ? fill::join::kHangsMost : 1; };
 }
 
-// Refuses areas whose lines would be too many, or would lie one on the other.
+// Throws Error(bad_input) for areas with too many lines, or with lines nearer than a bead.
 void check_densities(const Region& r, double narrowest) {
     for (const Area& a : r.areas) {
         const double area = polygon::signed_area(a.loops);
@@ -283,9 +286,9 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
     const std::size_t first = notes.size();
     const Widths width = widths(r, o.bead_width);
     const auto hung = hanging(r, width.widest);
-    const auto inside = fill::Rounded::inside; // what is seen of outer walls is as sharp as their beads
+    const auto inside = fill::Rounded::inside; // outer walls are visible and keep sharp corners
     Loose loose;
-    // crossings first, then curves
+    // the numbers of crossings and of curves
     constexpr std::size_t kMost = std::numeric_limits<std::size_t>::max();
     std::pair fewest{kMost, kMost};
     for (const fill::join::Attempt& how : fill::join::kAttempts) {

@@ -13,8 +13,8 @@ using polygon::Loops;
 
 namespace {
 
-// Parts no larger than what the edge of a bead flows over are left open; without walls those nowhere as wide as half a
-// bead, too.
+// Adds the connected parts of `where` as pieces. Parts of at most rings::kLeastVoid bead widths squared are left open.
+// Without walls, so are parts nowhere as wide as half a bead.
 void add_parts(const Loops& where, std::uint32_t walls, double width, std::vector<Piece>& to) {
     for (Loops& part : polygon::split(where).part) {
         if (polygon::signed_area(part) <= rings::kLeastVoid * width * width) continue;
@@ -23,7 +23,7 @@ void add_parts(const Loops& where, std::uint32_t walls, double width, std::vecto
     }
 }
 
-// What of a piece is narrower than a bead because `rest` is cut there, and not by itself.
+// The part of a piece that is narrower than a bead only because `rest` is cut there.
 Loops slivers(const Loops& piece, const Loops& rest, double width) {
     const Loops cut =
         polygon::subtract(polygon::opened(rest, width / 2, kBeadArc), polygon::opened(piece, width / 2, kBeadArc));

@@ -1,25 +1,29 @@
-// A region in pieces with walls and beads of their own.  Private to lib/hollow.
+// Divides a region into pieces that have walls and bead widths of their own. Private to lib/hollow.
 #pragma once
 
 #include "polygon/region.hpp"
 
 namespace filum::hollow {
 
-// A piece of what the walls of the whole region leave.
+// One piece of the area inside the walls of the region.
 struct Piece {
     polygon::Loops where;    // connected
-    std::uint32_t walls = 0; // further rings, along its own outline
-    double width = 0;        // mm, of its beads
+    std::uint32_t walls = 0; // further rings along its own outline
+    double width = 0;        // mm, bead width
 };
 
-// `rest`, which walls left of the region, along the outlines of its zones; all of it if there are none.  The pieces
-// lie side by side: what of a zone is narrower than its beads, because it is cut off there, belongs to what is beside
-// it, and the other way round.  Parts no larger than what the edge of a bead flows over are left open, and so is what
-// is in no zone and nowhere as wide as half a bead.  Order: the zones', then what is in none, each part in the order of
+// Cuts `rest`, the area inside the walls of the region, along the outlines of its zones. Without zones the pieces are
+// the connected parts of `rest`. Pieces lie side by side. A part that is narrower than its bead only because of the cut
+// belongs to the piece beside it.
+//
+// A piece is dropped if its area is at most rings::kLeastVoid bead widths squared. A piece without walls of its own is
+// dropped too if it is nowhere as wide as half a bead.
+//
+// Order: the zones in the order of the region, then the area outside all zones; parts of each in the order of
 // polygon::split.
 std::vector<Piece> pieces(const polygon::Loops& rest, const polygon::Region& region, double bead_width);
 
-// The narrowest and the widest beads of the region: where it has zones, theirs count as well, mm.
+// The narrowest and the widest bead of the region in mm: `bead_width` and the widths of its zones.
 struct Widths {
     double narrowest = 0, widest = 0;
 };
