@@ -15,9 +15,9 @@ using geom::Vec2;
 using polygon::Pattern;
 
 constexpr double kBeyond = 1;     // mm that cells reach beyond the area
-constexpr double kNearest = 1.25; // bead widths: lines that are nearer leave no cell between them
-constexpr int kSteps = 32;        // of a wave
-constexpr double kWave = 2.4;     // lengths of a wave: spacings, see docs/algorithms/infill.md
+constexpr double kNearest = 1.25; // bead widths: nearer lines leave no cell between them
+constexpr int kSteps = 32;        // points per wave
+constexpr double kWave = 2.4;     // spacings per wave length, see docs/algorithms/infill.md
 constexpr double kTau = 2 * std::numbers::pi;
 
 // The box of the points in a frame with the x axis along `along`.
@@ -32,10 +32,12 @@ geom::Box2 box_along(const Loops& area, Vec2 along) {
     return box;
 }
 
-// Where rows lie: one every spacing and, if no gap may be wider than o.gap, others between.  The first ones keep half
-// of that from those that go on below and carry them, but divide the spacing by three at least; what is between these
-// is divided evenly by an odd number.  So each spacing has an odd number of steps, and even cells go on in even ones.
-// No two lines come so near to each other that a cell between them would be too narrow.
+// The positions of rows: one every spacing and, if no gap may be wider than o.gap, others between them. The first and
+// last of these keep o.gap / 2 from the rows that continue below and carry them. That distance is at least kNearest
+// beads and at most a third of the spacing. The distance between those two is divided evenly by an odd number.
+//
+// So each spacing has an odd number of steps, and even cells continue in even ones. No two lines are so near that the
+// cell between them would be too narrow.
 class Ruler {
   public:
     explicit Ruler(const Lines& o) : spacing_(o.spacing) {
@@ -50,12 +52,12 @@ class Ruler {
         at_.push_back(o.spacing);
         steps_ = static_cast<double>(at_.size() - 1);
     }
-    // Of line j, mm.
+    // The position of line j, mm.
     [[nodiscard]] double place(double j) const {
         const double whole = std::floor(j / steps_);
         return whole * spacing_ + at_[static_cast<std::size_t>(j - whole * steps_)];
     }
-    // The other way round, evenly between lines.
+    // The inverse of place(), linear between lines.
     [[nodiscard]] double line(double v) const {
         const double whole = std::floor(v / spacing_), rest = v - whole * spacing_;
         const auto next = std::upper_bound(at_.begin() + 1, at_.end() - 1, rest);
@@ -68,7 +70,7 @@ class Ruler {
     static int odd_below(double x) { return 2 * static_cast<int>(std::floor((x - 1) / 2)) + 1; }
 
     double spacing_, steps_ = 1;
-    std::vector<double> at_; // within a spacing, both ends among them
+    std::vector<double> at_; // positions within one spacing, both ends included
 };
 
 Loops even_rows(const Loops& area, const Lines& o) {
@@ -85,15 +87,16 @@ Loops even_rows(const Loops& area, const Lines& o) {
     return out;
 }
 
-// The spacing of lines that lie evenly so near that no gap is wider than o.gap.
+// The spacing of even lines with no gap wider than o.gap.
 double near_enough(const Lines& o) {
     if (!(o.gap > 0)) return o.spacing;
     const double parts = std::ceil(o.spacing / (o.gap + o.bead_width));
-    return o.spacing / (2 * std::floor(parts / 2) + 1); // odd, so that lines go on where they were
+    return o.spacing / (2 * std::floor(parts / 2) + 1); // odd, so that all lines of the plain spacing remain
 }
 
-// Where sin x cos y + sin y cos z + sin z cos x, a gyroid, is below 0: strips that wind along x where the layer cuts it
-// so that each line has one y for every x, else along y (with the axes changed the equation keeps its form).
+// The cells where sin x cos y + sin y cos z + sin z cos x, a gyroid, is below 0. They are strips that wind along x if
+// every line of the layer has one y for each x. Else they wind along y: exchanging the axes keeps the form of the
+// equation.
 Loops even_waves(const Loops& area, const Lines& o) {
     const double scale = kTau / (kWave * near_enough(o)), z = scale * o.z;
     const bool along_x = std::abs(std::cos(z)) >= std::abs(std::sin(z));
@@ -101,7 +104,7 @@ Loops even_waves(const Loops& area, const Lines& o) {
     const double t0 = scale * ((along_x ? flat.lo.x : flat.lo.y) - kBeyond);
     const double t1 = scale * ((along_x ? flat.hi.x : flat.hi.y) + kBeyond);
     const double v0 = scale * (along_x ? flat.lo.y : flat.lo.x), v1 = scale * (along_x ? flat.hi.y : flat.hi.x);
-    // the line's two branches at t: below zero between them
+    // the two branches of the line at t; the gyroid is below zero between them
     const auto branches = [&](double t) -> Vec2 {
         const double a = along_x ? std::sin(t) : std::sin(z), b = along_x ? std::cos(z) : std::cos(t);
         const double c = along_x ? -std::sin(z) * std::cos(t) : -std::sin(t) * std::cos(z);
@@ -130,15 +133,15 @@ Loops even_waves(const Loops& area, const Lines& o) {
     return out;
 }
 
-// Bands along the rim between lines (k + 1/2) spacings inside it, k counted from 0, from every even line to the next:
-// so lines lie evenly, and half a spacing is left beside the rim.
+// Bands along the rim, from every odd line to the next one. Without further lines (Ruler), line k lies k - 1/2 spacings
+// inside the rim. So lines are evenly spaced, with half a spacing between the rim and the first of them.
 Loops even_bands(const Lines& o) {
     const Ruler ruler(o);
     const auto inside = [&](double line) {
         return polygon::offset(*o.rim, std::min(0.0, o.spacing / 2 - ruler.place(line)), polygon::kBeadArc);
     };
     Loops out;
-    for (double j = 1;; j += 2) { // line 0 lies outside, half a spacing
+    for (double j = 1;; j += 2) { // line 0 lies half a spacing outside the rim
         if (ruler.place(j + 1) <= o.spacing / 2) continue;
         const Loops band = inside(j);
         if (band.empty()) return out;
@@ -147,7 +150,7 @@ Loops even_bands(const Lines& o) {
     }
 }
 
-// The part of 0 .. u where the whole part of u is even; negative for negative u.
+// The length of the parts of 0 .. u whose floor is even; negative for negative u.
 double even_part(double u) {
     const double n = std::floor(u / 2);
     return n + std::min(u - 2 * n, 1.0);
@@ -163,7 +166,7 @@ double even_length_rows(const Loops& area, const Lines& o) {
             const Vec2 p = loop[i], q = loop[i + 1 == loop.size() ? 0 : i + 1];
             const double a = dot(p, across), b = dot(q, across), u = ruler.line(a), v = ruler.line(b);
             const double sign = v > u ? 1 : -1;
-            for (double k = std::ceil(std::min(u, v)); k < std::max(u, v); ++k) // where line k leaves or enters
+            for (double k = std::ceil(std::min(u, v)); k < std::max(u, v); ++k) // line k enters or leaves here
                 out += sign * dot(geom::lerp(p, q, (ruler.place(k) - a) / (b - a)), along);
             const double even = v != u ? (even_part(v) - even_part(u)) / (v - u)
                                        : (static_cast<std::int64_t>(std::floor(u)) % 2 == 0 ? 1 : 0);
@@ -176,7 +179,7 @@ double even_length_rows(const Loops& area, const Lines& o) {
 } // namespace
 
 Loops even_cells(const Loops& area, const Lines& o) {
-    if (area.empty()) return {}; // has no box
+    if (area.empty()) return {}; // an empty area has no box
     if (o.pattern == Pattern::wave) return even_waves(area, o);
     return o.pattern == Pattern::concentric ? even_bands(o) : even_rows(area, o);
 }
@@ -184,7 +187,7 @@ Loops even_cells(const Loops& area, const Lines& o) {
 double even_length(const Loops& area, const Lines& o) {
     if (o.pattern == Pattern::rows) return even_length_rows(area, o);
     const double endless = polygon::signed_area(area) / near_enough(o);
-    // waves follow half of the outline, as anywhere on average
+    // on average, waves follow half of the outline
     return o.pattern == Pattern::wave ? endless + length(area) / 2 : endless;
 }
 

@@ -15,8 +15,8 @@ using geom::Segment;
 using geom::Vec2;
 using polygon::Loops;
 
-constexpr double kAtOutline = 0.05; // mm: what rounding and thinning leave between a cell and the outline it follows
-constexpr double kWide = 0.55;      // bead widths to each side: a little more than a bead, so that opening leaves it
+constexpr double kAtOutline = 0.05; // mm: largest gap that rounding and thinning leave between a cell and its outline
+constexpr double kWide = 0.55;      // bead widths to each side: a little more than a bead, so that opening keeps it
 
 bool reaches(const Loops& part, const std::vector<Segment>& outline, const geom::SegmentGrid& grid) {
     return std::any_of(part.points.begin(), part.points.end(), [&](Vec2 p) {
@@ -35,7 +35,7 @@ struct Way {
     std::size_t to = 0;
 };
 
-// The shortest way from one part to any of another group.
+// The shortest way from one part to a part of another group.
 Way nearest(const std::vector<std::vector<Segment>>& sides, std::size_t from, geom::DisjointSets& groups) {
     Way best;
     for (std::size_t to = 0; to < sides.size(); ++to) {
@@ -61,7 +61,7 @@ Loops with_corridors(const Loops& cells, const Loops& room, double w) {
     const auto outline = polygon::segments(room);
     const geom::SegmentGrid grid(outline, w);
     const auto n = static_cast<std::uint32_t>(parts.size());
-    geom::DisjointSets groups(n + 1); // the last one: those that reach the outline
+    geom::DisjointSets groups(n + 1); // the last one: parts that reach the outline
     std::vector<std::vector<Segment>> sides;
     for (std::uint32_t i = 0; i < n; ++i) {
         sides.push_back(polygon::segments(parts[i]));

@@ -1,13 +1,13 @@
-// Cells that stand alone, joined to others.  Private to lib/infill.
+// Corridors that join isolated cells to others. Private to lib/infill.
 #pragma once
 
 #include "polygon/loops.hpp"
 
 namespace filum::infill {
 
-// `cells` (simple) with a corridor as wide as a bead, so that its two sides are laid a bead apart, from every connected
-// part that does not reach the outline of `room` to the part nearest to it.  Then all of them can be joined along that
-// outline.  Ties: the part, then the place, that comes first.
+// Returns `cells` (simple) with corridors. Every connected part that does not reach the outline of `room` gets one to
+// the nearest part of another group. Then all cells can be joined along that outline. A corridor is as wide as a bead,
+// so its two sides lie one bead apart. Ties: the first part, then the first place.
 polygon::Loops with_corridors(const polygon::Loops& cells, const polygon::Loops& room, double bead_width);
 
 } // namespace filum::infill

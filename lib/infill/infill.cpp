@@ -16,31 +16,31 @@ namespace {
 
 using polygon::Pattern;
 
-constexpr double kWidest = 64; // spacings of endless lines
-constexpr double kSame = 1e-3; // of the spacing: as near as it is found
-constexpr double kNear = 5e-3; // the same where areas are filled for it: a quarter of the 2 % that the share may be off
-constexpr std::size_t kTried = 48; // areas that are filled to know how much corners take
-constexpr int kRounds = 2;         // of that
-constexpr double kAround = 1.25;   // the spacing times or by this: where that of concentric lines, which come and go
-                                   // whole, is sought by filling
+constexpr double kWidest = 64; // spacings of endless lines: the widest that is tried
+constexpr double kSame = 1e-3; // relative precision of the spacing
+constexpr double kNear = 5e-3; // the same, if areas are filled to find it: a quarter of the 2 % tolerance of the share
+constexpr std::size_t kTried = 48; // areas, at least, that are filled to measure how much corners take
+constexpr int kRounds = 2;         // of filling
+constexpr double kAround = 1.25;   // concentric lines, which come and go whole: the spacing is sought by filling,
+                                   // within this factor
 
-// Where loops may run.
+// The area where loops may run.
 Loops inner(const Loops& area, double bead_width) { return polygon::offset(area, -bead_width / 2, polygon::kBeadArc); }
 
-// With a rim: `area`, if they have none.
+// `lines` with a rim: `area` if they have none.
 Lines drawn_in(const Loops& area, Lines lines) {
     if (lines.rim == nullptr) lines.rim = &area;
     return lines;
 }
 
-// The outlines of cells along a rim, which come near to each other where the rim does: first, gaps narrower than a bead
-// are filled, then cells narrower than one left out.
+// Links the outlines of cells along a rim, which come near to each other where the rim does. Before that, gaps narrower
+// than a bead are filled, then cells narrower than a bead left out.
 Loops linked(const Loops& cells, const Loops& room, double w) {
     const Loops wide = polygon::intersect(polygon::closed(cells, w / 2, polygon::kBeadArc), room);
     return with_links(polygon::opened(wide, w / 2, polygon::kBeadArc), room, w);
 }
 
-// Some of all areas, that are filled to know how much is laid.
+// A sample of the areas, filled to measure the length of their loops.
 struct Sample {
     std::span<const Task> tasks;
     std::vector<std::size_t> of;
@@ -54,7 +54,7 @@ struct Sample {
         for (const std::size_t i : of) sum += polygon::signed_area(*tasks[i].area);
         return sum;
     }
-    // mm, with lines of this spacing
+    // mm of loops at this spacing
     [[nodiscard]] double laid(double spacing) const {
         std::vector<double> each(of.size());
         parallel::for_chunks(of.size(), 1, 0, [&](std::size_t k, std::size_t) {
@@ -66,7 +66,7 @@ struct Sample {
     }
 };
 
-// The spacing with which `length_of` is `wanted`.
+// The spacing between lo and hi at which `length_of` is `wanted`; hi if the length is greater even there.
 template <class LengthOf>
 double bisected(double lo, double hi, double wanted, LengthOf&& length_of) {
     if (length_of(hi) > wanted) return hi;
@@ -77,7 +77,7 @@ double bisected(double lo, double hi, double wanted, LengthOf&& length_of) {
     return (lo + hi) / 2;
 }
 
-// Of the spacings tried about `from`, the one with which the sample gets the share that is nearest to what is wanted.
+// The spacing, among those tried around `from`, at which the loops of the sample are nearest to the wanted share.
 double nearest_by_filling(const Sample& sample, double from, double density, double bead_width) {
     const double wanted = density * sample.area() / bead_width;
     double lo = from / kAround, hi = from * kAround, best = from, off = 1e300;
@@ -144,7 +144,7 @@ double spacing_for(std::span<const Task> tasks, double density, double bead_widt
         return sum;
     };
     const Sample sample(tasks);
-    double laid = 1; // of what is calculated: corners are round, cells that are too narrow left out
+    double laid = 1; // mm per calculated mm: corners are rounded, and narrow cells left out
     double spacing = bisected(bead_width, kWidest * endless, wanted, by_calculation);
     for (int round = 0; round < kRounds; ++round) {
         double calculated = 0;

@@ -17,13 +17,13 @@ using geom::Segment;
 using geom::Vec2;
 using polygon::Loops;
 
-constexpr double kFollows = 0.05; // mm: what rounding and thinning leave between a cell and the outline it follows, and
-                                  // by how much ways between lines that run along each other may differ
-constexpr double kLinkWide = 0.55; // bead widths to each side: a little more than a bead, so that opening leaves it
+constexpr double kFollows = 0.05;  // mm: largest gap that rounding and thinning leave between a cell and its outline,
+                                   // and difference of the lengths of links between parallel lines
+constexpr double kLinkWide = 0.55; // bead widths to each side: a little more than a bead, so that opening keeps it
 constexpr double kLinksApart = 2;  // bead widths from middle to middle: half of each link and a bead between them
-constexpr double kShoulder = 1.5;  // bead widths from the middle of a link that lines go on to both sides, if they can:
-                                   // so far its own two lines reach, and a bead beyond, to turn there
-constexpr double kPlaces = 1;      // bead widths from one place for a link to the next
+constexpr double kShoulder = 1.5;  // bead widths: lines should continue this far to both sides of a link's middle. Its
+                                   // own two lines reach half a bead, and need another bead to turn
+constexpr double kPlaces = 1;      // bead widths between places tried for a link
 
 // Outlines of cells, then those of the room.
 Loops together(const Loops& cells, const Loops& room) {
@@ -36,11 +36,11 @@ struct Link {
     Segment way;
     bool slit = false;        // across a cell
     bool broad = false;       // with shoulders
-    bool outline = false;     // ends at one of the room
+    bool outline = false;     // ends at an outline of the room
     std::uint32_t to = kNone; // loop
 };
 
-// Those of one list that are as short as can be, but for what does not matter, and of these the best.
+// Chooses the best of the links that are about as short as the shortest (within kFollows).
 struct Choice {
     std::vector<Link> found;
     double shortest = 1e300;
@@ -87,7 +87,7 @@ class Linker {
   private:
     [[nodiscard]] std::uint32_t group(std::uint32_t segment) { return groups_.root(loop_of_[segment]); }
 
-    // What follows an outline of the room is joined to what lies there.
+    // Joins the loop of a point to the outlines of the room that it follows there.
     void join_followed(std::uint32_t point) {
         const Vec2 p = all_.points[point], margin{kFollows, kFollows};
         grid_.near(p - margin, p + margin, [&](std::uint32_t k) {
@@ -97,7 +97,7 @@ class Linker {
         });
     }
 
-    // Looks farther and farther around all lines of the loop's group.  Only such with shoulders, if there are any.
+    // Links from all lines of the loop's group, within a growing reach. Only links with shoulders, if there are any.
     Choice candidates(std::uint32_t loop, const std::vector<Link>& taken) {
         const std::uint32_t own = groups_.root(loop);
         const auto box = polygon::bounds(room_);
@@ -118,7 +118,7 @@ class Linker {
         return broad.found.empty() ? narrow : broad;
     }
 
-    // The shortest way from p to a line of another group that is nearer than `most`; to none, if none is.
+    // The shortest way from p to a line of another group that is nearer than `most`; `to` is kNone if there is none.
     Link nearest(Vec2 p, std::uint32_t own, double most) {
         Link out;
         const Vec2 margin{most, most};
@@ -140,7 +140,7 @@ class Linker {
         return out;
     }
 
-    // True if a line of the group, or of another, lies within half a bead of p.
+    // True if a line within half a bead of p is in the group `own` or, without `of_own`, in another group.
     bool lies_at(Vec2 p, std::uint32_t own, bool of_own) {
         const Vec2 margin{w_ / 2, w_ / 2};
         bool found = false;
@@ -151,7 +151,7 @@ class Linker {
         return found;
     }
 
-    // Within the room, across one cell or gap only, and far enough from other links.
+    // True if the way lies within the room, crosses only one cell or gap, and is far enough from other links.
     bool is_free(const Segment& way, std::uint32_t own, const std::vector<Link>& taken) {
         const auto near = [&](const Link& l) {
             return geom::segment_distance(l.way.a, l.way.b, way.a, way.b) < kLinksApart * w_;
@@ -170,8 +170,8 @@ class Linker {
     std::vector<std::uint32_t> loop_of_; // per segment
 };
 
-// What a link adds or takes: as wide as a bead between cells; at an outline of the room as wide as its shoulders, so
-// that there is room for an exchange with what lies there.
+// The area that a link adds or removes: as wide as a bead between cells. At an outline of the room a strip is as wide
+// as its shoulders, which leaves room for an exchange with the beads there.
 Loops covered_by(const Link& l, double w) {
     const Vec2 line[] = {l.way.a, l.way.b};
     if (l.slit || !l.outline || !l.broad)

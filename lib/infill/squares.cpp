@@ -18,7 +18,7 @@ Loops box(double x0, double y0, double x1, double y1) {
 } // namespace
 
 Loops whole_squares(const Loops& area, const Loops& within, const Lines& o) {
-    if (area.empty()) return {}; // has no box
+    if (area.empty()) return {}; // an empty area has no box
     const double s = o.spacing, half = o.bead_width / 2;
     const Loops level = polygon::rotated(area, -o.direction);
     const geom::Box2 all = polygon::bounds(level);

@@ -1,13 +1,16 @@
-// The squares between the rows of a layer and those of the one below, which lie across them.
+// The squares between the rows of a layer and the crossing rows of the layer below.
 #pragma once
 
 #include "infill/infill.hpp"
 
 namespace filum::infill {
 
-// What of `within` (simple) lies in squares that `area` reaches: each lies between two rows with the spacing of
-// `lines`, and two of the layer below, which has the same across.  So more rows between those of a square end on rows
-// below. What reaches less than half a bead beyond a row ends on it; what is lower than that in a square reaches none.
+// Returns the part of `within` (simple) that lies in squares reached by `area`. Each square lies between two rows with
+// the spacing of `lines` and two rows of the layer below, which has the same spacing across. So additional rows between
+// those of a square end on rows below.
+//
+// An area that reaches less than half a bead beyond a row does not reach the square there. A part of `area` lower than
+// half a bead within its row reaches no square.
 Loops whole_squares(const Loops& area, const Loops& within, const Lines& lines);
 
 } // namespace filum::infill
