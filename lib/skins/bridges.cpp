@@ -14,15 +14,15 @@ namespace {
 
 using polygon::Loops;
 
-constexpr std::size_t kDirections = 36; // of 180 degrees: a span is longer by 1 / cos 2.5 degrees, 0.1 %, at the most
+constexpr std::size_t kDirections = 36; // over 180 degrees: the span is at most 0.1 % too long (1 / cos 2.5 degrees)
 
-// More lines than these do not change which direction is the best: 4000 beads of 0.4 mm are 1.6 m of air.
+// The most lines per direction. More would not change the best direction: 4000 beads of 0.4 mm are 1.6 m of air.
 constexpr double kMostLines = 4000;
 
 // Lines of one direction, at even distances, across a piece of air.
 struct Lines {
-    double all = 0, bare = 0; // mm of them, and of those that have no material at one end
-    double longest = 0;       // mm of the others
+    double all = 0, bare = 0; // mm of all lines, and of those without material at some end
+    double longest = 0;       // mm, of the lines with material at both ends
 };
 
 Lines lines_across(const Loops& air, const Loops& below, double angle, double bead_width, double apart) {
@@ -46,8 +46,9 @@ Lines lines_across(const Loops& air, const Loops& below, double angle, double be
     return out;
 }
 
-// The direction in which least is bare, but for one line, and of those the one whose longest line is the shortest;
-// nothing if most is bare in all of them.
+// The direction whose longest carried line is the shortest. Only directions count in which the lines with a loose end
+// are at most one line longer than the least possible. nullopt if more than half of the line length has a loose end in
+// all of them.
 std::optional<double> shortest_span(const Loops& air, const Loops& below, double bead_width) {
     const geom::Box2 box = polygon::bounds(air);
     const double one = geom::distance(box.lo, box.hi); // no line is longer

@@ -1,4 +1,4 @@
-// The settings of a part and of modifiers, as users write them.
+// Reads the settings of a part and of modifiers, as users write them.
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "base/number.hpp"
@@ -11,7 +11,7 @@ namespace filum::skins {
 
 namespace {
 
-constexpr double kNarrowestBead = 0.01, kWidestBead = 100; // mm, as of --bead-width
+constexpr double kNarrowestBead = 0.01, kWidestBead = 100; // mm, the limits of --bead-width
 
 [[noreturn]] void refuse(const std::string& setting, const std::string& takes) {
     throw Error(Exit::usage, "cannot use '" + setting + "' of --modifier: it takes " + takes);

@@ -20,13 +20,13 @@ using polygon::kBeadArc;
 using polygon::Loops;
 using polygon::Region;
 
-constexpr double kHairline = 0.1;    // bead widths: narrower skins are none
-constexpr double kReach = 2;         // bead widths: how far skins reach over what is sparse, at least,
-constexpr double kReachMost = 8;     // and at most
+constexpr double kHairline = 0.1;    // bead widths: narrower skins do not count
+constexpr double kReach = 2;         // bead widths: skins extend over sparse areas by at least this,
+constexpr double kReachMost = 8;     // and by at most this
 constexpr std::size_t kCarrying = 2; // layers whose lines carry a skin: one of each direction
-constexpr double kNarrowest = 2;     // bead widths: narrower sparse places are made solid
+constexpr double kNarrowest = 2;     // bead widths: narrower sparse places become solid
 
-// With as few points as beads need: that is what all further steps take their time by.
+// The layers with as few points as beads need. The cost of all further steps depends on their number.
 std::vector<Loops> coarse(std::vector<Loops> layers) {
     parallel::for_chunks(layers.size(), 1, 0,
                          [&](std::size_t i, std::size_t) { layers[i] = polygon::simplify(layers[i], kBeadArc); });
@@ -39,12 +39,13 @@ Loops common(const Loops& a, const Loops& b) {
     return polygon::intersect(a, b);
 }
 
-// What is common to layers i .. i + n - 1, for every i with that many.  By blocks of n: what is common from i to the
-// end of its block, and from there to the last (van Herk 1992), so two steps per layer whatever n.
+// The intersection of layers i .. i + n - 1, for every i with that many. The layers are divided into blocks of n. Each
+// result combines two intersections: from i to the end of its block, and from the start of the next block to the last
+// layer (van Herk 1992). So every layer costs three intersections, for any n.
 std::vector<Loops> common_runs(const std::vector<Loops>& layers, std::size_t n) {
     const std::size_t count = layers.size();
     if (n == 0 || count < n) return {};
-    std::vector<Loops> ahead(count), behind(count), out(count - n + 1); // to the end, from the begin of the block
+    std::vector<Loops> ahead(count), behind(count), out(count - n + 1); // to the end of the block, from its start
     parallel::for_chunks(count, n, 0, [&](std::size_t from, std::size_t to) {
         behind[from] = layers[from];
         ahead[to - 1] = layers[to - 1];
@@ -57,7 +58,7 @@ std::vector<Loops> common_runs(const std::vector<Loops>& layers, std::size_t n) 
     return out;
 }
 
-// What layer i has both enough material above and below.
+// The part of layer i that has enough material both above and below.
 Loops covered(const Loops& layer, const std::vector<Loops>& above, const std::vector<Loops>& below, std::size_t i,
               const Options& o) {
     const auto top = static_cast<std::size_t>(o.top), bottom = static_cast<std::size_t>(o.bottom);
@@ -67,12 +68,12 @@ Loops covered(const Loops& layer, const std::vector<Loops>& above, const std::ve
     return out;
 }
 
-// Half of what lies between lines: then a skin is so wide that a line lies under it.
+// How far skins extend over sparse areas, mm: half the line spacing, so that a line lies below every skin.
 double reach(const Options& o) {
     return o.bead_width * (o.infill > 0 ? std::clamp(1 / (2 * o.infill), kReach, kReachMost) : kReachMost);
 }
 
-// Without its connected parts that are so small that they are filled whole.
+// `sparse` without connected parts smaller than `least` mm2, which become solid.
 Loops large(const Loops& sparse, double least) {
     Loops out;
     for (const Loops& part : polygon::split(sparse).part)
@@ -80,19 +81,19 @@ Loops large(const Loops& sparse, double least) {
     return out;
 }
 
-// How deep walls reach: the outer one is as wide as the part's beads, of whatever settings the others are.
+// The total width of the walls in mm. The outer wall has the bead width of the part in all settings.
 double depth(const Options& o, double outer_width) {
     return outer_width + static_cast<double>(o.walls - 1) * o.bead_width;
 }
 
-// What walls leave of a region.
+// The area of a region inside walls of `depth` mm.
 Loops within_walls(const Region& r, double depth) {
     return polygon::offset(polygon::simplify(r.loops, kBeadArc), -depth, kBeadArc);
 }
 
-// The sparse part of a region of which `inner` has enough above and below, within walls of `depth` mm: what is far
-// enough from skins, which count where they reach beyond the walls by more than a hairline.  `zone` takes what is of
-// these options.
+// The sparse part of a region, inside walls of `depth` mm: the area far enough from skins. A skin counts if it extends
+// beyond the walls by more than a hairline. `inner` is the area with enough material above and below. `zone` restricts
+// an area to the part where these options hold.
 template <class Zone>
 Loops sparse(const Region& r, const Loops& inner, const Options& o, double depth, const Zone& zone) {
     if (inner.empty()) return {};
@@ -106,7 +107,7 @@ Loops sparse(const Region& r, const Loops& inner, const Options& o, double depth
     return large(polygon::opened(zone(rest), open, kBeadArc), least);
 }
 
-// What of `area`, the sparse part of a region, carries a skin on one of the next layers.
+// The part of `area`, the sparse part of a region, that carries a skin on one of the next layers.
 Loops carrying(const Loops& area, const std::vector<Loops>& sparse_of, std::uint32_t layer, const Options& o) {
     Loops plain = area;
     for (std::size_t up = 1; up <= kCarrying && !plain.empty(); ++up)
@@ -117,14 +118,14 @@ Loops carrying(const Loops& area, const std::vector<Loops>& sparse_of, std::uint
     return polygon::opened(rest, open / 2, kBeadArc);
 }
 
-// What of a region's outline is seen where the next layer is `other`.
+// The part of a region that is visible if `other` is the next layer in that direction.
 Loops seen(const Loops& outline, const Loops& other, const Options& o) {
     if (other.points == outline.points) return {};
     const double hair = kHairline * o.bead_width / 2;
     return polygon::opened(polygon::subtract(outline, other), hair, kBeadArc);
 }
 
-// What modifiers ask for that a region does not get, each once.
+// A note if the bead width or the walls of a modifier have no effect in a region.
 Notes ignored(const Region& r, const Cut& cut, double width, bool any_sparse) {
     Notes out;
     const auto put = [&](const Loops& where, NoteCode code) {
@@ -138,7 +139,7 @@ Notes ignored(const Region& r, const Cut& cut, double width, bool any_sparse) {
     return out;
 }
 
-// The same of all regions; nothing is sparse: `any_sparse` empty.
+// The notes of `ignored` for all regions of the part. An empty `any_sparse` means that no region is sparse.
 Notes ignored(const std::vector<Region>& regions, const std::vector<Cut>& cuts, double width,
               const std::vector<char>& any_sparse) {
     Notes out;
@@ -150,8 +151,8 @@ Notes ignored(const std::vector<Region>& regions, const std::vector<Cut>& cuts, 
     return out;
 }
 
-// Puts down walls, zones, what is seen, and bridges of a region.  Where nothing is sparse and all beads are alike,
-// other walls do nothing.
+// Sets walls, zones, top and bottom surfaces and bridges of a region. If nothing is sparse and all bead widths are
+// equal, zones have no effect and are left out.
 void tell_solid(Region& r, const std::vector<Loops>& layers, const Options& o, Cut& cut, bool any_sparse) {
     if (r.is != polygon::RegionClass::part) return;
     const bool zones = any_sparse || cut.mixed;
@@ -173,8 +174,8 @@ void tell_solid(Region& r, const std::vector<Loops>& layers, const Options& o, C
 
 double direction_of(std::uint32_t layer) { return (layer % 2 == 0 ? 1 : 3) * std::numbers::pi / 4; }
 
-// Of lines that lay the share of plain areas that is asked for; of dense ones if there are no others; 0 without any.
-// Facts get names that begin with `whose`.
+// The line spacing in mm at which the plain areas get the requested share. Without plain areas it is that of the dense
+// ones, and 0 without any. Names of facts begin with `whose`.
 double spacing_of(const std::vector<Region>& regions, const std::vector<Loops>& plain, const std::vector<Loops>& dense,
                   const Options& o, double depth, const std::string& whose, Facts& facts) {
     if (o.infill == 0) return infill::kHollow;
@@ -200,14 +201,14 @@ double spacing_of(const std::vector<Region>& regions, const std::vector<Loops>& 
     return 0;
 }
 
-// What one of the settings makes sparse, per region.
+// The sparse areas of one setting, per region.
 struct Sparse {
     Options how;
-    double depth;                    // mm, of its walls
-    std::vector<Loops> plain, dense; // lines as the spacing says; more of them, under skins
+    double depth;                    // mm, total width of its walls
+    std::vector<Loops> plain, dense; // lines at the spacing; more lines, below skins
 };
 
-// What of each layer has enough above and below it.
+// The part of each layer that has enough material above and below.
 std::vector<Loops> inner_of(const std::vector<Loops>& layers, const Options& o) {
     const auto above = common_runs(layers, static_cast<std::size_t>(o.top));
     const auto below = o.bottom == o.top ? above : common_runs(layers, static_cast<std::size_t>(o.bottom));
@@ -217,7 +218,7 @@ std::vector<Loops> inner_of(const std::vector<Loops>& layers, const Options& o) 
     return out;
 }
 
-// Takes from what is plain the part that carries a skin.
+// Moves the parts that carry a skin from `plain` to `dense`.
 void part_dense(std::vector<Sparse>& settings, const std::vector<Region>& regions, std::size_t layers) {
     std::vector<Loops> of_layer(layers);
     for (const Sparse& s : settings)
@@ -230,7 +231,7 @@ void part_dense(std::vector<Sparse>& settings, const std::vector<Region>& region
         });
 }
 
-// Rows that carry skins begin and end on those of the layer below: what of an area is dense takes whole squares.
+// Extends dense areas to whole squares, so that rows below skins begin and end on rows of the layer below.
 void take_squares(Sparse& s, const std::vector<Region>& regions, double spacing) {
     if (s.how.pattern != polygon::Pattern::rows) return;
     parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
@@ -243,7 +244,7 @@ void take_squares(Sparse& s, const std::vector<Region>& regions, double spacing)
     });
 }
 
-// Puts down the areas of one of the settings.
+// Adds the sparse areas of one setting to the regions.
 void put_sparse(Sparse& s, std::vector<Region>& regions, const std::string& whose, Facts& facts) {
     const double spacing = spacing_of(regions, s.plain, s.dense, s.how, s.depth, whose, facts);
     if (spacing == 0) return;

@@ -1,4 +1,4 @@
-// What of a region must be solid (docs/algorithms/skins.md).
+// Which parts of a region must be solid, and which can be sparse (docs/algorithms/skins.md).
 #pragma once
 
 #include "base/fact.hpp"
@@ -15,44 +15,50 @@ struct Options {
     double bead_width = 0.4;          // mm
     std::int64_t top = 4, bottom = 4; // layers, >= 0
     std::int64_t walls = 2;           // rings along the outline, >= 1
-    double infill = 0.15;             // share of the sparse areas' volume that is to be laid; 0: they stay empty
-    double solid_below = 70;          // mm2: smaller sparse parts are made solid
-    double bridge = 2;                // mm: the widest gap that a skin is laid over as it is
+    double infill = 0.15;             // share of the volume of sparse areas that beads fill; 0: they stay empty
+    double solid_below = 70;          // mm2: sparse parts smaller than this become solid
+    double bridge = 2; // mm: the widest gap that a skin crosses without a bridge or denser lines below it
     polygon::Pattern pattern = polygon::Pattern::rows;
 };
 
-// How many layers up or down what lies there can matter to a region, for any settings of modifiers with the same layers
-// of skin: an empty stretch of so many layers is as good as a longer one.
+// The number of layers, up and down, that can influence a region. It holds for the settings of all modifiers that have
+// the same `top` and `bottom`. An empty stretch of that many layers has the same effect as a longer one.
 std::uint32_t reach_in_layers(const Options& options);
 
-// 0.15 of "15%" or "0.15".  Error(usage) for what is below 0, or above 1.
+// Reads a share: 0.15 from "15%" or "0.15". Throws Error(usage) if the value is below 0 or above 1.
 double share(const std::string& text);
 
-// A body in which other settings hold than in the rest of a part.
+// A body inside which other settings hold than in the rest of the part.
 struct Modifier {
-    std::vector<polygon::Loops> where; // its outlines in each layer of the part, from the first; none where it ends
+    std::vector<polygon::Loops> where; // its outlines per layer of the part, from the first; empty beyond its ends
     Options how;                       // see `modified`
 };
 
-// The names of a modifier's settings: those of `skins`' options.
+// The settings that a modifier can have: the options of `skins` with these names.
 inline const std::vector<std::string> kModifierSettings = {"infill", "infill-pattern", "walls",
                                                            "top",    "bottom",         "bead-width"};
 
-// The settings of a modifier in a part with `options`: "infill=40%,walls=4", out of kModifierSettings.  Error(usage)
-// for others and for values that those refuse.
+// The settings of a modifier in a part with `options`. `settings` is a list like "infill=40%,walls=4", with names from
+// kModifierSettings. Throws Error(usage) for other names, and for values that the settings do not accept.
 Options modified(Options options, const std::string& settings);
 
-// rows, wave or concentric; Error(usage) for others.
+// Reads a pattern: rows, wave or concentric. Throws Error(usage) for any other text.
 polygon::Pattern pattern(const std::string& text);
 
-// Sets areas and walls of all regions of a part, which come in the order of their layers; nothing if the infill is 1.
-// What a modifier makes otherwise begins a bead inside it, and ends for the rest a bead outside: a wall lies between.
-// One with other walls or beads makes zones instead: whichever side has more walls has them along the border, too.
-// Under skins lines are so near that no gap is wider than `bridge`.
-// Sparse is what has `top` layers of material above it and `bottom` layers below, is no wall, and has room for a line.
-// What spans more over air, from material to material of the layer below, is a bridge: with the direction in which it
-// is the shortest.
-// Returns what modifiers ask for in vain: other walls where all of a region is solid, other beads for its outer wall.
+// Sets the areas and walls of all regions of a part. Regions come in the order of their layers. Nothing changes if the
+// infill is 1 and there are no modifiers.
+//
+// An area is sparse if it has `top` layers of material above it and `bottom` layers below it. It excludes walls and
+// places too narrow for lines. Below skins, sparse lines lie so near to each other that no gap is wider than `bridge`.
+// A skin over air that is carried at both ends, and is wider than `bridge`, becomes a bridge (bridges.hpp).
+//
+// A modifier that changes only the infill begins one bead inside its outline, and the rest of the part ends one bead
+// outside it: a wall fits between. A modifier with other walls or bead widths makes zones. The side with more walls has
+// them along the border, too.
+//
+// Returns notes on settings of modifiers that have no effect: other walls in a region that is all solid, and another
+// bead width for the outer wall, which keeps that of the part. Facts: the spacing of each setting in mm, and the share
+// in percent that concentric lines reach.
 Notes skins(std::vector<polygon::Region>& regions, const Options& options, std::span<const Modifier> modifiers,
             Facts& facts);
 

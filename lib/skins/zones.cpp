@@ -21,7 +21,7 @@ Zones::Zones(const Options& part, std::span<const Modifier> modifiers, std::size
     }
     inside_.assign(kinds_.size(), std::vector<Loops>(layers));
     parallel::for_chunks(beyond_.size(), 1, 0, [&](std::size_t i, std::size_t) {
-        Loops taken, apart; // by later modifiers; those of the part's kind
+        Loops taken, apart; // areas of later modifiers; areas of modifiers of the part's kind
         for (std::size_t k = modifiers.size(); k-- > 0;) {
             if (i >= modifiers[k].where.size() || modifiers[k].where[i].empty()) continue;
             const std::size_t kind = kind_of_[k + 1];

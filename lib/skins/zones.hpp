@@ -1,35 +1,36 @@
-// Where in a part which settings hold.
+// Which settings hold in which part of a layer.
 #pragma once
 
 #include "skins/skins.hpp"
 
 namespace filum::skins {
 
-// What a region is cut into, as other walls or beads hold in parts of it.
+// The zones of a region: its parts with other walls or bead widths.
 struct Cut {
     std::uint32_t walls = 0;          // rings along the whole outline
-    std::vector<polygon::Area> zones; // with walls and beads of their own; none if all of it has the same
-    std::vector<std::size_t> kind;    // of each zone
-    bool mixed = false;               // not all of its beads are as wide as the part's
+    std::vector<polygon::Area> zones; // with walls and bead widths of their own; none if the whole region is alike
+    std::vector<std::size_t> kind;    // the kind of each zone
+    bool mixed = false;               // some bead width differs from that of the part
 };
 
-// Setting 0 is the part's, setting k that of the k-th modifier; where several modifiers overlap the last one counts.
-// Settings with as many walls and as wide beads are of one kind.
+// The zones of all layers. Setting 0 is that of the part, setting k that of the k-th modifier. Where modifiers overlap,
+// the last one counts. Settings with equal walls and equal bead widths are of one kind.
 class Zones {
   public:
-    // `layers`: how many the part has.
+    // `layers`: the number of layers of the part.
     Zones(const Options& part, std::span<const Modifier> modifiers, std::size_t layers);
 
-    // Whether settings differ in the width of beads.
+    // True if some setting has another bead width than the part.
     [[nodiscard]] bool widths_differ() const;
 
-    // A zone of each kind that has room for a bead in the region, but for those that have nothing of their own.  The
-    // region keeps the fewest walls of any kind in it, or one if beads differ, as wide as the part's; zones have the
-    // others.
+    // The zones of `region`: one for each kind that has room for a bead in it. A kind that needs no walls and no bead
+    // width of its own gets none. The region keeps as many walls as the kind with the fewest. If bead widths differ it
+    // keeps one wall, as wide as the part's beads. The zones have the remaining walls.
     [[nodiscard]] Cut cut(const polygon::Region& region) const;
 
-    // What of `area` in a region so cut is of a setting.  Those of the part's kind keep a bead from the border with the
-    // part's, and that as much from theirs: what is left over there is a wall.  Others keep within their zone's walls.
+    // The part of `area` where `setting` holds, in a region with the zones `cut`. A modifier of the part's kind keeps
+    // one bead away from the border, and so does the part: a wall fits between them. Settings of other kinds stay
+    // inside the walls of their zone.
     [[nodiscard]] polygon::Loops of(std::size_t setting, const polygon::Region& region, const Cut& cut,
                                     const polygon::Loops& area) const;
 
@@ -38,11 +39,11 @@ class Zones {
         std::int64_t walls;
         double width; // mm
     };
-    std::vector<Kind> kinds_;                         // the part's first
+    std::vector<Kind> kinds_;                         // that of the part is first
     std::vector<std::size_t> kind_of_;                // per setting
-    std::vector<std::vector<polygon::Loops>> inside_; // per kind and layer: in its modifiers; none of the part's
-    std::vector<polygon::Loops> beyond_;              // per layer: what is not for the part's setting
-    std::vector<std::vector<polygon::Loops>> deep_;   // per modifier and layer: what is for its setting
+    std::vector<std::vector<polygon::Loops>> inside_; // per kind and layer: the area of its modifiers; empty for kind 0
+    std::vector<polygon::Loops> beyond_;              // per layer: where the setting of the part does not hold
+    std::vector<std::vector<polygon::Loops>> deep_;   // per modifier and layer: where its setting holds
 };
 
 } // namespace filum::skins
