@@ -12,12 +12,12 @@ namespace {
 
 using polygon::kBeadArc;
 
-constexpr double kLeast = 0.25; // bead widths: an overhang nowhere twice as wide is none
-constexpr double kReach = 0.5;  // bead widths that supports reach beyond an overhang: its outer bead has a place to lie
-constexpr double kMerge = 2;    // bead widths: supports nearer than twice that are one
-constexpr double kThin = 1;     // bead widths: a support nowhere twice as wide is none
-constexpr double kHang = 0.5;   // bead widths that a bead of a column may lie beside the one below it
-constexpr double kSlender = 10; // a column that tapers stays a tenth as wide as it is high: a nozzle may push it
+constexpr double kLeast = 0.25; // bead widths: an overhang nowhere twice as wide does not count
+constexpr double kReach = 0.5;  // bead widths that supports extend beyond an overhang, to carry its outer bead
+constexpr double kMerge = 2;    // bead widths: supports nearer than twice this are merged
+constexpr double kThin = 1;     // bead widths: a support nowhere twice as wide is left out
+constexpr double kHang = 0.5;   // bead widths: largest sideways step of a column from layer to layer
+constexpr double kSlender = 10; // height by width of a tapered column, at most: a nozzle may push it
 
 Loops less(const Loops& a, const Loops& b) { return a.empty() || b.empty() ? a : polygon::subtract(a, b); }
 
@@ -25,7 +25,8 @@ Loops both(const Loops& a, const Loops& b) { return a.empty() || b.empty() ? Loo
 
 Loops grown(const Loops& a, double by) { return polygon::offset(a, by, kBeadArc); }
 
-// What of layer j supports must keep away from: the part in this layer, and what lies within the gap above and below.
+// The area of layer j without supports: around the part in this layer, and where the part is within the gap above or
+// below.
 Loops kept_free(const std::vector<Loops>& layers, std::size_t j, const Options& o) {
     Loops out = grown(layers[j], o.beside);
     const auto gap = static_cast<std::size_t>(o.gap);
@@ -36,14 +37,13 @@ Loops kept_free(const std::vector<Loops>& layers, std::size_t j, const Options& 
     return polygon::unite(out);
 }
 
-// What is to be carried from a layer, before the part is cut out; it stands as high as `top` mm.
+// One column in the current layer, before the gaps to the part are cut out. Its top lies at `top` mm.
 struct Piece {
     Loops area;
     double top = 0;
 };
 
-// `over`, as high as `top`, joins `pieces`: what is nearer to each other than twice `merge` is one, as high as its
-// highest.
+// Adds `over` at height `top` to `pieces`. Pieces nearer than twice `merge` become one, with the highest `top` of them.
 void join(std::vector<Piece>& pieces, const Loops& over, double top, double merge) {
     pieces.push_back({over, top});
     Loops all;
@@ -58,8 +58,8 @@ void join(std::vector<Piece>& pieces, const Loops& over, double top, double merg
     pieces = std::move(out);
 }
 
-// What carries `a` from a layer below: nowhere farther than `by` from it, and as it is where it would become narrower
-// than `width`.
+// The cross-section one layer below `a`: its outline moves inwards by `by` mm. Where it would become narrower than
+// `width` it stays as it is.
 Loops tapered(const Loops& a, double by, double width) {
     if (by <= 0) return a;
     const Loops inner = polygon::offset(a, -by, kBeadArc);
@@ -111,7 +111,7 @@ Columns columns(const std::vector<Loops>& layers, const std::vector<double>& hei
         std::erase_if(down, [](const Piece& p) { return p.area.empty(); });
         if (!all.empty()) out.all[j] = polygon::opened(less(all, free[j]), thin, kBeadArc);
     }
-    if (!o.on_part) { // only what goes down to the bed
+    if (!o.on_part) { // keep only columns that stand on the bed
         Loops stands = out.all.empty() ? Loops{} : out.all[0];
         for (std::size_t j = 1; j < n; ++j) {
             stands = both(out.all[j], stands.empty() ? stands : grown(stands, taper(height[j], o)));

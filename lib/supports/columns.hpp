@@ -1,4 +1,4 @@
-// The cross-sections of supports.  Private to lib/supports.
+// Cross-sections of supports, layer by layer. Private to lib/supports.
 #pragma once
 
 #include "supports/supports.hpp"
@@ -7,17 +7,19 @@ namespace filum::supports {
 
 using polygon::Loops;
 
-// Per layer what of it must be carried.
+// The overhangs of each layer: the areas farther from the layer below than the angle allows, grown to where supports
+// must stand. `height` is the height of each layer in mm.
 std::vector<Loops> overhangs(const std::vector<Loops>& layers, const std::vector<double>& height, const Options& o);
 
-// By how much, mm, the outline of a column lies inside that of the layer above it, which is `height` high: as much as
-// the taper's angle says, but never so much that a bead hangs.
+// How far, in mm, the outline of a column lies inside that of the layer above it, which is `height` mm high. The angle
+// of the taper decides, up to half a bead, beyond which a bead would hang.
 double taper(double height, const Options& o);
 
-// Per layer where supports stand, below `over`; `interface` of it where the part is next above.
+// Per layer: all areas where supports stand, and the `interface` areas among them, which lie next below the part.
 struct Columns {
     std::vector<Loops> all, interface;
 };
+// The columns below the overhangs `over`; `height` is the height of each layer in mm.
 Columns columns(const std::vector<Loops>& layers, const std::vector<double>& height, const std::vector<Loops>& over,
                 const Options& o);
 

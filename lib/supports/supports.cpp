@@ -24,10 +24,10 @@ using polygon::kBeadArc;
 using polygon::Region;
 using polygon::RegionClass;
 
-constexpr double kInterfaceLines = 2; // bead widths from line to line next to the part
-constexpr double kRaftReach = 2;      // bead widths beyond the part: a ring, and room for the outer bead to lie on
-constexpr double kTouch = 1e-3;       // mm: outlines that meet
-constexpr double kSkirtBeads = 2;     // a skirt is as wide: one ring there and back
+constexpr double kInterfaceLines = 2; // bead widths between lines next to the part
+constexpr double kRaftReach = 2;  // bead widths beyond the part: one ring, and a place for the outer bead to rest on
+constexpr double kTouch = 1e-3;   // mm: outlines nearer than this touch
+constexpr double kSkirtBeads = 2; // beads, width of a skirt: one ring, there and back
 
 // Regions by layer.
 using Stack = std::vector<std::vector<Region>>;
@@ -41,7 +41,7 @@ Stack stack_of(std::vector<Region> regions) {
     return out;
 }
 
-// Layer by layer, those of `first` before those of `second`.
+// The regions of both stacks, layer by layer; in each layer those of `first` come first.
 std::vector<Region> flattened(Stack first, Stack second) {
     std::vector<Region> out;
     for (std::size_t i = 0; i < first.size(); ++i)
@@ -71,7 +71,8 @@ std::size_t first_of(const Stack& stack) {
     return i;
 }
 
-// Number and heights of a layer; below the first one of the part all are as high as that.
+// A region with the number, z and height of a layer. Layers below the first one of the part are as high as that one.
+// The height is 0 if there is no layer to copy.
 Region model(const Stack& stack, std::size_t layer) {
     const std::size_t first = first_of(stack), from = stack[layer].empty() ? std::max(first, layer) : layer;
     Region out;
@@ -82,7 +83,7 @@ Region model(const Stack& stack, std::size_t layer) {
     return out;
 }
 
-// Makes room for so many layers below the part.
+// Raises the regions, and the wanted and unwanted areas, by `by` layers.
 void raise(std::vector<Region>& regions, Options& o, std::uint32_t by) {
     if (regions.empty()) return;
     for (auto* places : {&o.wanted, &o.unwanted})
@@ -115,7 +116,7 @@ std::vector<Region> carriers(const Columns& c, std::size_t layer, const Region& 
     return out;
 }
 
-// What overhangs, with what is wanted, without what is unwanted.
+// All overhangs, including those in wanted areas and without unwanted areas.
 std::vector<Loops> all_overhangs(const std::vector<Loops>& layers, const std::vector<double>& height,
                                  const Options& o) {
     std::vector<Loops> out(layers.size());
@@ -133,7 +134,7 @@ std::vector<Loops> all_overhangs(const std::vector<Loops>& layers, const std::ve
     return out;
 }
 
-// The supports of all layers; a raft is what carries all of the first one.
+// The supports of all layers. A raft is the support of the whole first layer.
 Stack all_carriers(const std::vector<Loops>& layers, const Stack& stack, const Options& o) {
     std::vector<double> height(stack.size(), 0);
     for (std::size_t i = 0; i < stack.size(); ++i) height[i] = model(stack, i).height;
@@ -147,8 +148,8 @@ Stack all_carriers(const std::vector<Loops>& layers, const Stack& stack, const O
     return out;
 }
 
-// Adds to each upper region how it lies on lower ones that were not there when the others were found.
-// None lies on a brim, whose outline is that of what it is about.
+// Adds to each upper region its overlaps with lower regions that did not exist when the other overlaps were found. No
+// region lies on a brim, which only shares the outline that it surrounds.
 void lie_on(std::vector<Region>& upper, std::vector<Region> lower, bool may_link, const Options& o) {
     std::erase_if(lower, [](const Region& r) { return r.is == RegionClass::rim; });
     if (upper.empty() || lower.empty()) return;
@@ -169,7 +170,8 @@ void lie_on(std::vector<Region>& upper, std::vector<Region> lower, bool may_link
         }
 }
 
-// Numbers all regions anew, layer by layer; what they say of each other goes with them.
+// Numbers the regions of a layer from `first`, and updates the ids by which they refer to others. `now` maps old ids to
+// new.
 void renumber(std::vector<Region>& part, std::uint32_t first, std::unordered_map<std::int64_t, std::uint32_t>& now) {
     for (Region& r : part) {
         now[r.id] = first;
@@ -181,7 +183,7 @@ void renumber(std::vector<Region>& part, std::uint32_t first, std::unordered_map
             if (*other >= 0) *other = now.at(*other);
 }
 
-// Brim and skirt lie outside: in holes they would be hard to take away.
+// The brim and the skirt of the first layer. They lie outside only: in holes they would be hard to remove.
 std::vector<Region> rims(const Loops& first, const Region& like, const Options& o) {
     Loops outer;
     for (const Loops& part : polygon::split(first).part) outer.add(part[0]);
@@ -198,7 +200,7 @@ std::vector<Region> rims(const Loops& first, const Region& like, const Options& 
     return out;
 }
 
-// Whether the outlines of a brim and of a region share the region's first point.
+// True if the first point of the region lies on the outline of the brim.
 bool about(const Region& brim, const Region& region) {
     const geom::Vec2 p = region.loops[0][0];
     for (const geom::Segment& s : polygon::segments(brim.loops))
@@ -206,15 +208,15 @@ bool about(const Region& brim, const Region& region) {
     return false;
 }
 
-// Tells each of some regions of the first layer which of `added` is a brim about it.
+// Sets Region::brim of the regions of the first layer: the brim in `added` that surrounds each.
 void tell_brims(std::vector<Region>& first, const std::vector<Region>& added) {
     for (Region& r : first)
         for (const Region& rim : added)
             if (r.is != RegionClass::rim && rim.is == RegionClass::rim && about(rim, r)) r.brim = rim.id;
 }
 
-// Sets what of each upper region hangs: farther than half a bead from the layer below and, across the gap, from what is
-// there.  What lies on what is told by their overlaps.
+// Sets the part of each upper region that hangs: farther than half a bead from the layer below and, across the gap,
+// from the supports there. Their overlaps give the area that is carried.
 void hang_anew(std::vector<Region>& upper, const std::vector<Region>& below, const std::vector<Region>& across,
                const Options& o, regions::Air& air) {
     std::vector<double> covered;
@@ -227,7 +229,7 @@ void hang_anew(std::vector<Region>& upper, const std::vector<Region>& below, con
     regions::hang(upper, lower, covered, {o.bead_width, regions::kHairline * o.bead_width}, air);
 }
 
-// What of the part still hangs; the first layer lies on the bed or the raft.
+// Sets the parts of the model that still hang, and adds a note. The first layer lies on the bed or the raft.
 void tell_hanging(Stack& stack, const Stack& added, const Options& o, Notes& notes) {
     const std::size_t far = static_cast<std::size_t>(o.gap) + 1;
     regions::Air air;
@@ -248,7 +250,7 @@ std::vector<Region> supports(std::vector<Region> regions, const Options& options
     Stack stack = stack_of(std::move(regions)), added(stack.size());
     if (o.carries()) added = all_carriers(layers, stack, o);
     if (!stack.empty()) {
-        Loops first = layers[0]; // and what is carried by the bed beside it
+        Loops first = layers[0]; // and the supports that stand beside it on the bed
         for (const Region& r : added[0]) first.add(r.loops);
         for (Region& r : rims(first, model(stack, 0), o)) added[0].push_back(std::move(r));
     }
@@ -264,7 +266,7 @@ std::vector<Region> supports(std::vector<Region> regions, const Options& options
         }
         if (i == 0) {
             tell_brims(stack[0], added[0]);
-            tell_brims(added[0], added[0]); // a raft's
+            tell_brims(added[0], added[0]); // the brim of a raft
         }
         const std::size_t far = static_cast<std::size_t>(o.gap) + 1;
         if (i > 0) lie_on(added[i], added[i - 1], true, o);
