@@ -39,7 +39,7 @@ class RingGraph {
     [[nodiscard]] std::uint32_t points(std::uint32_t ring) const {
         return rings_->start[ring + 1] - rings_->start[ring];
     }
-    [[nodiscard]] Vec2 at(std::uint32_t ring, double s) const; // s is taken modulo the length
+    [[nodiscard]] Vec2 at(std::uint32_t ring, double s) const; // s wraps around rings; open lines clamp it
     [[nodiscard]] double width(std::uint32_t ring, double s) const { return width_of(locate(ring, s)); }
 
     // The nearest place to p within `reach` on a ring for which use(ring) holds. Ties: the lower segment.
