@@ -52,9 +52,9 @@ polygon::Pattern pattern(const std::string& text);
 // places too narrow for lines. Below skins, sparse lines lie so near to each other that no gap is wider than `bridge`.
 // A skin over air that is carried at both ends, and is wider than `bridge`, becomes a bridge (bridges.hpp).
 //
-// A modifier that changes only the infill begins one bead inside its outline, and the rest of the part ends one bead
-// outside it: a wall fits between. A modifier with other walls or bead widths makes zones. The side with more walls has
-// them along the border, too.
+// A modifier with the walls and the bead width of the part begins one bead inside its outline. The rest of the part
+// ends one bead outside it, so that a wall fits between. A modifier with other walls or bead widths makes zones. The
+// side with more walls has them along the border, too.
 //
 // Returns notes on settings of modifiers that have no effect: other walls in a region that is all solid, and another
 // bead width for the outer wall, which keeps that of the part. Facts: the spacing of each setting in mm, and the share
