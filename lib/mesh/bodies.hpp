@@ -1,4 +1,4 @@
-// Bodies: which shells of a mesh bound one solid together, and which way they face.
+// Bodies: groups the shells of a mesh that bound one solid together, and turns them to face outwards.
 #pragma once
 
 #include "base/note.hpp"
@@ -6,20 +6,27 @@
 
 namespace filum::mesh {
 
-// The solid of a mesh is that of its bodies together; a body is what a shell encloses, less its cavities.
+// The bodies of a mesh. A body is the volume enclosed by a shell, less its cavities. The solid of the mesh is the union
+// of its bodies.
 struct Bodies {
-    std::vector<std::uint32_t> of_vertex; // numbered by their first vertices
+    std::vector<std::uint32_t> of_vertex; // the vertex's body; bodies are numbered by their first vertices
     std::vector<char> hollow;             // per body: it has a cavity
     std::size_t shells = 0;
-    bool closed = true; // every shell is; if not, all of them are one body, as nobody knows what bounds what
+    bool closed = true; // false: some shell is open; then all shells form one body
 };
 
-// Turns shells so that they face outwards, and cavities so that they face inwards, as far as their volumes tell, with a
-// note: the whole if its volume is negative, then every nearly closed shell of negative volume unless it is a cavity.
-// A cavity lies within the shell that it is a cavity of, and leaves a wall of more than `least_wall` mm, taken over all
-// of that shell; a shell that leaves less is a copy of it that faces the wrong way.
-// `two_sided`: the mesh has lost its directions (see part_sheets): shells within an odd number of others are cavities.
-// Precondition: sides that two triangles have in common run against each other, see part_sheets and face_one_way.
+// Turns shells so that they face outwards, and cavities so that they face inwards, judged by their signed volumes. If
+// the whole mesh is nearly closed and its volume is negative, all of it is turned first. Then every nearly closed shell
+// of negative volume is turned, unless it is a cavity. Each of these steps adds a note.
+//
+// A cavity lies inside its shell and leaves a wall of more than `least_wall` mm, averaged over that shell's area. A
+// shell that leaves a thinner wall counts as a copy that faces the wrong way.
+//
+// `two_sided`: the mesh has lost its orientation (see part_sheets). Then shells inside an odd number of others are
+// cavities, and turned shells add no note.
+//
+// Precondition: two triangles that share an edge run along it in opposite directions (see part_sheets and
+// face_one_way).
 Bodies face_outwards(Mesh& mesh, bool two_sided, double least_wall, Notes& notes);
 
 } // namespace filum::mesh

@@ -11,13 +11,13 @@ namespace {
 using geom::Vec2;
 
 constexpr std::uint32_t kNobody = ~std::uint32_t{0};
-constexpr double kStraight = 1e-10;     // sine of the angle below which three corners count as on a line
-constexpr std::size_t kLeafCorners = 8; // corners of a node that is not halved
+constexpr double kStraight = 1e-10;     // sine of an angle; below it three corners count as collinear
+constexpr std::size_t kLeafCorners = 8; // most corners of a leaf
 
 double doubled_area(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
 
-// Corners of the polygon that are not convex, as a k-d tree (Bentley 1975): one that lies in a triangle is found
-// without a look at those elsewhere.
+// The corners of the polygon that are not convex, as a k-d tree (Bentley 1975). So the corners in a triangle are found
+// without a look at distant ones.
 class Reflex {
   public:
     Reflex(std::span<const Vec2> points, std::vector<std::uint32_t> corners)
@@ -32,7 +32,7 @@ class Reflex {
     }
     [[nodiscard]] bool holds(std::uint32_t corner) const { return leaf_[corner] != kNobody; }
 
-    // The first corner found that `stops` says so of, among those in the triangle's closed half-planes.
+    // The first corner inside the closed triangle for which `stops` is true.
     template <class Stops>
     std::uint32_t find(const std::array<Vec2, 3>& t, const Stops& stops) const {
         std::vector<std::uint32_t> open;
@@ -56,8 +56,8 @@ class Reflex {
   private:
     struct Node {
         Vec2 lo, hi;
-        std::size_t begin, end, left; // corners, and how many of them are still there
-        std::uint32_t parent, second; // the second half; the first one is the next node; none: a leaf
+        std::size_t begin, end, left; // range of corners, and how many of them remain
+        std::uint32_t parent, second; // node of the second half; the first half is the next node; none: a leaf
     };
 
     std::uint32_t build(std::size_t begin, std::size_t end, std::uint32_t parent) {
@@ -88,7 +88,7 @@ class Reflex {
         return self;
     }
 
-    // Whether the node lies beyond one side of the triangle: its corner farthest along the side's inner normal does.
+    // True if the node lies beyond one side of the triangle.  Tests its box corner farthest along the inner normal.
     static bool beside(const std::array<Vec2, 3>& t, const Node& n) {
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec2 a = t[k], d = t[(k + 1) % 3] - a;
@@ -99,7 +99,7 @@ class Reflex {
     }
 
     std::span<const Vec2> points_;
-    std::vector<std::uint32_t> order_, leaf_; // per point: its leaf, kNobody if it is not there
+    std::vector<std::uint32_t> order_, leaf_; // leaf_: per point its leaf, or kNobody
     std::vector<Node> nodes_;
 };
 
@@ -128,7 +128,7 @@ class Clipping {
         bool operator<(const Candidate& o) const { return shape != o.shape ? shape < o.shape : corner > o.corner; }
     };
 
-    // Links the corners to a ring; returns those that are not convex.
+    // Links the corners to a ring.  Returns the corners that are not convex.
     std::vector<std::uint32_t> link() {
         const auto n = static_cast<std::uint32_t>(points_.size());
         for (std::uint32_t i = 0; i < n; ++i) {
@@ -144,7 +144,7 @@ class Clipping {
         const Vec2 a = points_[last_[i]], b = points_[i], c = points_[next_[i]];
         return doubled_area(a, b, c) > kStraight * norm(b - a) * norm(c - b);
     }
-    // Twice the area over the longest side squared: of equilateral triangles 0.87.
+    // Quality of an ear: twice its area over its longest side squared; 0.87 for an equilateral triangle.
     [[nodiscard]] double shape(std::uint32_t i) const {
         const Vec2 a = points_[last_[i]], b = points_[i], c = points_[next_[i]];
         return doubled_area(a, b, c) / std::max({dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)});
@@ -154,8 +154,8 @@ class Clipping {
         if (convex(i)) queue_.push({shape(i), i, version_[i]});
     }
 
-    // Whether corner p keeps the triangle of corner `ear` from being cut off: it lies in it or on its border, or in the
-    // place of one of its corners with a side that leads into it.
+    // True if corner p prevents the ear from being cut off. It does if it lies inside the triangle or on its border. It
+    // also does if it coincides with a corner and has a side that leads into the triangle.
     [[nodiscard]] bool stops(std::uint32_t p, std::uint32_t ear) const {
         const std::uint32_t a = last_[ear], c = next_[ear];
         if (p == a || p == ear || p == c) return false;
@@ -168,13 +168,13 @@ class Clipping {
         }
         return true;
     }
-    // Whether the way from corner k of the triangle to q begins within it.
+    // True if the line from corner k of the triangle to q starts inside the triangle.
     [[nodiscard]] bool leads_into(std::uint32_t q, const std::array<Vec2, 3>& t, std::size_t k) const {
         const Vec2 p = t[k], to = points_[q] - p, on = t[(k + 1) % 3] - p, back = t[(k + 2) % 3] - p;
         return cross(on, to) > kStraight * norm(on) * norm(to) && cross(to, back) > kStraight * norm(to) * norm(back);
     }
 
-    // The best shaped corner that can be cut off; those that another corner stops wait until that one has changed.
+    // The best shaped ear that can be cut off.  A blocked ear waits until the corner that blocks it has changed.
     std::uint32_t best() {
         while (!queue_.empty()) {
             const Candidate c = queue_.top();
@@ -210,7 +210,7 @@ class Clipping {
             consider(i);
         }
     }
-    // A corner that stays, but whose sides have changed, may stop others no longer.
+    // Releases the ears that a corner blocked, after its sides have changed.
     void rouse(std::uint32_t corner) {
         std::vector<std::uint32_t> waiting;
         waiting.swap(waiting_[corner]);
@@ -218,7 +218,7 @@ class Clipping {
             if (next_[w] != kNobody) consider(w);
     }
 
-    // What is left: a triangle; or more corners on a line, or of a polygon that crosses itself, as a fan.
+    // Adds the rest: a triangle, or a fan if the rest is collinear or crosses itself.
     void finish(std::size_t left) {
         std::uint32_t first = 0;
         while (next_[first] == kNobody) ++first;
@@ -233,9 +233,9 @@ class Clipping {
     }
 
     std::span<const Vec2> points_;
-    std::vector<std::uint32_t> next_, last_;          // of the ring; next_ of a corner that is cut off: none
-    std::vector<std::uint32_t> version_;              // of a corner's triangle
-    std::vector<std::vector<std::uint32_t>> waiting_; // per corner: those that it stops
+    std::vector<std::uint32_t> next_, last_; // links of the ring; next_ of a corner that was cut off is kNobody
+    std::vector<std::uint32_t> version_;     // per corner: version of its ear
+    std::vector<std::vector<std::uint32_t>> waiting_; // per corner: the ears that it blocks
     Reflex reflex_;
     std::priority_queue<Candidate> queue_;
     Ears out_;

@@ -1,4 +1,4 @@
-// Polygons of the plane, cut into triangles by ears; private to lib/mesh.
+// Triangulates plane polygons by ear clipping; private to lib/mesh.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -11,13 +11,13 @@
 namespace filum::mesh {
 
 struct Ears {
-    std::vector<std::array<std::uint32_t, 3>> triangles; // two fewer than points; numbers of points
+    std::vector<std::array<std::uint32_t, 3>> triangles; // indices of points; two fewer triangles than points
     bool sound = true;                                   // false: the polygon crosses itself
 };
 
-// Cuts off corners one after the other, the best shaped first, each with no other corner in its triangle.  The polygon
-// runs counter-clockwise; it may touch itself in points and along edges.  Points on straight sides are corners of
-// triangles as well.
+// Triangulates a counter-clockwise polygon. It cuts off one corner at a time, the best shaped first, whose triangle
+// contains no other corner. The polygon may touch itself in points and along edges. Points on straight sides become
+// corners of triangles too.
 Ears cut_ears(std::span<const geom::Vec2> polygon);
 
 } // namespace filum::mesh

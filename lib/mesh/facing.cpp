@@ -7,10 +7,10 @@ namespace filum::mesh {
 
 namespace {
 
-constexpr double kTear = 0.25;      // of a side's length: how far its neighbour may be torn off
-constexpr double kFoldedBack = 0.9; // cosine: triangles that leave a side so much alike are copies, not neighbours
+constexpr double kTear = 0.25;      // largest gap to a torn-off neighbour, as a fraction of the side's length
+constexpr double kFoldedBack = 0.9; // cosine: triangles on one side with a larger one are copies, not neighbours
 
-// Per half-edge the one that it meets on an edge of exactly two triangles, and whether both run the same way.
+// Per half-edge, its partner on an edge of exactly two triangles, and whether both run in the same direction.
 struct Meeting {
     std::uint32_t side = kNoSide;
     bool same_way = false;
@@ -27,19 +27,19 @@ std::vector<Meeting> meetings(const Mesh& mesh) {
     return out;
 }
 
-// The rims of a mesh that is torn.
+// The rims of a torn mesh.
 class Rims {
   public:
     Rims(const Mesh& mesh, const std::vector<Meeting>& meets)
         : mesh_(mesh), sides_(free_sides(meets)), tree_(boxes()) {}
 
-    // Sides that are each other's nearest, whichever way they run.
+    // Pairs sides that are each other's nearest, in either direction.
     void join(std::vector<Meeting>& meets) const {
         std::vector<Meeting> wish(sides_.size());
         for (std::size_t i = 0; i < sides_.size(); ++i) wish[i] = nearest(sides_[i]);
         for (std::size_t i = 0; i < sides_.size(); ++i) {
             if (wish[i].side == kNoSide) continue;
-            const std::uint32_t j = wish[i].side; // its place in sides_
+            const std::uint32_t j = wish[i].side; // index in sides_
             if (wish[j].side == i) meets[sides_[i]] = {sides_[j], wish[i].same_way};
         }
     }
@@ -61,7 +61,7 @@ class Rims {
         for (const std::uint32_t s : sides_) out.push_back({middle(s), middle(s)});
         return out;
     }
-    // From a side into its triangle, of length 1.
+    // The unit vector from a side into its triangle.
     [[nodiscard]] Vec3 inwards(std::uint32_t side) const {
         const Vec3 a = corner(side, 0), d = corner(side, 1) - a, p = corner(side, 2) - a;
         const Vec3 u = dot(d, d) * p - dot(p, d) * d;
@@ -119,7 +119,7 @@ void face_one_way(Mesh& mesh, bool torn, Notes& notes) {
                 patch.push_back(m.side / 3);
             }
         }
-        const char wrong = turned > all / 2 ? 0 : 1; // the mark of the smaller part
+        const char wrong = turned > all / 2 ? 0 : 1; // the mark of the part with the smaller area
         for (const std::uint32_t t : patch) {
             if (turn[t] != wrong) continue;
             std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);

@@ -1,4 +1,4 @@
-// What a file is that no reader here takes, and what to do with it.
+// Recognises files that no reader takes, with advice what to do.
 #include "mesh/formats.hpp"
 #include "mesh/text.hpp"
 
@@ -13,7 +13,7 @@ struct Foreign {
     const char* what;
 };
 
-// By their first bytes.
+// Formats recognised by their first bytes.
 constexpr Foreign kForeign[] = {
     {"glTF", "a GLB file (binary glTF); export it as STL, 3MF or PLY"},
     {"Kaydara FBX", "an FBX file; export it as STL, 3MF or OBJ"},
@@ -34,7 +34,7 @@ constexpr Foreign kForeign[] = {
     {"#VRML", "a VRML scene; export it as STL, 3MF or PLY"},
 };
 
-// By words near the beginning of a text, in lower case; the first that is there counts.
+// Text formats recognised by a word near the beginning, in lower case.  The first match counts.
 constexpr Foreign kTexts[] = {
     {"<amf", "an AMF file; export it as STL or 3MF"},
     {"<collada", "a COLLADA scene; export it as STL, 3MF or OBJ"},
@@ -56,7 +56,7 @@ bool is_utf16(std::string_view bytes) {
     if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) return true;
     const std::string_view head = bytes.substr(0, 256);
     if (head.size() < 8) return false;
-    for (const std::size_t odd : {std::size_t{0}, std::size_t{1}}) { // every other byte is 0, none of the others
+    for (const std::size_t odd : {std::size_t{0}, std::size_t{1}}) { // every other byte is 0, all others are not
         bool all = true;
         for (std::size_t i = 0; i < head.size(); ++i) all = all && (head[i] == 0) == (i % 2 == odd);
         if (all) return true;
@@ -64,7 +64,7 @@ bool is_utf16(std::string_view bytes) {
     return false;
 }
 
-// What is wrong with an ASCII STL that no reader takes for one; "" if it is none.
+// The fault of an ASCII STL that the reader does not recognise; "" if `bytes` is not an ASCII STL.
 std::string broken_stl(std::string_view bytes) {
     Text text(bytes.substr(0, kLook));
     for (; text.more(); text.skip_line()) {

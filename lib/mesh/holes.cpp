@@ -11,9 +11,9 @@ namespace filum::mesh {
 
 namespace {
 
-constexpr double kLargestLid = 0.6; // of the shell's area
+constexpr double kLargestLid = 0.6; // largest lid, as a fraction of the shell's area
 
-// Surplus sides of edges that are not balanced, as (from, to) vertices, ascending.
+// The surplus sides of unbalanced edges, as (from, to) vertices, in ascending order.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> rims(const Mesh& mesh) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
     const auto sides = half_edges(mesh);
@@ -29,7 +29,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> rims(const Mesh& mesh) {
     return out;
 }
 
-// The closed rims that the surplus sides make; at every vertex as many end as begin.
+// Chains the surplus sides to closed rims.  At every vertex as many sides end as begin.
 std::vector<std::vector<std::uint32_t>> closed_rims(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& sides) {
     std::vector<std::vector<std::uint32_t>> out;
     std::vector<char> used(sides.size(), 0);
@@ -97,8 +97,8 @@ Lids lids(Mesh& mesh) {
     for (const auto& rim : closed_rims(rims(mesh))) {
         double round = 0;
         Vec3 middle;
-        for (std::size_t i = 0; i < rim.size();
-             ++i) { // weighted with the lengths beside it, so that dense stretches do not pull
+        for (std::size_t i = 0; i < rim.size(); ++i) { // weighted with the lengths of both sides at the vertex, so that
+                                                       // densely sampled parts do not dominate
             const Vec3 &p = mesh.vertices[rim[i]], &q = mesh.vertices[rim[(i + 1) % rim.size()]];
             const double l = distance(p, q);
             round += l;

@@ -1,4 +1,4 @@
-// What is wrong with a surface along its edges: triangles that face the other way than their neighbours, and holes.
+// Repairs along the edges of a surface: triangles that face against their neighbours, and holes.
 #pragma once
 
 #include "base/note.hpp"
@@ -6,17 +6,18 @@
 
 namespace filum::mesh {
 
-// A hash of a triangle's sides, which cancel out against the same sides run the other way: sums to 0 over a closed
-// mesh.
+// A hash of the directed sides of a triangle. A side and its reverse cancel out, so the hashes of a closed mesh sum to
+// 0.
 std::uint64_t imbalance(const Triangle& t);
 
-// True if every edge is passed as often one way as the other: the surface is closed, and all of it faces one way.
-// By a sum of 64-bit hashes that cancel out: takes one pass and no memory, and errs once in 2^64.
+// True if triangles run along every edge equally often in both directions: the surface is closed and consistently
+// oriented. The test sums 64-bit hashes that cancel out. It takes one pass and no memory, and errs once in 2^64.
 bool is_closed(const Mesh& mesh);
 
-// Turns round triangles that disagree with their neighbours across edges of two triangles, and, if `torn`, across
-// gaps: between rims that run beside each other, a quarter of their length apart at most.  The larger area of what
-// hangs together keeps its way.  Notes how many.  Does nothing to a closed mesh.
+// Flips triangles that disagree with their neighbours, across edges of exactly two triangles. If `torn`, it also
+// compares triangles across gaps: between rims that run beside each other, at most a quarter of their length apart. In
+// each connected part the orientation of the larger area wins. Adds a note with the number of flipped triangles. Does
+// nothing to a closed mesh.
 void face_one_way(Mesh& mesh, bool torn, Notes& notes);
 
 struct Hole {
@@ -24,14 +25,15 @@ struct Hole {
     Vec3 middle;
 };
 
-// Lids for the holes of a mesh: a fan from the middle of each hole's rim.  Not part of the mesh; its vertices are.
+// Lids for the holes of a mesh: a fan around the middle of each hole's rim. The mesh holds the vertices of the lids,
+// but not their triangles.
 struct Lids {
     std::vector<Triangle> triangles;
     std::vector<Hole> holes;
 };
 
-// Finds the holes whose lids are small beside the shell that they are in (at most 0.6 of its area: the outline of a
-// sheet is no hole), appends their middles to mesh.vertices and returns their lids, by ascending first vertex.
+// Finds the holes of a mesh, appends their middles to mesh.vertices and returns their lids, by ascending first vertex.
+// A rim counts as a hole if its lid has at most 0.6 of the area of its shell. A larger one is the outline of a sheet.
 Lids lids(Mesh& mesh);
 
 } // namespace filum::mesh

@@ -12,7 +12,7 @@ namespace filum::mesh {
 
 namespace {
 
-constexpr double kLevel = 1e-3;  // mm: heights that differ by less are the same, as files round them
+constexpr double kLevel = 1e-3;  // mm: heights that differ by less count as equal, as files round them
 constexpr double kBeyond = 1e-2; // mm by which the body below the bed is larger than the item
 
 bool overlap_from_above(const geom::Box3& a, const geom::Box3& b) {

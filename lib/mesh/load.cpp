@@ -45,7 +45,7 @@ Bytes load(const std::string& path) {
     struct stat info {};
     std::size_t capacity = kFirst;
     if (::fstat(in.fd, &info) == 0 && S_ISREG(info.st_mode) && info.st_size > 0)
-        capacity = std::min(kMaxFile, static_cast<std::size_t>(info.st_size)) + 1; // one more, to see the end at once
+        capacity = std::min(kMaxFile, static_cast<std::size_t>(info.st_size)) + 1; // one more, to meet the end at once
     Bytes out;
     enlarge(out, capacity);
     for (;;) {

@@ -17,11 +17,12 @@ inline constexpr std::uint32_t kNoVertex = ~std::uint32_t{0};
 struct Mesh {
     std::vector<Vec3> vertices;         // mm
     std::vector<Triangle> triangles;    // counter-clockwise seen from outside
-    std::vector<std::uint32_t> faces{}; // per triangle, the CAD face that it stands for, from 1; none: not known
-    // Per vertex of the file: the vertex that it is here, kNoVertex if it is none; empty if all are as in the file.
+    std::vector<std::uint32_t> faces{}; // per triangle: its CAD face, counted from 1; empty: unknown
+    // Per vertex of the file: its vertex in this mesh, or kNoVertex if it was dropped. Empty if the vertices are those
+    // of the file.
     std::vector<std::uint32_t> of_file{};
 
-    // Keeps of_file right where vertex v of those before becomes to[v]; the caller changes vertices and triangles.
+    // Updates of_file after a renumbering in which vertex v becomes to[v]. The caller changes vertices and triangles.
     void renumber(const std::vector<std::uint32_t>& to) {
         if (of_file.empty()) {
             of_file = to;

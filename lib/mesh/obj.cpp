@@ -1,4 +1,4 @@
-// Wavefront OBJ: "v x y z", "f 1 2/1 3/1/1 -1"; everything else is left alone.
+// Reads Wavefront OBJ: "v x y z" and "f 1 2/1 3/1/1 -1".  Other lines are skipped.
 #include "base/error.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/polygons.hpp"
@@ -17,7 +17,7 @@ Vec3 vertex(Text& text, const std::string& name) {
     return {c[0], c[1], c[2]};
 }
 
-// True over a backslash at the end of a line: the next line goes on.
+// Skips a backslash at the end of a line, which continues on the next line.  True if there was one.
 bool continued(Text& text) {
     if (*text.at != '\\') return false;
     const char* p = text.at + 1;
@@ -42,7 +42,8 @@ void face(Text& text, const std::string& name, std::size_t count, std::vector<st
     }
 }
 
-// Files written one behind the other: the second one's faces name the first one's vertices.
+// Adds a note on vertices from number `from` on that no face uses. They are the mark of concatenated files: the faces
+// of the second one refer to vertices of the first.
 void note_unused(const Mesh& mesh, std::size_t from, Notes& notes) {
     std::vector<char> used(mesh.vertices.size(), 0);
     for (const Triangle& t : mesh.triangles)
@@ -60,7 +61,7 @@ Mesh read_obj(std::string_view bytes, const std::string& name, Notes& notes) {
     Text text(bytes, '#');
     Mesh out;
     Faces faces;
-    std::size_t before_faces = 0; // vertices
+    std::size_t before_faces = 0; // number of vertices before the first face
     std::vector<std::uint32_t> corners;
     while (text.more()) {
         const std::string_view word = text.word();

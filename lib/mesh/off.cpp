@@ -1,4 +1,4 @@
-// OFF and its variants with normals, colours or texture (COFF, NOFF, STOFF...), as text.
+// Reads text OFF and its variants with normals, colours or texture (COFF, NOFF, STOFF...).
 #include "base/error.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/polygons.hpp"
@@ -8,7 +8,7 @@ namespace filum::mesh {
 
 namespace {
 
-// Goes to the next word of the file, which must be there.
+// Moves to the next word of the file.  Throws if there is none.
 void need(Text& text, const std::string& name) {
     if (!text.more()) throw Error(Exit::truncated, "cannot read " + name + ": it ends before its last face");
 }
@@ -66,7 +66,7 @@ Mesh read_off(std::string_view bytes, const std::string& name, Notes& notes) {
     Text text(bytes, '#');
     text.more();
     const std::string_view head = off_keyword({text.at, static_cast<std::size_t>(text.end - text.at)});
-    text.at += head.size(); // numbers may stand right behind it
+    text.at += head.size(); // numbers may follow on the same line
     const std::string_view prefix = head.substr(0, head.size() - 3);
     if (prefix.find_first_of("4n") != std::string_view::npos)
         throw Error(Exit::bad_input, "cannot read " + name + ": it is an OFF file of more than three dimensions");
@@ -74,7 +74,7 @@ Mesh read_off(std::string_view bytes, const std::string& name, Notes& notes) {
         throw Error(Exit::bad_input, "cannot read " + name + ": it is a binary OFF file; export it as text");
     const std::uint64_t v = count(text, name, "vertices");
     const std::uint64_t f = count(text, name, "faces");
-    long long edges = 0; // which nobody keeps right
+    long long edges = 0; // read, but ignored: programs often write a wrong number
     if (text.more_on_line()) text.whole(edges);
     Mesh out;
     out.vertices = vertices(text, name, v, !prefix.empty());

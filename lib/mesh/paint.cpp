@@ -9,7 +9,7 @@ namespace filum::mesh {
 
 namespace {
 
-constexpr int kMostCuts = 32; // of a triangle, its half, and so on
+constexpr int kMostCuts = 32; // deepest nesting of splits
 
 class Painted {
   public:
@@ -43,7 +43,7 @@ class Painted {
         return true;
     }
 
-    // Of a triangle a, b, c, whose first corner is the one told: one cut side is b-c, two are a-b and c-a.
+    // Splits triangle a, b, c, whose first corner is the given one.  One cut halves b-c; two cuts halve a-b and c-a.
     bool children(const Corners& corners, int cut, int first, int depth) {
         const auto f = static_cast<std::size_t>(first);
         const Vec3 a = corners[f], b = corners[(f + 1) % 3], c = corners[(f + 2) % 3];

@@ -13,7 +13,7 @@ namespace filum::mesh {
 
 namespace {
 
-// Sine and cosine that are exact for quarter turns: a part set upright must stand upright.
+// Sine and cosine, exact for quarter turns, so that a part set upright stands exactly upright.
 struct Turn {
     double cos, sin;
 };
@@ -38,10 +38,10 @@ Affine rotation(int axis, double degrees) {
     return out;
 }
 
-constexpr std::array<std::string_view, 5> kUnits{"um", "mm", "cm", "m", "in"}; // that --unit knows
+constexpr std::array<std::string_view, 5> kUnits{"um", "mm", "cm", "m", "in"}; // the values of --unit, except "auto"
 
-// Parts are between some millimetres and some decimetres: a longest side below 0.4 units speaks for metres, below 4
-// for inches.
+// Guesses the unit from the longest side. Parts measure some millimetres to some decimetres: below 0.4 units the unit
+// is taken as metres, below 4 as inches.
 const char* guess(double longest) { return longest < 0.4 ? "m" : longest < 4 ? "in" : "mm"; }
 
 double unit_mm(const std::string& unit, double longest, bool in_mm, Notes& notes) {

@@ -1,6 +1,5 @@
-// PLY: a text header that describes elements (vertex, face, others) and their properties, then the values as text or in
-// binary of either byte order.  Of every element but vertex and face, and of every other property, only the size
-// counts.
+// Reads PLY: a text header that describes elements (vertex, face, others) and their properties, then the values, as
+// text or as binary of either byte order. Other elements and properties are skipped; only their size matters.
 #include "base/error.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/polygons.hpp"
@@ -21,7 +20,7 @@ constexpr std::size_t kSize[] = {1, 1, 2, 2, 4, 4, 4, 8};
 struct Property {
     std::string name;
     Type type = Type::f32;
-    std::optional<Type> count; // of a list
+    std::optional<Type> count; // type of a list's length
 };
 
 struct Element {
@@ -76,8 +75,8 @@ Property property(Text& text, const std::string& name) {
     return p;
 }
 
-// Over the line end behind the header.  Where lines end with CR alone, a byte of data may look like an LF behind it; so
-// the first line of the file says how lines end.
+// Skips the line end behind the header. If lines end with CR alone, a byte of data after it may look like an LF. So the
+// first line of the file decides how lines end.
 void pass_header_end(Text& text) {
     const char* first = std::find_if(text.begin, text.end, is_line_end);
     const bool two = text.end - first > 1 && first[0] == '\r' && first[1] == '\n';
@@ -115,7 +114,7 @@ Header header(Text& text, const std::string& name) {
     throw Error(Exit::truncated, "cannot read " + name + ": it ends inside its header");
 }
 
-// Values one after the other, whatever the encoding.
+// Reads values one after the other, in any encoding.
 class Values {
   public:
     Values(Text text, Encoding encoding, const std::string& name) : text_(text), encoding_(encoding), name_(name) {}
@@ -154,7 +153,7 @@ class Values {
         return 0;
     }
 
-    // The length of a list of `t`; that many values can be there.
+    // Reads the length of a list of `t`.  Throws if the file cannot hold that many values.
     std::uint64_t length(const Property& p) {
         const double n = next(*p.count);
         if (!(n >= 0)) malformed(name_, "it has a list of negative length");
@@ -162,7 +161,7 @@ class Values {
         return static_cast<std::uint64_t>(n);
     }
 
-    // What is left when all has been read, less blanks.
+    // The number of bytes left after the last value, not counting blanks.
     [[nodiscard]] std::uint64_t bytes_behind() {
         if (encoding_ == Encoding::text) text_.more();
         return bytes_left();
@@ -250,7 +249,7 @@ Mesh read_ply(std::string_view bytes, const std::string& name, Notes& notes) {
     for (const Element& e : head.elements) {
         std::uint64_t least = 0;
         for (const Property& p : e.properties) least += values.least_size(p.count.value_or(p.type));
-        if (least == 0) continue; // nothing of it is in the file
+        if (least == 0) continue; // it takes no bytes in the file
         if (e.count > values.bytes_left() / least + 1) cut(name);
         strips = strips || e.name == "tristrips";
         if (e.name == "vertex")

@@ -10,9 +10,9 @@ namespace filum::mesh {
 
 namespace {
 
-constexpr double kFolded = 1e-10; // of the sides' product: twice the least area of a triangle of a fan that stays
+constexpr double kFolded = 1e-10; // twice the least area of a fan's triangle, as a fraction of the product of its sides
 
-// The mean normal of a polygon, twice its area long (Newell); about its first corner, for precision.
+// The mean normal of a polygon (Newell), twice its area long.  Relative to the first corner, for precision.
 Vec3 newell(const std::vector<Vec3>& at, std::span<const std::uint32_t> corners) {
     Vec3 out;
     const Vec3 o = at[corners[0]];
@@ -20,7 +20,7 @@ Vec3 newell(const std::vector<Vec3>& at, std::span<const std::uint32_t> corners)
     return out;
 }
 
-// Whether no triangle of the fan from the first corner folds over, and all of them together go less than once round.
+// True if no triangle of the fan from the first corner folds over, and together they span less than a full turn.
 bool fan_fits(const std::vector<Vec3>& at, std::span<const std::uint32_t> corners, const Vec3& normal) {
     const Vec3 o = at[corners[0]];
     double round = 0;
@@ -33,7 +33,7 @@ bool fan_fits(const std::vector<Vec3>& at, std::span<const std::uint32_t> corner
     return round < 2 * std::numbers::pi;
 }
 
-// Positions in the polygon of its corners, without each corner that lies exactly where the one before it lies.
+// Indices of the polygon's corners, without corners that coincide exactly with the one before.
 std::vector<std::uint32_t> distinct(const std::vector<Vec3>& at, std::span<const std::uint32_t> corners) {
     std::vector<std::uint32_t> out;
     for (std::uint32_t k = 0; k < corners.size(); ++k)
@@ -71,7 +71,7 @@ void Faces::cut(const std::vector<Vec3>& vertices, Notes& notes) {
     for (const Polygon& p : polygons_) {
         const std::span corners(corners_.data() + p.first, p.corners);
         const Vec3 sum = newell(vertices, corners);
-        if (!(norm(sum) > 0) || !std::isfinite(norm(sum))) continue; // no plane to see it in
+        if (!(norm(sum) > 0) || !std::isfinite(norm(sum))) continue; // the polygon has no plane to project it onto
         const Vec3 normal = 1 / norm(sum) * sum;
         if (fan_fits(vertices, corners, normal)) continue;
         const auto kept = distinct(vertices, corners);
@@ -79,7 +79,7 @@ void Faces::cut(const std::vector<Vec3>& vertices, Notes& notes) {
         const Ears ears = cut_ears(seen_along(normal, vertices, corners, kept));
         for (std::size_t k = 0; k + 2 < corners.size(); ++k) {
             Triangle& t = triangles[p.triangle + k];
-            t = {corners[0], corners[0], corners[0]}; // for a corner that stands twice: read() leaves it out
+            t = {corners[0], corners[0], corners[0]}; // an empty triangle stands for a repeated corner; read() drops it
             if (k < ears.triangles.size())
                 for (std::size_t i = 0; i < 3; ++i) t[i] = corners[kept[ears.triangles[k][i]]];
         }

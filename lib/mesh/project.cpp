@@ -24,7 +24,7 @@ constexpr Word kBambu[] = {{"modifier_part", What::modifier},
                            {"support_enforcer", What::enforcer},
                            {"support_blocker", What::blocker},
                            {"negative_part", What::negative}};
-// What slicers note of a body beside its settings.
+// Metadata of a body that are not settings.
 constexpr std::string_view kNoSetting[] = {"name", "volume_type", "modifier", "matrix"};
 
 template <std::size_t N>
@@ -33,7 +33,7 @@ std::optional<What> what_of(const Word (&words)[N], std::string_view text) {
     return found == std::end(words) ? std::nullopt : std::optional(found->what);
 }
 
-// A body, with the settings that an element's metadata holds.
+// Makes a body with the settings in the metadata of an element.
 Body body_of(What what, const pugi::xml_node& element) {
     Body out;
     out.what = what;
@@ -46,7 +46,7 @@ Body body_of(What what, const pugi::xml_node& element) {
     return out;
 }
 
-// The value of an element's metadata of that name; "" if there is none.
+// The value of an element's metadata with this name, or "".
 std::string metadata(const pugi::xml_node& element, const char* key) {
     return element.find_child_by_attribute("metadata", "key", key).attribute("value").value();
 }

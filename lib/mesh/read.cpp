@@ -59,7 +59,7 @@ Kind recognise_text(std::string_view bytes) {
     return Kind::unknown;
 }
 
-// Vertices with the same coordinates become one, in order of first appearance.
+// Merges vertices with equal coordinates, in order of first appearance.
 void weld(Mesh& mesh) {
     Weld<std::uint64_t> welded(mesh.vertices.size());
     std::vector<std::uint32_t> to;
@@ -77,9 +77,8 @@ void weld(Mesh& mesh) {
 
 bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-// Leaves out triangles with equal corners or with a corner that is no finite number, then vertices without a triangle
-// that are not finite either: nobody should have to look at them again.
-// `items`, if any, has an entry for each triangle.
+// Leaves out triangles with equal corners or with a corner that is not finite. Then it leaves out vertices without a
+// triangle that are not finite, so that all coordinates are finite. `items` is empty or has an entry per triangle.
 void leave_out_unusable(Mesh& mesh, std::vector<std::uint32_t>& items, Notes& notes) {
     const bool all_finite = std::all_of(mesh.vertices.begin(), mesh.vertices.end(), finite);
     std::size_t lost = 0, kept = 0;
@@ -138,13 +137,13 @@ Mesh read_kind(Kind kind, std::string_view bytes, const std::string& name, int p
 } // namespace
 
 Kind recognise(std::string_view bytes) {
-    // The size tells a binary STL before any text does: in ASCII the four bytes of the count are letters, and stand for
-    // more than 500 million triangles.
+    // The size is tested before the text: an ASCII file never has the size of a binary one. Its four bytes at the count
+    // are letters, which would mean more than 500 million triangles.
     const std::uint32_t n = announced_triangles(bytes);
     if (bytes.size() >= kStlHeader && bytes.size() == kStlHeader + kStlRecord * std::size_t{n}) return Kind::stl_binary;
     if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06")) return Kind::threemf;
     if (bytes.starts_with("ply") || is_text(bytes)) return recognise_text(bytes);
-    // Binary, and of another size than it says: cut short, or with something behind.
+    // A binary STL of another size than its count says is cut short or has data behind it.
     const std::string_view body = bytes.size() > kStlHeader ? bytes.substr(kStlHeader) : std::string_view{};
     const bool plausible = n > 0 && n < (1U << 27) && body.size() >= kStlRecord && std::size_t{n} < 1000 * body.size();
     const bool stream = bytes.substr(0, 16).find("Filum") != std::string_view::npos;

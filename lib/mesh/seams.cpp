@@ -16,12 +16,12 @@ namespace filum::mesh {
 
 namespace {
 
-constexpr double kAlong = 0.9;      // cosine: two sides that run alike
-constexpr double kCopies = 0.9;     // cosine: triangles that leave a side so much alike are copies, not neighbours
+constexpr double kAlong = 0.9;  // cosine: two sides with a larger one run in the same direction
+constexpr double kCopies = 0.9; // cosine: triangles on one side with more similar directions are copies, not neighbours
 constexpr int kSplittingRounds = 4; // a triangle has three sides; each round splits one of them
-constexpr int kSamples = 4;         // places of a side where the gap beside it is measured
+constexpr int kSamples = 4;         // points per side where the gap beside it is measured
 
-// The sides with one triangle, and what is known of their ends.
+// The sides with one triangle, and data of their ends.
 class SeamRims {
   public:
     SeamRims(const Mesh& mesh, double most) : mesh_(mesh), most_(most) {
@@ -46,10 +46,10 @@ class SeamRims {
     [[nodiscard]] std::uint32_t apex(std::uint32_t i) const { return corner(i, 2); }
     [[nodiscard]] const Vec3& at(std::uint32_t vertex) const { return mesh_.vertices[vertex]; }
     [[nodiscard]] double length(std::uint32_t i) const { return distance(at(tail(i)), at(head(i))); }
-    // mm: how far from vertex number k of vertices() another rim may be.
+    // The largest distance from vertex k of vertices() to another rim that is joined to it, mm.
     [[nodiscard]] double reach(std::size_t k) const { return std::min(most_, kSeamOfSide * shortest_[k]); }
 
-    // Calls visit(side) for the sides of the rim at a vertex.
+    // Calls visit(side) for the rim's sides at a vertex.
     template <class Visit>
     void each_side(std::uint32_t vertex, const Visit& visit) const {
         auto it = std::lower_bound(ends_.begin(), ends_.end(), std::pair{vertex, 0U});
@@ -57,17 +57,17 @@ class SeamRims {
     }
 
     [[nodiscard]] Vec3 direction(std::uint32_t i) const { return geom::unit(at(head(i)) - at(tail(i)), {}); }
-    // From a side into its triangle, of length 1.
+    // The unit vector from a side into its triangle.
     [[nodiscard]] Vec3 inwards(std::uint32_t i) const {
         const Vec3 d = direction(i), p = at(apex(i)) - at(tail(i));
         return geom::unit(p - dot(p, d) * d, {});
     }
-    // Whether two sides may be two sides of one seam, if they lie beside each other.
+    // True if two sides that lie beside each other may form a seam.
     [[nodiscard]] bool may_meet(std::uint32_t i, std::uint32_t j) const {
         return sides_[i] / 3 != sides_[j] / 3 && std::abs(dot(direction(i), direction(j))) > kAlong &&
                dot(inwards(i), inwards(j)) < kCopies;
     }
-    // Whether a seam may lead through both vertices: from both a side runs the same way.
+    // True if a seam may lead through both vertices: each has a side that runs in the same direction.
     [[nodiscard]] bool may_meet_at(std::uint32_t u, std::uint32_t v) const {
         bool out = false;
         each_side(u, [&](std::uint32_t i) {
@@ -98,9 +98,9 @@ class SeamRims {
     const Mesh& mesh_;
     double most_;
     std::vector<std::uint32_t> sides_;                          // half-edges
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_; // vertex, number of a side that ends there
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_; // a vertex, and the index of a side that ends there
     std::vector<std::uint32_t> vertices_;                       // ascending
-    std::vector<double> shortest_;                              // per one of these: of all sides there, mm
+    std::vector<double> shortest_;                              // per vertex of vertices_: its shortest side, mm
 };
 
 Vec3 between(const Vec3& a, const Vec3& b, double part) { return a + part * (b - a); }
@@ -120,7 +120,7 @@ void add_case(Note& n, const Vec3& where, double amount) {
     n.amount += amount;
 }
 
-// Joins vertices of rims that lie beside each other.
+// Merges vertices of rims that lie beside each other.
 void weld_rims(Mesh& mesh, double most, Notes& notes) {
     const SeamRims rims(mesh, most);
     const auto& vertices = rims.vertices();
@@ -153,7 +153,7 @@ void weld_rims(Mesh& mesh, double most, Notes& notes) {
 // A vertex that lies on a side.
 struct OnSide {
     std::uint32_t side;
-    double part; // of the side, from its tail
+    double part; // position on the side, as a fraction from its tail
     std::uint32_t vertex;
 };
 
@@ -184,7 +184,7 @@ std::vector<OnSide> vertices_on_sides(const Mesh& mesh, const SeamRims& rims) {
     return out;
 }
 
-// Splits triangles at vertices that lie on one of their sides; false if there is none.
+// Splits triangles at vertices that lie on one of their sides.  Returns false if there are none.
 bool split_sides(Mesh& mesh, double most, Note& n) {
     const auto places = vertices_on_sides(mesh, SeamRims(mesh, most));
     const std::size_t before = mesh.triangles.size();
@@ -192,7 +192,7 @@ bool split_sides(Mesh& mesh, double most, Note& n) {
     for (std::size_t i = 0, j = 0; i < places.size(); i = j) {
         while (j < places.size() && places[j].side == places[i].side) ++j;
         const std::uint32_t t = places[i].side / 3, k = places[i].side % 3;
-        if (changed[t] != 0) continue; // another side of it, in this round
+        if (changed[t] != 0) continue; // already split on another side in this round
         changed[t] = 1;
         const Triangle old = mesh.triangles[t];
         const std::uint32_t head = old[(k + 1) % 3], apex = old[(k + 2) % 3];
@@ -207,7 +207,8 @@ bool split_sides(Mesh& mesh, double most, Note& n) {
     return mesh.triangles.size() > before;
 }
 
-// mm of a side, and where, that have another rim beside them, beyond the surface's own end.
+// The length of side i that has another rim within kBead, in mm. Sides that share a vertex with side i do not count,
+// and neither do rims on the inner side of its triangle.
 double open_beside(const SeamRims& rims, const geom::Bvh& tree, std::uint32_t i) {
     const Vec3 &a = rims.at(rims.tail(i)), &b = rims.at(rims.head(i));
     const Vec3 in = rims.inwards(i);

@@ -1,4 +1,4 @@
-// Seams: rims of a mesh that lie on each other and do not share their vertices to the bit.
+// Seams: joins rims of a mesh that coincide but do not share vertices bit by bit.
 #pragma once
 
 #include "base/note.hpp"
@@ -6,17 +6,18 @@
 
 namespace filum::mesh {
 
-// How far rims may be apart to be joined: this part of the box's diagonal, and of the shortest side at the vertex.
+// Largest distance of rims that are joined: these fractions of the box's diagonal and of the shortest side at the
+// vertex.
 inline constexpr double kSeamOfBox = 1e-3, kSeamOfSide = 0.1;
 
-// mm: the width of an ordinary bead.  Rims within it of each other look like one surface when they are printed.
+// mm: the width of an ordinary bead. Rims closer than this look like one surface when printed.
 inline constexpr double kBead = 0.4;
 
-// Joins rims that run beside each other within the distances above, triangles on both sides: a vertex goes to the one
-// beside it with the least number; where a vertex lies on the side of a triangle, the triangle is split there.  A copy
-// of a surface that lies on it is not joined to it.  Notes say how many vertices and sides, and how long those rims are
-// that lie within kBead of another one and are not joined.
-// Does nothing to a closed mesh.  Vertices keep their numbers; some have no triangle any more.
+// Joins rims that run beside each other within the distances above, with their triangles on opposite sides. Of two
+// vertices, the one with the higher number moves to the other. Where a vertex lies on the side of a triangle, the
+// triangle is split there. A copy of a surface that lies on it is not joined to it. Notes report how many vertices and
+// sides were joined, and the length of unjoined rims within kBead of another rim. Does nothing to a closed mesh.
+// Vertices keep their numbers; some lose all their triangles.
 void join_seams(Mesh& mesh, Notes& notes);
 
 } // namespace filum::mesh

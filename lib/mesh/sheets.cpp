@@ -14,16 +14,16 @@ namespace filum::mesh {
 
 namespace {
 
-constexpr std::size_t kLargeFan = 12; // triangles round a vertex: sorted, from there on
-constexpr double kSameAngle = 1e-6;   // rad: two triangles on an edge that lie on each other
+constexpr std::size_t kLargeFan = 12; // from this number of triangles round a vertex on, they are sorted
+constexpr double kSameAngle = 1e-6; // rad: two triangles on an edge with a smaller angle between them lie on each other
 
-// The triangles round one vertex, each as the vertices that it comes to from there and from.
+// The triangles round one vertex, each as its next and its previous vertex.
 struct Corner {
     std::uint32_t next, last;
 };
 
-// True if the triangles form one fan in which no side occurs twice.  Where two triangles come from the same vertex, the
-// walk could enter a ring without its first triangle; such triangles are no fan.  No triangles are one, too.
+// True if the triangles form one fan in which no side occurs twice; also true for no triangles. Two triangles that come
+// from the same vertex are no fan, as the walk could enter a ring without its first triangle.
 bool is_fan(std::span<Corner> around) {
     if (around.empty()) return true;
     const bool large = around.size() > kLargeFan;
@@ -46,7 +46,7 @@ bool is_fan(std::span<Corner> around) {
     return at == around.end() || passed == around.size();
 }
 
-// True if every vertex has one fan: nothing to part.
+// True if every vertex has one fan, so that nothing needs to be split.
 bool is_plain(const Mesh& mesh) {
     std::vector<std::uint32_t> start(mesh.vertices.size() + 2, 0);
     std::vector<Corner> corners(3 * mesh.triangles.size());
@@ -60,14 +60,14 @@ bool is_plain(const Mesh& mesh) {
     return true;
 }
 
-// The three vertices, lowest first, and whether they were turned round for that.
+// The three vertices, lowest first, and whether sorting them reversed the orientation.
 struct Face {
     std::array<std::uint32_t, 3> corners{};
     bool turned = false;
     std::uint32_t triangle = 0;
 };
 
-// By corners, then number.
+// All triangles, ordered by corners, then by number.
 std::vector<Face> faces_of(const Mesh& mesh) {
     std::vector<Face> out(mesh.triangles.size());
     for (std::uint32_t t = 0; t < out.size(); ++t) {
@@ -126,7 +126,7 @@ void count(Note& n, const Mesh& mesh, std::uint32_t triangle) {
     ++n.count;
 }
 
-// If every triangle is there as often one way round as the other, leaves one of each.
+// If every triangle occurs equally often in both orientations, keeps one of each.
 bool leave_one_side(Mesh& mesh, const std::vector<Face>& faces, Notes& notes) {
     bool all = true;
     each_face(faces, [&](std::span<const Face> copies) {
@@ -144,7 +144,7 @@ bool leave_one_side(Mesh& mesh, const std::vector<Face>& faces, Notes& notes) {
     return true;
 }
 
-// A triangle on an edge, by the angle round it.
+// A triangle on an edge, and its angle round the edge.
 struct Spoke {
     double angle = 0;
     HalfEdge edge{};
@@ -163,7 +163,8 @@ class Hub {
     }
 
   private:
-    // The angle of each triangle round the edge, from the first one's, seen against its direction from low to high.
+    // Computes the angle of each triangle round the edge, relative to the first one. Angles are seen against the
+    // direction from the low vertex to the high one.
     void measure(std::span<const HalfEdge> sides) {
         const Vec3 a = mesh_.vertices[sides[0].low()], d = mesh_.vertices[sides[0].high()] - a;
         const Vec3 axis = 1 / norm(d) * d;
@@ -187,8 +188,8 @@ class Hub {
         return d <= kSameAngle || 2 * std::numbers::pi - d <= kSameAngle;
     }
 
-    // Falling angles: through the solid behind a triangle that runs from low to high.  At one angle, those first that
-    // end there, so that no pair lies on itself; then by number.
+    // Sorts by falling angle: through the solid behind a triangle that runs from low to high. At equal angles those
+    // that end there come first, so that no pair lies on itself; then by number.
     void put_in_order() {
         std::sort(spokes_.begin(), spokes_.end(), [](const Spoke& s, const Spoke& t) {
             return s.angle != t.angle ? s.angle > t.angle : s.edge.side < t.edge.side;
@@ -209,10 +210,10 @@ class Hub {
     }
     [[nodiscard]] bool free(const Spoke& s) const { return mate_[s.edge.side] == kNoSide; }
 
-    // Like parentheses, twice round; of copies the first is closed first.
+    // Pairs the sides like parentheses, twice round the edge.  Of copies, the first is paired first.
     void match_opposite() {
         struct Copies {
-            std::vector<const Spoke*> all; // at one angle
+            std::vector<const Spoke*> all; // all spokes at one angle
             std::size_t next = 0;
         };
         std::vector<Copies> open;
@@ -230,7 +231,7 @@ class Hub {
             }
     }
 
-    // What is left runs one way only, or lies on each other: one of two neighbours is turned round.
+    // Pairs the rest, whose sides run in one direction or lie on each other.  One triangle of each pair is flipped.
     void match_rest() {
         std::vector<const Spoke*> rest;
         for (const Spoke& s : spokes_)
@@ -244,7 +245,7 @@ class Hub {
     std::vector<Spoke> spokes_;
 };
 
-// Per side the one that it is joined to, kNoSide on a rim.
+// Per side, the side that it is joined to, or kNoSide on a rim.
 std::vector<std::uint32_t> mates_of(const Mesh& mesh, const std::vector<HalfEdge>& sides) {
     std::vector<std::uint32_t> mate(sides.size(), kNoSide);
     Hub hub(mesh, mate);
@@ -254,10 +255,10 @@ std::vector<std::uint32_t> mates_of(const Mesh& mesh, const std::vector<HalfEdge
     return mate;
 }
 
-// Sheets by their first triangles.
+// The sheets, numbered by their first triangles.
 struct Sheets {
     std::vector<std::uint32_t> of; // per triangle
-    std::vector<char> open;        // per sheet
+    std::vector<char> open;        // per sheet: it has a rim
 };
 Sheets sheets_of(const std::vector<std::uint32_t>& mate) {
     geom::DisjointSets sets(mate.size() / 3);
@@ -270,17 +271,17 @@ Sheets sheets_of(const std::vector<std::uint32_t>& mate) {
     return out;
 }
 
-// Per sheet whether it is there already; see part_sheets.
+// Per sheet, whether an earlier sheet contains it; see part_sheets.
 std::vector<char> repeated(const Sheets& sheets, const std::vector<Face>& faces) {
-    std::vector<std::uint32_t> face(sheets.of.size()); // per triangle: where in `faces`
+    std::vector<std::uint32_t> face(sheets.of.size()); // per triangle: its index in `faces`
     for (std::uint32_t f = 0; f < faces.size(); ++f) face[faces[f].triangle] = f;
     std::vector<std::vector<std::uint32_t>> members(sheets.open.size());
     for (std::uint32_t t = 0; t < sheets.of.size(); ++t) members[sheets.of[t]].push_back(t);
     std::vector<char> out(sheets.open.size(), 0);
-    std::vector<std::uint32_t> first(faces.size()); // per face: where its copies begin
+    std::vector<std::uint32_t> first(faces.size()); // per face: the index of its first copy
     for (std::uint32_t f = 1; f < faces.size(); ++f)
         first[f] = faces[f].corners == faces[f - 1].corners ? first[f - 1] : f;
-    // whether a copy of a triangle is in another sheet that is kept; looks at few copies, as the first ones are kept
+    // true if another sheet that is kept has a copy of a triangle; sees few copies, as the first ones are kept
     const auto there = [&](std::uint32_t t) {
         const Face& self = faces[face[t]];
         const std::uint32_t self_sheet = sheets.of[t];
@@ -298,7 +299,7 @@ std::vector<char> repeated(const Sheets& sheets, const std::vector<Face>& faces)
     return out;
 }
 
-// Per sheet whether it bounds a solid by itself, but for cracks: its areas, as vectors, cancel out.
+// Per sheet, whether it bounds a solid by itself, except for cracks: its area vectors cancel out.
 std::vector<char> nearly_closed(const Mesh& mesh, const Sheets& sheets) {
     std::vector<Vec3> sum(sheets.open.size());
     std::vector<double> size(sheets.open.size(), 0);
@@ -314,13 +315,13 @@ std::vector<char> nearly_closed(const Mesh& mesh, const Sheets& sheets) {
     return out;
 }
 
-// Gives each fan of triangles round a vertex a vertex of its own if it closes, or if more than two triangles meet on an
-// edge there; open ones else stay together, as what lies between them may be a hole: but for those of sheets that
-// nearly close by themselves, which need no others.
+// Splits non-manifold vertices. A fan gets its own copy of the vertex if it is closed, or if more than two triangles
+// meet on one of its edges there. Open fans keep sharing the vertex, as the gap between them may be a hole to fill.
+// Sheets that are nearly closed by themselves need no other sheets, so each gets a copy for its open fans.
 void part_vertices(Mesh& mesh, const std::vector<HalfEdge>& sides, const std::vector<std::uint32_t>& mate) {
     const Sheets sheets = sheets_of(mate);
     const std::vector<char> whole = nearly_closed(mesh, sheets);
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> own; // vertex and sheet: what the open fans share
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> own; // shared by the open fans of a sheet
     geom::DisjointSets corners(mate.size());
     for (std::uint32_t s = 0; s < mate.size(); ++s) {
         const std::uint32_t o = mate[s];
@@ -336,7 +337,7 @@ void part_vertices(Mesh& mesh, const std::vector<HalfEdge>& sides, const std::ve
         if (j - i > 2 || (j - i == 2 && mate[sides[i].side] == kNoSide))
             crowded[sides[i].low()] = crowded[sides[i].high()] = 1;
     });
-    std::vector<char> open(mate.size(), 0); // per fan
+    std::vector<char> open(mate.size(), 0); // per fan: it is open
     for (std::uint32_t s = 0; s < mate.size(); ++s)
         if (mate[s] == kNoSide) open[corners.root(s)] = open[corners.root(3 * (s / 3) + (s + 1) % 3)] = 1;
     std::vector<char> taken(mesh.vertices.size(), 0);

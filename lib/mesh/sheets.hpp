@@ -1,4 +1,5 @@
-// Sheets: what hangs together as a surface, where more than two triangles meet on an edge, or some are there twice.
+// Sheets: parts non-manifold meshes into surfaces, where more than two triangles meet on an edge or triangles are
+// duplicated.
 #pragma once
 
 #include "base/note.hpp"
@@ -6,16 +7,19 @@
 
 namespace filum::mesh {
 
-// Makes each edge one of at most two triangles, which do not lie on each other, and tells about what it left out.
+// Splits the mesh so that each edge has at most two triangles, which do not lie on each other. Notes report what was
+// left out.
 //
-// Where more meet, those that bound the same solid on both sides of the edge go together: going round the edge from a
-// triangle through the solid behind it, the next one whose solid is on the other side (the radial order of Weiler
-// 1988).  Triangles that lie on each other never do: they are copies, not neighbours; of several copies the first goes
-// with the first.  Sheets that so come apart get vertices of their own.
-// A sheet all of whose triangles are there in a sheet before it, the same way round, or either way if it is open, is
-// left out.  If every triangle is there both ways round, one of each is left, and true is returned: what of such a mesh
-// is outside, its triangles do not say.
-// A mesh without such edges is not changed, at some 5 ns per side.
+// Where more triangles meet on an edge, those that bound the same solid on both sides of the edge stay together. They
+// are found in radial order (Weiler 1988): from a triangle, round the edge through the solid behind it, to the next
+// triangle whose solid is on the other side. Triangles that lie on each other are copies, not neighbours; of several
+// copies the first goes with the first. Sheets that come apart this way get vertices of their own.
+//
+// A sheet is left out if an earlier sheet holds all of its triangles, in the same orientation, or in either one if it
+// is open. If every triangle is there in both orientations, one of each is kept and true is returned: the triangles no
+// longer tell which side is outside.
+//
+// A mesh without such edges is not changed, at about 5 ns per side.
 bool part_sheets(Mesh& mesh, Notes& notes);
 
 } // namespace filum::mesh

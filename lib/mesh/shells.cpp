@@ -14,13 +14,13 @@ namespace filum::mesh {
 
 namespace {
 
-constexpr std::size_t kWitnesses = 13; // points of a shell that are asked what lies around them
-constexpr double kSameSize = 0.01;     // of a volume: shells that may be copies of each other
+constexpr std::size_t kWitnesses = 13; // points of a shell from which rays count the shells around it
+constexpr double kSameSize = 0.01;     // fraction of a volume: shells closer in size may be copies of each other
 
-// What the triangles of a shell, or of all shells, add up to.
+// Sums over the triangles of a shell, or of all shells.
 struct Sums {
-    double volume = 0; // six times, about the middle of the box
-    Vec3 area;         // vectors, twice: they cancel out if it is closed
+    double volume = 0; // six times the volume, mm3, measured from the middle of the box
+    Vec3 area;         // twice the sum of the area vectors; 0 if the shell is closed
     double size = 0;   // twice the area
     [[nodiscard]] bool nearly_closed() const { return norm(area) <= kOpenShare * size; }
 };
@@ -28,11 +28,11 @@ struct Sums {
 struct Shell {
     Box3 box{};
     Sums sums;
-    std::uint64_t unbalanced = 0;           // 0: closed, see is_closed
-    std::vector<std::uint32_t> witnesses{}; // triangles
+    std::uint64_t unbalanced = 0;           // sum of the hashes of its triangles (see imbalance); 0: closed
+    std::vector<std::uint32_t> witnesses{}; // triangles where the rays start
     bool turned = false;
-    std::optional<std::uint32_t> holder{}; // the shell that it is a cavity of
-    std::size_t cavities = 0;              // that it holds
+    std::optional<std::uint32_t> holder{}; // the shell whose cavity it is
+    std::size_t cavities = 0;              // number of cavities that it holds
 };
 
 void add(Sums& sums, const Mesh& mesh, const Triangle& t, const Vec3& origin) {
@@ -68,7 +68,7 @@ Note turned_note(std::size_t count, double volume6) {
 
 void turn_round(Triangle& t) { std::swap(t[1], t[2]); }
 
-// Turns everything round if the whole is inside out.
+// Turns every triangle if the whole mesh is inside out.
 void face_whole_outwards(Mesh& mesh, std::vector<Shell>& shells, Notes& notes) {
     const Box3 box = bounds(mesh);
     Sums whole;
@@ -82,13 +82,14 @@ void face_whole_outwards(Mesh& mesh, std::vector<Shell>& shells, Notes& notes) {
     notes.push_back(turned_note(shells.size(), whole.volume));
 }
 
-// Which shells wind round a point: by rays along the axes, one direction after the other, as each may leave by a hole.
+// Finds the shells around a point, by rays along the axes. Each next point of a shell uses another direction, as a ray
+// may leave through a hole.
 class Surroundings {
   public:
     Surroundings(const Mesh& mesh, const std::vector<std::uint32_t>& shell)
         : mesh_(mesh), shell_(shell), tree_(boxes(mesh)) {}
 
-    // The shells that most witnesses of a shell lie within, by number.
+    // The shells that contain most witnesses of shell `self`, in ascending order.
     [[nodiscard]] std::vector<std::uint32_t> of(std::uint32_t self, const Shell& s) const {
         std::vector<std::uint32_t> found, out;
         for (std::size_t w = 0; w < s.witnesses.size(); ++w) {
@@ -111,10 +112,10 @@ class Surroundings {
             out.push_back(geom::box_of(std::array{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}));
         return out;
     }
-    [[nodiscard]] Vec3 inner_point(const Triangle& t) const { // not its middle, which lines up with others
+    [[nodiscard]] Vec3 inner_point(const Triangle& t) const { // not the centroid: many line up
         return 0.311 * mesh_.vertices[t[0]] + 0.373 * mesh_.vertices[t[1]] + 0.316 * mesh_.vertices[t[2]];
     }
-    // The axes in turn, so that the ray runs along z.
+    // Permutes the axes, so that the ray runs along z.
     static Vec3 seen(const Vec3& v, int direction) {
         const int axis = direction % 3;
         const Vec3 t = axis == 0 ? v : axis == 1 ? Vec3{v.y, v.z, v.x} : Vec3{v.z, v.x, v.y};
@@ -132,7 +133,7 @@ class Surroundings {
         stretch(kWays[direction].y, ray.lo.y, ray.hi.y);
         stretch(kWays[direction].z, ray.lo.z, ray.hi.z);
         const Vec3 q = seen(p, direction);
-        std::vector<std::pair<std::uint32_t, int>> hits; // shell, and which way it is passed
+        std::vector<std::pair<std::uint32_t, int>> hits; // a shell, and the direction in which the ray crosses it
         tree_.visit(ray, [&](std::uint32_t i) {
             const Triangle& t = mesh_.triangles[i];
             if (shell_[t[0]] == self) return;
@@ -159,7 +160,7 @@ class Surroundings {
     geom::Bvh tree_;
 };
 
-// Settles which shells are turned, which are cavities, and of which.
+// Decides which shells are turned, which are cavities, and which shell each cavity belongs to.
 class Cavities {
   public:
     Cavities(const Mesh& mesh, const std::vector<std::uint32_t>& shell, bool two_sided, double least_wall,
@@ -167,7 +168,7 @@ class Cavities {
         : mesh_(mesh), shell_(shell), two_sided_(two_sided), least_wall_(least_wall), shells_(shells) {}
 
     void find() {
-        std::vector<std::uint32_t> order; // large ones first: what holds others comes before them
+        std::vector<std::uint32_t> order; // largest first, so that a shell comes before those inside it
         for (std::uint32_t i = 0; i < shells_.size(); ++i)
             if (shells_[i].sums.nearly_closed()) order.push_back(i);
         std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -177,13 +178,14 @@ class Cavities {
     }
 
   private:
-    // A shell faces as the one around it is found to do: if that is inside out, so is all within it.
+    // Decides shell i from the settled shells around it. If the shell around it is inside out, so is every shell
+    // inside.
     void settle(std::uint32_t i) {
         Shell& s = shells_[i];
         const bool inwards = s.sums.volume < 0;
         if (!inwards && !two_sided_ && !any_turned_) return;
         std::vector<std::uint32_t> around = walled(i);
-        int winding = 0; // of what is around: those shells are settled
+        int winding = 0; // winding number of the shells around, which are settled already
         for (const std::uint32_t h : around) winding += shells_[h].holder ? -1 : 1;
         const bool odd = around.size() % 2 == 1;
         std::erase_if(around, [&](std::uint32_t h) { return shells_[h].holder.has_value(); });
@@ -192,8 +194,8 @@ class Cavities {
         any_turned_ = any_turned_ || s.turned;
     }
 
-    // The smallest of the bodies around that a shell can be a cavity of.  Of several of that size, which are copies and
-    // have cavities of their own, the one with the fewest.
+    // The smallest body around a shell that can hold it as a cavity. Copies of that body have the same size and may
+    // have cavities of their own; the one with the fewest cavities wins.
     std::optional<std::uint32_t> holder(const std::vector<std::uint32_t>& around, bool inwards) {
         std::optional<std::uint32_t> best;
         for (const std::uint32_t h : around) {
@@ -206,7 +208,7 @@ class Cavities {
         return best;
     }
 
-    // The shells around one, with a wall between, smallest first.
+    // The shells around shell i that leave a wall between, smallest first.
     std::vector<std::uint32_t> walled(std::uint32_t i) {
         if (shells_.size() == 1) return {};
         if (!surroundings_) surroundings_.emplace(mesh_, shell_);
@@ -231,13 +233,13 @@ class Cavities {
     bool any_turned_ = false;
 };
 
-// The shell that is no cavity and holds shell i, if need be through others.
+// The outermost shell of the chain of holders that starts at shell i.
 std::uint32_t body_of(const std::vector<Shell>& shells, std::uint32_t i) {
     while (shells[i].holder) i = *shells[i].holder;
     return i;
 }
 
-// Numbers the bodies.
+// Numbers the bodies and assigns each vertex to one.
 Bodies bodies_of(const std::vector<Shell>& shells, const std::vector<std::uint32_t>& shell) {
     Bodies out;
     out.shells = shells.size();

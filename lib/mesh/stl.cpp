@@ -1,4 +1,4 @@
-// STL.  Binary: 80 bytes of anything, a count, 50 bytes per triangle: normal, three corners, attribute.
+// Reads STL. Binary: 80 bytes of any content, a count, then 50 bytes per triangle: normal, three corners, attribute.
 // ASCII: solid NAME / facet normal / outer loop / vertex ... / endloop / endfacet / endsolid.
 #include "base/error.hpp"
 #include "mesh/formats.hpp"
@@ -44,7 +44,7 @@ std::size_t announced_by(std::string_view bytes) {
     return n;
 }
 
-// Whether a whole binary STL begins there.
+// True if a whole binary STL begins there.
 bool holds_stl(std::string_view bytes) {
     if (bytes.size() < kHeader + kRecord) return false;
     const std::size_t n = announced_by(bytes);
@@ -61,7 +61,7 @@ void add_records(std::string_view records, Weld<std::uint32_t>& weld, std::vecto
     }
 }
 
-// On the last line, half a word or number is the mark of a file that was cut.
+// Throws the error of a bad line.  On an unterminated last line, it says that the file was cut short.
 [[noreturn]] void bad_line(const Text& text, const std::string& name, const std::string& why) {
     if (std::find_if(text.at, text.end, is_line_end) == text.end)
         throw Error(Exit::truncated, "cannot read " + name + ": it ends inside a facet");
@@ -99,7 +99,7 @@ Mesh read_stl_binary(std::string_view bytes, const std::string& name, Notes& not
 
 Mesh read_stl_ascii(std::string_view bytes, const std::string& name, Notes& notes) {
     Text text(bytes, '#');
-    Weld<std::uint64_t> weld(bytes.size() / 600); // about 250 bytes a triangle
+    Weld<std::uint64_t> weld(bytes.size() / 600); // a triangle takes about 250 bytes
     Mesh out;
     Faces faces;
     std::vector<std::uint32_t> corners;

@@ -1,4 +1,4 @@
-// A cursor over text for the readers of text formats; private to lib/mesh.
+// A cursor over text, for the readers of text formats; private to lib/mesh.
 #pragma once
 
 #include "base/error.hpp"
@@ -27,7 +27,7 @@ struct Text {
     const char* at;
     const char* end;
     const char* begin;
-    char comment; // from here to the end of the line is no text; '\0' if the format has none
+    char comment; // starts a comment up to the end of the line; '\0': no comments
 
     explicit Text(std::string_view t, char comment_mark = '\0')
         : at(t.data()), end(t.data() + t.size()), begin(t.data()), comment(comment_mark) {
@@ -35,28 +35,28 @@ struct Text {
     }
 
     [[nodiscard]] bool at_end() const { return at == end; }
-    // Only for messages: counts from the start.
+    // The number of the cursor's line, from 1.  Counts from the start each time, so it is only for messages.
     [[nodiscard]] std::size_t line() const {
         std::size_t n = 1;
         for (const char* p = begin; p < at; ++p) n += *p == '\n' || (*p == '\r' && (p + 1 == end || p[1] != '\n'));
         return n;
     }
-    // To the end of the line, not beyond.
+    // Moves to the end of the line, not beyond it.
     void skip_line() {
         while (at < end && !is_line_end(*at)) ++at;
     }
-    // Over blanks and a comment; true if something is left on this line.
+    // Skips blanks and a comment.  True if something is left on this line.
     bool more_on_line() {
         while (at < end && is_blank(*at)) ++at;
         if (at < end && comment != '\0' && *at == comment) skip_line();
         return at < end && !is_line_end(*at);
     }
-    // Over one line end, if the cursor is at one.
+    // Skips one line end, if the cursor is at one.
     void pass_line_end() {
         if (at < end && *at == '\r' && at + 1 < end && at[1] == '\n') ++at;
         if (at < end && is_line_end(*at)) ++at;
     }
-    // Over blanks, comments and line ends; true if something is left.
+    // Skips blanks, comments and line ends.  True if something is left.
     bool more() {
         while (!more_on_line()) {
             if (at == end) return false;
@@ -64,7 +64,7 @@ struct Text {
         }
         return true;
     }
-    // True if only blanks stand before the cursor on its line.
+    // True if only blanks precede the cursor on its line.
     [[nodiscard]] bool begins_line() const {
         const char* p = at;
         while (p > begin && is_blank(p[-1])) --p;
@@ -77,7 +77,7 @@ struct Text {
         while (at < end && !is_blank(*at) && !is_line_end(*at)) ++at;
         return {from, static_cast<std::size_t>(at - from)};
     }
-    // The next word as a number; false, and no move, if it is none.  "nan" and "inf" are numbers here.
+    // Reads a number at the cursor.  Returns false, and does not move, if there is none.  "nan" and "inf" are numbers.
     bool number(double& value) {
         const char* from = at;
         if (from < end && *from == '+') ++from;
@@ -99,7 +99,7 @@ struct Text {
     }
 };
 
-// Throws Error(bad_input) naming the file, the line that the cursor is in, and the fault.
+// Throws Error(bad_input) with the file, the cursor's line and the fault.
 [[noreturn]] inline void malformed_line(const std::string& name, const Text& text, const std::string& why) {
     throw Error(Exit::bad_input, "cannot read " + name + ": line " + std::to_string(text.line()) + ": " + why);
 }

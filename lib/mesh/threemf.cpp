@@ -1,6 +1,6 @@
-// 3MF (core specification 1.3, and the production extension's parts in several files): a zip archive whose root model
-// lists objects (a mesh, or components: other objects, moved) and the build items that are to be made of them.
-// threemf_rules.cpp judges extensions and kinds of objects; items.cpp puts items on the bed.
+// Reads 3MF (core specification 1.3, and objects in several files as in the production extension). A 3MF is a zip
+// archive. Its root model lists objects and the build items made of them. An object is a mesh, or components: other
+// objects, moved. threemf_rules.cpp judges extensions and kinds of objects; items.cpp puts items on the bed.
 #include "archive/zip.hpp"
 #include "base/error.hpp"
 #include "geom/affine.hpp"
@@ -26,22 +26,22 @@ using geom::Affine;
 
 namespace {
 
-constexpr std::size_t kMaxTriangles = std::size_t{1} << 24; // after all copies that components ask for
+constexpr std::size_t kMaxTriangles = std::size_t{1} << 24; // with all copies that components make
 constexpr std::size_t kMaxCopies = 100000;
 constexpr int kMaxDepth = 32;
 
 struct Model {
-    std::string text; // parsed in place
+    std::string text; // the XML, parsed in place
     pugi::xml_document xml;
     std::map<std::string, pugi::xml_node> objects; // by id
-    double unit = 1;                               // mm
+    double unit = 1;                               // mm per unit of the model
 };
 
 bool is(const pugi::xml_node& n, const char* name) { return threemf::local_name(n) == name; }
 pugi::xml_node child(const pugi::xml_node& n, const char* name) {
     return n.find_child([&](const pugi::xml_node& c) { return is(c, name); });
 }
-// The attribute "path" of the production extension, under whatever prefix.
+// The attribute "path" of the production extension, with any namespace prefix.
 std::string part_path(const pugi::xml_node& n) {
     for (const auto& a : n.attributes())
         if (const char* colon = std::strchr(a.name(), ':'); colon != nullptr && std::strcmp(colon, ":path") == 0)
@@ -74,16 +74,16 @@ class Archive {
     }
 
   private:
-    // A mesh, and where it is to be.
+    // A mesh and its position.
     struct Placed {
         pugi::xml_node mesh;
         double unit = 1;
         Affine place;
-        std::string object;                // its id, in the root model; else empty
-        std::size_t body = Project::kNone; // that it is all of
+        std::string object;                // its id in the root model; empty for objects of other files
+        std::size_t body = Project::kNone; // the body that the whole mesh belongs to
         std::uint32_t item = 0;            // of the build
     };
-    // What the objects above a component say of it.
+    // What a component inherits from the objects above it.
     struct Above {
         int depth = 0;
         bool support = false; // one of them is a support
@@ -96,7 +96,7 @@ class Archive {
 
     std::string root_path() {
         if (!zip_.has("_rels/.rels")) {
-            const std::string mesh = zip_.find(is_mesh_name); // the first entry that is one by its name
+            const std::string mesh = zip_.find(is_mesh_name); // the first entry whose name is that of a mesh
             bad(mesh.empty() ? "it is a ZIP archive, but no 3MF, and holds no mesh"
                              : "it is a ZIP archive that holds '" + mesh + "'; unpack it first");
         }
@@ -128,7 +128,7 @@ class Archive {
         triangles_.resize(project_.bodies.size());
     }
 
-    // The build items that are to be made: those of the plate, as far as they are printable.
+    // Reads the build items: those of the plate that are printable.
     std::vector<pugi::xml_node> wanted_items(const Model& model) {
         const auto build = child(child(model.xml, "model"), "build");
         if (!build) bad("its model has no build: nothing says what is to be made");
@@ -213,7 +213,7 @@ class Archive {
         }
     }
 
-    // What an object that is to be made is for.
+    // The purpose of an object in the build.
     threemf::Function checked_function(const pugi::xml_node& object, const std::string& id) {
         const threemf::Function out = threemf::function_of(object);
         const std::string type = object.attribute("type").value();
@@ -240,7 +240,7 @@ class Archive {
             bad("nothing in its build is a part, only supports or surfaces");
     }
 
-    // Items that would hang in the air, or reach below the bed.
+    // Sets items on the bed that would hang in the air or reach below it.
     void set_down() {
         std::vector<geom::Box3> boxes(items_);
         for (std::size_t i = 0; i < to_.mesh.triangles.size(); ++i)
@@ -259,9 +259,9 @@ class Archive {
         return out;
     }
 
-    // Refuses what would be too large before it is made.
+    // Throws, before copying any mesh, if the result would be too large.
     void reserve() {
-        std::map<const void*, std::pair<std::size_t, std::size_t>> size; // of a mesh: vertices, triangles
+        std::map<const void*, std::pair<std::size_t, std::size_t>> size; // per mesh: numbers of vertices and triangles
         std::size_t vertices = 0, triangles = 0;
         for (const Placed& p : placed_) {
             const auto [it, fresh] = size.try_emplace(p.mesh.internal_object());
@@ -279,7 +279,7 @@ class Archive {
         return static_cast<std::size_t>(std::distance(n.begin(), n.end()));
     }
 
-    // The translation of a transform is in the model's unit as well, so scale last.
+    // The translation of a transform is in the model's unit too, so the unit is applied last.
     void add_mesh(const Placed& placed) {
         std::vector<Vec3>& vertices = to_.mesh.vertices;
         const std::size_t first = vertices.size();
@@ -312,18 +312,18 @@ class Archive {
         }
     }
 
-    // What PrusaSlicer, or OrcaSlicer and Bambu Studio, paint on a triangle for supports.
+    // Reads the support paint of a triangle, as PrusaSlicer, OrcaSlicer and Bambu Studio write it.
     void take_paint(const pugi::xml_node& t, const Triangle& tri) {
         for (const auto& a : t.attributes()) {
             const std::string_view attribute(a.name());
             if (attribute.ends_with(":custom_supports") || attribute == "paint_supports")
-                paint_.push_back({tri, a.value()}); // of a text in models_
+                paint_.push_back({tri, a.value()}); // points into a text of models_
         }
     }
 
-    // The bodies with the triangles that were found, and what is painted.  Each item has negative bodies of its own.
+    // Fills the bodies with their triangles, and adds painted faces.  Each item has negative bodies of its own.
     void take_bodies() {
-        std::vector<Body> of_items; // behind those of slicers' projects
+        std::vector<Body> of_items; // go behind those of the project
         std::swap(of_items, to_.bodies);
         for (std::size_t b = 0; b < project_.bodies.size(); ++b) {
             const Body& body = project_.bodies[b];
@@ -376,16 +376,16 @@ class Archive {
     int plate_;
     File& to_;
     archive::Zip zip_;
-    std::map<std::string, std::unique_ptr<Model>> models_; // by path
+    std::map<std::string, std::unique_ptr<Model>> models_; // by path of the file
     std::size_t copies_ = 0;
     std::set<std::tuple<const Model*, std::string, std::array<double, 12>>> there_;
     std::vector<Placed> placed_;
-    std::uint32_t items_ = 0; // of the build, so far
+    std::uint32_t items_ = 0; // build items so far
     std::vector<std::uint32_t> item_of_vertex_, item_of_;
     std::size_t supports_ = 0, surfaces_ = 0, unknown_ = 0;
     Note same_{.code = NoteCode::body_repeated, .count = 0};
     Project project_;
-    std::vector<std::map<std::uint32_t, std::vector<Triangle>>> triangles_; // of each body of a project, by item
+    std::vector<std::map<std::uint32_t, std::vector<Triangle>>> triangles_; // per body of the project, by item
     std::vector<PaintedTriangle> paint_;
 };
 

@@ -17,16 +17,16 @@ namespace {
 constexpr std::string_view kXmlns = "xmlns:";
 constexpr std::string_view kConsortium = "/3dmanufacturing/"; // part of the namespaces of its extensions
 
-// Extensions that change no shape, or whose content this reader follows: "slice" where triangles say the shape, too.
+// Extensions that change no shape, or that this reader follows; "slice" if the triangles give the shape too.
 constexpr std::string_view kSupported[] = {"core", "material", "materials", "production", "slice", "trianglesets"};
 constexpr std::string_view kSlicers[] = {"http://schemas.slic3r.org/3mf/", "http://schemas.bambulab.com/package/",
                                          "http://schemas.prusa3d.com/"};
 
-// Elements of objects and meshes that the core, and extensions without a shape, define.
+// Elements of objects and meshes that are defined by the core or by extensions that change no shape.
 constexpr std::string_view kPlain[] = {"mesh",      "components",   "metadatagroup", "vertices",
                                        "triangles", "trianglesets", "metadata",      "property"};
 
-// "beamlattice" of ".../3dmanufacturing/beamlattice/2017/02"; else the namespace itself.
+// "beamlattice" for ".../3dmanufacturing/beamlattice/2017/02"; the namespace itself if it is not the consortium's.
 std::string extension_name(const std::string& uri) {
     const auto at = uri.find(kConsortium);
     if (at == std::string::npos) return uri;

@@ -1,4 +1,4 @@
-// Vertices with the same bits become one: an open-addressing hash; private to lib/mesh.
+// Merges vertices with equal bits, by a hash table with open addressing; private to lib/mesh.
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -15,7 +15,7 @@ class Weld {
   public:
     using Key = std::array<Word, 3>;
 
-    // `expected` vertices cost no rehash.
+    // Up to `expected` vertices need no rehash.
     explicit Weld(std::size_t expected) : slots_(std::bit_ceil(std::max<std::size_t>(64, expected + expected / 2))) {
         vertices.reserve(expected);
     }
@@ -29,15 +29,15 @@ class Weld {
         return h ^ (h >> 32);
     }
 
-    // Fetches what add() will look at: the table is far larger than the cache.
+    // Prefetches the slot that add() will read, as the table is far larger than the cache.
     void prefetch(std::uint64_t h) const { __builtin_prefetch(&slots_[h & (slots_.size() - 1)]); }
 
-    // Room for `more` vertices, so that add() need not look.
+    // Makes room for `more` vertices.  Required before add(), which does not check.
     void reserve(std::size_t more) {
         if ((vertices.size() + more) * 4 > slots_.size() * 3) grow();
     }
 
-    // The index of the vertex with these bits, which stand for `v`; `h` is hash(key).
+    // The index of the vertex with the bits `key`; appends `v` if it is new.  `h` is hash(key).
     std::uint32_t add(const Key& key, std::uint64_t h, const Vec3& v) {
         for (std::size_t i = h & (slots_.size() - 1);; i = (i + 1) & (slots_.size() - 1)) {
             Slot& s = slots_[i];
@@ -46,7 +46,7 @@ class Weld {
                 vertices.push_back(v);
                 return s.id;
             }
-            // word by word: operator== would call memcmp
+            // compared word by word, as operator== would call memcmp
             if (s.key[0] == key[0] && s.key[1] == key[1] && s.key[2] == key[2]) return s.id;
         }
     }
@@ -72,7 +72,7 @@ class Weld {
     std::vector<Slot> slots_;
 };
 
-// Adding 0 turns -0 into 0, so that both weld.
+// The bits of a vertex.  Adding 0 turns -0 into 0, so that both weld.
 inline std::array<std::uint64_t, 3> bits(const Vec3& v) {
     return {std::bit_cast<std::uint64_t>(v.x + 0.0), std::bit_cast<std::uint64_t>(v.y + 0.0),
             std::bit_cast<std::uint64_t>(v.z + 0.0)};

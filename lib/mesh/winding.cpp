@@ -8,10 +8,10 @@ namespace filum::mesh {
 
 namespace {
 
-constexpr std::uint32_t kLeaf = 8; // triangles
-constexpr double kFar = 3;         // radii: from there on triangles are seen as one dipole
+constexpr std::uint32_t kLeaf = 8; // most triangles of a leaf
+constexpr double kFar = 3;         // in radii of a node: from this distance on, a node counts as one dipole
 
-// rad; a, b, c as seen from the point.
+// The signed solid angle of a triangle, in sr.  a, b and c are relative to the point.
 double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) { // Van Oosterom and Strackee 1983
     const double la = norm(a), lb = norm(b), lc = norm(c);
     return 2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// In lib/filum beside the folder of the commands, or above it.
+// The program is in lib/filum, beside the folder of the commands or above it.
 fs::path reader() {
     std::error_code none;
     fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path();
@@ -35,7 +35,7 @@ fs::path reader() {
     throw Error(Exit::failure, "cannot run the reader of STEP files: " + what + ": " + std::strerror(errno));
 }
 
-// A file in memory.
+// An anonymous file in memory.
 class Memory {
   public:
     Memory() : fd(::memfd_create("filum-step", MFD_CLOEXEC)) {
@@ -68,7 +68,8 @@ class Memory {
     int fd;
 };
 
-// Runs the program: `in` is its standard input, `out` its descriptor 3; it has no other.  How it ended, as by waitpid.
+// Runs the program with `in` as its standard input and `out` as its descriptor 3; it gets no other file. Returns its
+// status, as waitpid does.
 int run(const fs::path& program, const Tessellation& how, const Memory& in, const Memory& out) {
     const std::string deflection = shortest_text(how.deflection), angle = shortest_text(how.angle_deg);
     std::string words[] = {program.string(), deflection, angle};
@@ -96,7 +97,7 @@ void take(std::string_view& from, std::vector<T>& to, std::size_t count) {
     from.remove_prefix(count * sizeof(T));
 }
 
-// The mesh in an answer; nothing of it is believed that would not fit.
+// Decodes the mesh of an answer.  Checks every size and index in it.
 mesh::Mesh unpacked(const Answer& head, std::string_view body) {
     static_assert(sizeof(mesh::Vec3) == 24 && sizeof(mesh::Triangle) == 12);
     const bool plausible = head.vertices < body.size() && head.triangles < body.size() &&

@@ -1,7 +1,9 @@
-// read-step - the faces in a STEP file as triangles; run by filum::mesh::step::read, not by users
+// read-step - writes the faces of a STEP file as triangles; run by filum::mesh::step::read, not by users
 //
-// read-step DEFLECTION ANGLE   mm and degrees
-// The file is standard input; descriptor 3 gets what step/answer.hpp says.  Exit 0 whenever it could say something.
+// read-step DEFLECTION ANGLE (mm and degrees)
+//
+// The file is standard input. Descriptor 3 receives the answer that step/answer.hpp describes. Exit 0 if an answer was
+// written, a failure included.
 #include "mesh/step/answer.hpp"
 
 #include <BRepBndLib.hxx>
@@ -43,7 +45,7 @@ namespace filum::mesh::step {
 namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
-constexpr double kSewn = 0.01; // mm: borders of faces that are so near, and joined to nothing, are joined
+constexpr double kSewn = 0.01; // mm: free borders of faces that are nearer are joined
 
 struct Mesh {
     std::vector<std::array<double, 3>> vertices;
@@ -57,7 +59,8 @@ struct Mesh {
     }
 };
 
-// Which vertices of the mesh stand for the vertices and edges of the shape, so that faces that share them share these.
+// Maps the vertices and edges of the shape to vertices of the mesh, so that faces that share an edge share its
+// vertices.
 class Joints {
   public:
     Joints(const TopoDS_Shape& shape, Mesh& mesh) : mesh_(mesh) {
@@ -67,7 +70,7 @@ class Joints {
         on_edge_.resize(static_cast<std::size_t>(edges_.Extent()) + 1);
     }
 
-    // Gives the nodes of `face` that lie on its edge the vertices of the mesh that stand for them; `to` is per node.
+    // Assigns mesh vertices to the nodes of `face` that lie on an edge.  `to` has an entry per node.
     void join(const TopoDS_Edge& edge, const Handle(Poly_Triangulation) & face, const TopLoc_Location& place,
               std::vector<std::uint32_t>& to) {
         const Handle(Poly_PolygonOnTriangulation) line = BRep_Tool::PolygonOnTriangulation(edge, face, place);
@@ -78,7 +81,7 @@ class Joints {
         const int count = line->NbNodes();
         const auto node = [&](int i) { return static_cast<std::size_t>(line->Node(i)); };
         const auto point = [&](int i) { return face->Node(line->Node(i)).Transformed(place.Transformation()); };
-        if (BRep_Tool::Degenerated(edge) && !begin.IsNull()) { // a pole: all of it is one point
+        if (BRep_Tool::Degenerated(edge) && !begin.IsNull()) { // a pole: the whole edge is one point
             for (int i = 1; i <= count; ++i) to[node(i)] = vertex(begin);
             return;
         }
@@ -87,7 +90,7 @@ class Joints {
                 const bool first = i == 1 && !begin.IsNull(), last = i == count && !end.IsNull();
                 inner.push_back(first ? vertex(begin) : last ? vertex(end) : mesh_.add(point(i)));
             }
-        if (inner.size() != static_cast<std::size_t>(count)) return; // the edge of a face meshed by another rule
+        if (inner.size() != static_cast<std::size_t>(count)) return; // the other face meshed this edge differently
         for (int i = 1; i <= count; ++i) to[node(i)] = inner[static_cast<std::size_t>(i) - 1];
     }
 
@@ -138,7 +141,7 @@ void add_face(const TopoDS_Face& face, std::uint32_t id, Joints& joints, Mesh& m
     }
 }
 
-// Whether an edge belongs to one face only, and not twice to that.
+// True if an edge belongs to exactly one face, and only once to that face.
 bool has_free_edge(const TopoDS_Shape& shape) {
     TopTools_IndexedDataMapOfShapeListOfShape faces_of;
     TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of);
@@ -154,7 +157,7 @@ bool has_free_edge(const TopoDS_Shape& shape) {
 
 using Ids = TopTools_DataMapOfShapeInteger;
 
-// The shape with faces joined that some programs write apart from each other, and their ids.
+// Sews faces that some programs write without shared edges.  Returns the shape and the ids of its faces.
 TopoDS_Shape sewn(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& faces, Ids& ids) {
     BRepBuilderAPI_Sewing sewing(kSewn);
     const bool needed = has_free_edge(shape);
@@ -167,7 +170,7 @@ TopoDS_Shape sewn(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& f
     return needed ? sewing.SewedShape() : shape;
 }
 
-// Throws a text.
+// Reads the shape.  Throws a std::string with the fault.
 Mesh read(double deflection, double angle_deg) {
     STEPControl_Reader reader;
     if (reader.ReadStream("part.step", std::cin) != IFSelect_RetDone)
@@ -192,7 +195,7 @@ Mesh read(double deflection, double angle_deg) {
     const auto id_of = [&](const TopoDS_Shape& face) {
         return static_cast<std::uint32_t>(ids.IsBound(face) ? ids.Find(face) : 0);
     };
-    // By occurrence: a face between two bodies belongs to both, once either way round.
+    // Counts occurrences: a face between two bodies belongs to both, once in each orientation.
     for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
         add_face(TopoDS::Face(face.Current()), id_of(face.Current()), joints, out);
     if (out.triangles.empty()) throw std::string("OpenCASCADE can mesh none of its faces; export it again, or as STL");
@@ -222,7 +225,7 @@ int main(int argc, char** argv) {
     using namespace filum::mesh::step;
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     const rlimit none{0, 0};
-    ::setrlimit(RLIMIT_CORE, &none); // when OpenCASCADE dies of a damaged file, that is no news
+    ::setrlimit(RLIMIT_CORE, &none); // no core dump if OpenCASCADE crashes on a damaged file
     std::FILE* out = argc == 3 ? ::fdopen(3, "wb") : nullptr;
     if (out == nullptr) return 2;
     Message::DefaultMessenger()->ChangePrinters().Clear();
@@ -239,5 +242,5 @@ int main(int argc, char** argv) {
     } catch (const std::exception& e) {
         fail(out, std::string("OpenCASCADE fails: ") + e.what() + "; export it again, or as STL");
     }
-    ::_exit(std::fclose(out) == 0 ? 0 : 1); // at once: its libraries take long to go
+    ::_exit(std::fclose(out) == 0 ? 0 : 1); // exits at once, as its libraries take long to unload
 }
