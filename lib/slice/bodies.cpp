@@ -13,11 +13,11 @@ using geom::Box2;
 using geom::Vec2;
 using polygon::Loops;
 
-constexpr double kRounding = 0.001; // mm; below, two faces are the same but for rounding; bridges reach this far in
+constexpr double kRounding = 0.001; // mm; closer faces differ only by rounding; bridges reach this far into the solid
 
 struct Edge {
     Vec2 a, b;
-    std::uint32_t loop, at, size; // which edge of which loop, and how many that has
+    std::uint32_t loop, at, size; // its loop, its position in the loop, and the loop's number of edges
 };
 
 std::vector<Edge> edges_of(const Loops& loops) {
@@ -37,8 +37,9 @@ bool neighbours(const Edge& e, const Edge& f) {
     return d <= 1 || d + 1 >= e.size;
 }
 
-// The stretch of e, as parameters, over which f runs against it at a signed distance of at most `width` (positive: on
-// the right, outside; down to -1 um: rounding), and that distance at both ends; false if there is none.
+// Finds the stretch of e along which f runs in the opposite direction within `width`. Distances are positive on the
+// right of e, which is outside; they may go down to -1 um, for rounding. Returns in `out` the parameters on e and the
+// distances at both ends; false if there is no such stretch.
 struct Facing {
     double u[2], gap[2];
 };
@@ -48,10 +49,10 @@ bool facing(const Edge& e, const Edge& f, double width, Facing& out) {
     if (!(l > 0) || dot(d, g) > -0.9 * l * norm(g)) return false;
     const auto along = [&](Vec2 p) { return dot(p - e.a, d) / (l * l); };
     const auto right = [&](Vec2 p) { return cross(p - e.a, d) / l; };
-    double u0 = along(f.b), u1 = along(f.a), h0 = right(f.b), h1 = right(f.a); // f runs backwards
+    double u0 = along(f.b), u1 = along(f.a), h0 = right(f.b), h1 = right(f.a); // f runs against e
     if (!(u1 > u0)) return false;
     const double slope = (h1 - h0) / (u1 - u0);
-    const auto cut = [&](double u, bool low) { // one end of the stretch moves to u
+    const auto cut = [&](double u, bool low) { // moves one end of the stretch to u
         if (low && u > u0) {
             h0 += slope * (u - u0);
             u0 = u;
@@ -64,7 +65,7 @@ bool facing(const Edge& e, const Edge& f, double width, Facing& out) {
     cut(0, true);
     cut(1, false);
     if (!(u1 > u0)) return false;
-    if (slope != 0) // gap within [-kRounding, width]
+    if (slope != 0) // clips the stretch to gaps in [-kRounding, width]
         for (const double h : {-kRounding, width}) {
             const double u = u0 + (h - h0) / slope;
             const bool below = h < 0;
@@ -85,7 +86,7 @@ void add_bridge(const Edge& e, const Facing& f, Loops& out) {
     out.add(quad);
 }
 
-// Each cell lists the edges that come nearer than `margin`.
+// Makes a grid whose cells list the edges nearer than `margin`.
 geom::SegmentGrid grid_over(const std::vector<Edge>& edges, const Box2& box, double margin) {
     std::vector<geom::Segment> segments;
     double sum = 0;
@@ -94,7 +95,7 @@ geom::SegmentGrid grid_over(const std::vector<Edge>& edges, const Box2& box, dou
         sum += geom::distance(e.a, e.b);
     }
     const double w = box.hi.x - box.lo.x, h = box.hi.y - box.lo.y, n = static_cast<double>(edges.size());
-    // as wide as an edge is long, but not so fine that there are many more cells than edges
+    // cells are as wide as an edge is long, but there are not many more cells than edges
     const double cell = std::max({sum / n, std::sqrt(w * h / (4 * n)), std::max(w, h) / 4096, 4 * margin, 1e-3});
     return {segments, cell, margin};
 }
@@ -106,7 +107,7 @@ bool near(const Edge& e, const Edge& f, double margin) {
            std::min(f.a.y, f.b.y) <= std::max(e.a.y, e.b.y) + margin;
 }
 
-// Loops that are narrower than `hairline` all along go: what union leaves where faces nearly coincide.
+// Drops loops with a mean width below `hairline`. A union leaves them where faces nearly coincide.
 Loops without_slivers(const Loops& loops, double hairline, std::int64_t layer, Notes& notes) {
     Loops out;
     Note filled{.code = NoteCode::hairline_hole_filled, .amount = 0, .count = 0, .layer = layer};
@@ -114,11 +115,11 @@ Loops without_slivers(const Loops& loops, double hairline, std::int64_t layer, N
     dropped.code = NoteCode::hairline_sliver_dropped;
     for (std::size_t i = 0; i < loops.size(); ++i) {
         const double area = polygon::signed_area(loops[i]);
-        if (2 * std::abs(area) > hairline * polygon::perimeter(loops[i])) { // area over half the length: its mean width
+        if (2 * std::abs(area) > hairline * polygon::perimeter(loops[i])) { // compares the mean width
             out.add(loops[i]);
             continue;
         }
-        if (2 * std::abs(area) <= kRounding * polygon::perimeter(loops[i])) continue; // rounding alone
+        if (2 * std::abs(area) <= kRounding * polygon::perimeter(loops[i])) continue; // only rounding
         Note& n = area < 0 ? filled : dropped;
         if (std::abs(area) * static_cast<double>(n.count) >= n.amount) {
             n.x = loops[i][0].x;

@@ -14,15 +14,15 @@ namespace {
 
 using polygon::Loops;
 
-// mm: how far sections of one upright wall may differ, as the triangles of a round wall differ from layer to layer.
-// STEP files are meshed to this deflection by default.
+// mm: the largest distance between sections of one upright wall. The triangles of a round wall differ from layer to
+// layer, and STEP files are meshed with this deflection by default.
 constexpr double kSameWall = 0.02;
-constexpr double kLeastArea = 1e-4; // mm2: rounding leaves less
+constexpr double kLeastArea = 1e-4; // mm2: rounding leaves smaller areas
 
 struct Bore {
-    Loops outline;        // counter-clockwise, what stands in the bore not taken out
-    Loops air;            // that, without what stands in it where it is a hole
-    bool followed = true; // false once solid stood in it
+    Loops outline;        // counter-clockwise; includes solid that stands in the bore
+    Loops air;            // the outline without that solid, on the layer where the bore is a hole
+    bool followed = true; // false: solid stood in it on some layer
 };
 
 geom::Box2 grown(geom::Box2 box, double by) { return {{box.lo.x - by, box.lo.y - by}, {box.hi.x + by, box.hi.y + by}}; }
@@ -49,7 +49,8 @@ std::vector<Bore> holes_of(const Loops& contours) {
     return out;
 }
 
-// mm of the layer's outline that lie on the bore's: both ends of an edge and its middle are there.
+// The length of the layer's outline that lies on the bore's, in mm. An edge counts if both of its ends and its middle
+// lie there.
 double common_wall(const Loops& contours, const Loops& bore) {
     const auto walls = polygon::segments(bore);
     const geom::SegmentGrid grid(walls, 1, kSameWall);
@@ -68,19 +69,19 @@ double common_wall(const Loops& contours, const Loops& bore) {
     return out;
 }
 
-// mm of wall that a slot as wide as a bore has in common with it: two straight walls that touch a circle of the bore's
-// area.
+// The length of wall that a slot as wide as a bore shares with it, in mm: two straight walls that touch a circle of the
+// bore's area.
 double tangents(const Loops& bore) {
     const double radius = std::sqrt(polygon::signed_area(bore) / std::numbers::pi);
     return 4 * std::sqrt(2 * radius * kSameWall);
 }
 
-// Walks from layer to layer in one direction.
+// Follows bores from layer to layer in one direction.
 class Walk {
   public:
     Walk(std::vector<Loops>& open, Notes& notes) : open_(&open), notes_(&notes) {}
 
-    // The next layer.
+    // Visits the next layer.
     void pass(std::size_t layer, const Loops& contours) {
         if (contours.points == last_.points && contours.start == last_.start) { // as on upright walls
             for (const Bore& bore : carried_) keep(layer, contours, bore);
@@ -101,12 +102,12 @@ class Walk {
     }
 
   private:
-    // Whether the bore's walls go on, with air between them.
+    // True if the layer continues the bore's walls with air between them.
     static bool goes_on(const Loops& contours, Bore& bore) {
         if (common_wall(contours, bore.outline) <= tangents(bore.outline)) return false;
         const Loops core = polygon::offset(bore.air, -kSameWall);
         const double solid = polygon::signed_area(polygon::intersect(core, contours));
-        if (solid > polygon::signed_area(core) - kLeastArea) return false; // the bottom of a blind bore
+        if (solid > polygon::signed_area(core) - kLeastArea) return false; // this is the bottom of a blind bore
         bore.followed = bore.followed && solid <= kLeastArea;
         return true;
     }
@@ -122,11 +123,11 @@ class Walk {
                            static_cast<std::int64_t>(layer), at.x, at.y});
     }
 
-    std::vector<Loops>* open_; // per layer
+    std::vector<Loops>* open_; // per layer: its open bores
     Notes* notes_;
     Loops last_;
-    std::vector<Bore> holes_;   // of the last layer
-    std::vector<Bore> carried_; // that the last layer left open
+    std::vector<Bore> holes_;   // holes of the last layer
+    std::vector<Bore> carried_; // bores that the last layer left open
 };
 
 } // namespace
@@ -141,11 +142,11 @@ std::vector<Loops> open_bores(std::span<const Loops> contours, Notes& notes) {
     const auto same = [](const Note& a, const Note& b) {
         return a.layer == b.layer && geom::distance(geom::Vec2{a.x, a.y}, geom::Vec2{b.x, b.y}) <= kSameWall;
     };
-    for (const Note& n : up) // those of the way down are of the same walls, or of others
+    for (const Note& n : up) // keep it unless the way down has a note on the same wall
         if (std::none_of(down.begin(), down.end(), [&](const Note& other) { return same(n, other); }))
             notes.push_back(n);
     notes.insert(notes.end(), down.begin(), down.end());
-    std::erase_if(notes, [&](const Note& n) { // followed from the other side
+    std::erase_if(notes, [&](const Note& n) { // the bore was followed from the other side
         return n.layer >= 0 && polygon::contains(open[static_cast<std::size_t>(n.layer)], {n.x, n.y});
     });
     return open;

@@ -9,15 +9,16 @@
 
 namespace filum::slice {
 
-// For each layer, lowest first, the outlines of the bores that this layer leaves open.  A bore is open on a layer if a
-// layer above or below has it as a hole, more of its walls goes on than a slot of its width would share with it, and no
-// solid stands in it.  `contours`: the layers' outlines.
+// The outlines of the bores that each layer leaves open, lowest layer first. A bore is open on a layer under three
+// conditions. A layer above or below has it as a hole. The layer continues more of its wall than a slot of its width
+// would share with it. No solid stands in it. `contours` are the outlines of the layers.
 //
-// Walls that go on while solid stands in the bore, as where a slanted bore meets a window, are not followed: a note
-// says how many mm of wall `compensation` leaves as they are.
+// A wall that continues while solid stands in the bore is not followed, as where a slanted bore meets a window. A note
+// reports how many mm of wall the compensation leaves unchanged.
 std::vector<polygon::Loops> open_bores(std::span<const polygon::Loops> contours, Notes& notes);
 
-// `contours` with the walls of the layer's open bores moved outwards by `by` mm, or inwards if that is negative.
+// Moves the walls of the layer's open bores outwards by `by` mm, or inwards if it is negative. Returns the new
+// contours.
 polygon::Loops with_wider_bores(const polygon::Loops& contours, const polygon::Loops& bores, double by);
 
 } // namespace filum::slice

@@ -11,7 +11,7 @@ namespace {
 
 using polygon::Loops;
 
-// One connected part with its holes `by` mm wider.
+// Widens the holes of one connected part by `by` mm.
 Loops with_wider_holes(const Loops& part, double by) {
     Loops outer, holes;
     outer.add(part[0]);
@@ -32,25 +32,26 @@ Loops with_wider_holes_in_all(const Loops& area, double by) {
 }
 
 void tell(NoteCode code, const Loops& area, std::uint32_t layer, Notes& notes) {
-    constexpr double told = 1e-4; // mm2: what rounding leaves at corners
+    constexpr double told = 1e-4; // mm2: rounding leaves less at corners
     const double mm2 = polygon::signed_area(area);
     if (!(mm2 > told)) return;
     const geom::Vec2 at = polygon::centroid(area);
     notes.push_back({.code = code, .amount = mm2, .count = 1, .layer = layer, .x = at.x, .y = at.y});
 }
 
-// What `width` mm of an area, everywhere taken off its outline, leaves nothing of: none of it comes back.
+// The parts of an area that disappear completely when its outline moves inwards by `width` mm.
 Loops lost(const Loops& area, double width) {
     return polygon::subtract(area, polygon::offset(polygon::offset(area, -width), 2 * width));
 }
 
 Loops less_foot(const Loops& area, double foot, std::uint32_t layer, Notes& notes) {
-    // a circle as wide as what must stay narrow does not fit there, nor do the corners that it leaves reach so far
+    // `thin` is narrower than four times the foot: a circle of that width does not fit into it. It excludes the corners
+    // that such a circle misses.
     const Loops wide = polygon::offset(polygon::offset(area, -2 * foot), 2 * foot);
     const Loops thin = polygon::subtract(area, polygon::offset(wide, 2 * foot));
     if (thin.empty()) return polygon::offset(area, -foot);
     tell(NoteCode::foot_kept, thin, layer, notes);
-    const Loops kept = polygon::intersect(area, polygon::offset(thin, 3 * foot)); // into what does give way
+    const Loops kept = polygon::intersect(area, polygon::offset(thin, 3 * foot)); // reaches into the rest
     return polygon::unite(polygon::offset(area, -foot), kept);
 }
 

@@ -1,4 +1,4 @@
-// What a machine lays wider or narrower than it was told, taken off the outlines beforehand.
+// Compensates outlines for beads that a machine deposits wider or narrower than planned.
 #pragma once
 
 #include "base/note.hpp"
@@ -7,17 +7,17 @@
 namespace filum::slice {
 
 struct Compensation {
-    double elephant_foot = 0; // mm that the outline of the first layer moves inwards
-    double xy = 0;            // mm that every outline moves outwards, holes closing; negative: inwards
-    double holes = 0;         // mm that holes widen, on top of that; negative: close
+    double elephant_foot = 0; // mm by which the outline of the first layer moves inwards
+    double xy = 0;            // mm by which every outline moves outwards and holes shrink; negative: inwards
+    double holes = 0;         // mm by which holes widen in addition; negative: shrink
 
     [[nodiscard]] bool any() const { return elephant_foot != 0 || xy != 0 || holes != 0; }
 };
 
-// The layer's outlines moved so.  On the first one no place loses more than half of its width to the elephant's foot:
-// what is narrower than four times that stays, with a note of its area.  What an inward move leaves nothing of is
-// noted, too.  Corners that grow become round; contours stay simple.
-// `bores` are those that the layer leaves open (bores.hpp): their walls move as those of holes do.
+// The compensated outlines of a layer. On layer 0, the elephant foot takes at most half of the width anywhere: areas
+// narrower than four times its value stay, with a note of their area. A note also reports the area that disappears when
+// outlines move inwards. Corners that grow become round, and contours stay simple. `bores` are the bores that the layer
+// leaves open (bores.hpp); their walls move as those of holes do.
 polygon::Loops compensated(const polygon::Loops& contours, const polygon::Loops& bores, const Compensation& by,
                            std::uint32_t layer, Notes& notes);
 

@@ -1,4 +1,4 @@
-// One chunk of layers: sections of the mesh to the solid of each layer.
+// Cuts one chunk of layers: from sections of the mesh to the solid of each layer.
 #include "polygon/simple.hpp"
 #include "slice/bodies.hpp"
 #include "slice/section.hpp"
@@ -10,7 +10,7 @@ namespace filum::slice {
 
 namespace {
 
-constexpr double kTurnedShare = 0.05; // of all contours; above, orientation says nothing and parity must do
+constexpr double kTurnedShare = 0.05; // of all contours; if more is turned, parity decides instead of orientation
 
 double perimeter(const Loops& loops) {
     double sum = 0;
@@ -26,7 +26,8 @@ void add_walls(const Loops& loops, bool marked, std::vector<polygon::Wall>& out)
     }
 }
 
-// The solid of a layer some of whose contours had to be closed: as the surface winds round, whatever was guessed.
+// The solid of a layer with open contours. Closed contours alone decide if none of them is guessed; otherwise the
+// winding number of the surface decides.
 Loops open_solid(const Sweep& sweep, std::size_t layer, Loops loops, std::vector<OpenContour> contours, Notes& notes) {
     std::vector<polygon::Wall> walls;
     add_walls(loops, true, walls);

@@ -37,13 +37,14 @@ std::vector<Level> uniform(double bottom, double height, double first, double st
     return out;
 }
 
-constexpr std::size_t kClasses = 16; // of slope, by |n_z|
-constexpr double kIgnored = 0.05;    // of the surface at one height may be steeper than what counts: specks, letters
+constexpr std::size_t kClasses = 16; // classes of slope, by |n_z|
+constexpr double kIgnored = 0.05;    // of the surface at one height is ignored as the steepest: specks, letters
 constexpr double kLevel = 0.9999;    // |n_z| of faces that leave no steps
 
-// Per slice of the height, |n_z| that all but a little of the surface there stays below.
+// Per bin of the height, a bound on |n_z| for all of the surface there except the kIgnored share.
 std::vector<double> slopes(const mesh::Mesh& mesh, double bottom, double bin, std::size_t bins) {
-    // area per class and slice, as differences to the slice below: each triangle is entered twice
+    // the area per class and bin, as differences to the bin below; each triangle is entered at its first bin and after
+    // its last
     std::vector<double> change(kClasses * (bins + 1), 0);
     for (const auto& t : mesh.triangles) {
         const auto &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
@@ -77,8 +78,7 @@ std::vector<Level> adaptive(const mesh::Mesh& mesh, const Reach& r, double first
     const double bin = height / static_cast<double>(bins);
     std::vector<double> limit = slopes(mesh, r.bottom, bin, bins);
     for (double& l : limit) l = std::clamp(o.cusp / std::max(l, 1e-9), least, o.max_layer_height);
-    constexpr double kGrowth =
-        0.3; // of the height, per mm of z and mm of height: neighbours differ by less than a third
+    constexpr double kGrowth = 0.3; // largest growth of the height per mm of z: neighbours differ by less than a third
     for (std::size_t i = 1; i < bins; ++i) limit[i] = std::min(limit[i], limit[i - 1] + kGrowth * bin);
     for (std::size_t i = bins - 1; i-- > 0;) limit[i] = std::min(limit[i], limit[i + 1] + kGrowth * bin);
     std::vector<Level> out{{r.bottom + first, first, r.bottom + first / 2}};
@@ -86,7 +86,7 @@ std::vector<Level> adaptive(const mesh::Mesh& mesh, const Reach& r, double first
         double h = o.max_layer_height;
         for (auto i = static_cast<std::size_t>(z / bin); i < bins && static_cast<double>(i) * bin < z + h; ++i)
             h = std::min(h, limit[i]);
-        // Two layers share what is left for less than two, so that the top is met.
+        // If less than two layers are left, they share the rest, so that the last one ends at the top.
         const double left = height - z;
         if (left < h)
             h = std::max(left, least);

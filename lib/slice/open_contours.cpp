@@ -13,11 +13,11 @@ namespace filum::slice {
 
 namespace {
 
-// End 2c is the start of contour c, 2c + 1 its end.
+// Ends are numbered: 2c is the start of contour c, and 2c + 1 its end.
 constexpr std::uint32_t kFree = ~std::uint32_t{0};
-constexpr double kSeam = 2e-4; // mm: two steps of the grid; less is no gap but rounding
+constexpr double kSeam = 2e-4; // mm: two steps of the grid; smaller gaps are rounding
 
-// Which end is joined to which.
+// Per end, the end that it is joined to, or kFree.
 using Mates = std::vector<std::uint32_t>;
 
 bool is_start(std::uint32_t end) { return end % 2 == 0; }
@@ -46,7 +46,7 @@ Mates mates_on_edges(const std::vector<OpenContour>& contours) {
     return mates;
 }
 
-// The free ends, for looking up what is near.
+// A grid of the free ends, to look up near ones.
 class FreeEnds {
   public:
     FreeEnds(const std::vector<OpenContour>& contours, const Mates& mates, double size) {
@@ -58,7 +58,7 @@ class FreeEnds {
             }
         grid_ = geom::PointGrid<Vec2>(at, size);
     }
-    // Calls visit(end) for every free end within `size` of p, and for others.
+    // Calls visit(end) for every free end within `size` of p, and maybe for some farther ones.
     template <class Visit>
     void around(Vec2 p, const Visit& visit) const {
         grid_.near(p, 1, [&](std::uint32_t i) { visit(end_[i]); });
@@ -77,7 +77,7 @@ struct Candidate {
     }
 };
 
-// Each free end proposes its nearest partner; the nearest pairs pair first.  True if any did.
+// Every free end proposes its nearest partner.  Pairs are joined in order of distance.  True if any was joined.
 template <class Partner>
 bool pair_round(Mates& mates, const Partner& partner) {
     std::vector<Candidate> wishes;
@@ -96,9 +96,9 @@ bool pair_round(Mates& mates, const Partner& partner) {
     return any;
 }
 
-constexpr int kRounds = 32; // each settles at least the nearest pair, in practice most pairs
+constexpr int kRounds = 32; // each round joins at least the nearest pair, in practice most pairs
 
-// Where the contour of `end` is after `along` mm from there.
+// The point of a contour `along` mm from `end`, or its other end if it is shorter.
 Vec2 point_along(const std::vector<OpenContour>& contours, std::uint32_t end, double along) {
     const auto& p = contours[end / 2].points;
     const auto at = [&](std::size_t i) { return is_start(end) ? p[i] : p[p.size() - 1 - i]; };
@@ -110,16 +110,16 @@ Vec2 point_along(const std::vector<OpenContour>& contours, std::uint32_t end, do
     return at(p.size() - 1);
 }
 
-// True if the contours of two ends, `gap` mm apart, leave them the same way: they are copies, neither goes on in the
-// other.
+// True if the contours of two ends, `gap` mm apart, leave them in the same direction. Then they are copies, and neither
+// continues the other.
 bool leave_alike(const std::vector<OpenContour>& contours, std::uint32_t e, std::uint32_t f, double gap) {
     if (e / 2 == f / 2) return false;
-    constexpr double kApart = 0.5; // of the way along them, how far they come apart: an angle of 29 degrees
+    constexpr double kApart = 0.5; // largest distance between copies, per length along them: an angle of 29 degrees
     const double way = std::min(length(contours[e / 2]), length(contours[f / 2])) / 2;
     return geom::distance(point_along(contours, e, way), point_along(contours, f, way)) <= gap + kApart * way;
 }
 
-// Ends at most `radius` apart; `directed`: only an end to a start.
+// Joins ends at most `radius` apart.  `directed`: joins only an end to a start.
 void marry_near(const std::vector<OpenContour>& contours, double radius, bool directed, Mates& mates) {
     for (int round = 0; round < kRounds; ++round) {
         const FreeEnds ends(contours, mates, radius);
@@ -137,11 +137,11 @@ void marry_near(const std::vector<OpenContour>& contours, double radius, bool di
     }
 }
 
-// Wide openings: an end to a start, if the straight line is short beside what it joins.
+// Joins wide openings, an end to a start, if the line is at most `share` of the length that it joins.
 void marry_far(const std::vector<OpenContour>& contours, double share, Mates& mates) {
     std::vector<double> size;
     for (const OpenContour& c : contours) size.push_back(length(c));
-    const bool alone = contours.size() > 2000; // so broken that only a contour's own ends say anything
+    const bool alone = contours.size() > 2000; // with so many pieces, only the two ends of one contour are joined
     for (int round = 0; round < kRounds; ++round) {
         const bool any = pair_round(mates, [&](std::uint32_t e) {
             Candidate best{std::numeric_limits<double>::infinity(), e, kFree};
@@ -163,7 +163,7 @@ void append(std::vector<Vec2>& to, const Vec2& p) {
     if (to.empty() || !(to.back() == p)) to.push_back(p);
 }
 
-// Walks from one end of contour `end / 2` over all that is joined to it; marks what it passes.
+// Walks from `end` along its contour and all that are joined to it.  Marks the passed contours as done.
 OpenContour walk(const std::vector<OpenContour>& contours, const Mates& mates, std::uint32_t end,
                  std::vector<char>& done, bool& closed) {
     OpenContour out;
@@ -202,7 +202,8 @@ OpenContour walk(const std::vector<OpenContour>& contours, const Mates& mates, s
     return out;
 }
 
-// Joins what `mates` says; closed ones go to `out`, the others are returned.  `lid` gets the length led over lids, mm.
+// Joins contours as `mates` says. Adds closed ones to `out` and returns the others. Adds to `lid` the length over lids,
+// mm.
 std::vector<OpenContour> join(const std::vector<OpenContour>& contours, const Mates& mates, Closed& out, double& lid) {
     std::vector<OpenContour> open;
     std::vector<char> done(contours.size(), 0);
@@ -218,14 +219,14 @@ std::vector<OpenContour> join(const std::vector<OpenContour>& contours, const Ma
         lid += c.lid;
         if (c.points.size() > 2) (c.lid + c.jumped > 0 ? out.guessed : out.whole).add(c.points);
     };
-    for (std::uint32_t e = 0; e < mates.size(); ++e) // from free ends first, then round what is left: circles
+    for (std::uint32_t e = 0; e < mates.size(); ++e) // first from free ends, then round the circles that remain
         if (mates[e] == kFree && done[e / 2] == 0) take(e);
     for (std::uint32_t c = 0; c < contours.size(); ++c)
         if (done[c] == 0) take(2 * c);
     return open;
 }
 
-// One note for all joints of `mates` that are wider than rounding.
+// Adds one note for all joints of `mates` that are wider than kSeam.
 void note_joints(const std::vector<OpenContour>& contours, const Mates& mates, NoteCode code, std::int64_t layer,
                  Notes& notes) {
     Note n{.code = code, .amount = 0, .count = 0, .layer = layer};
@@ -261,8 +262,7 @@ Closed close_contours(std::vector<OpenContour> contours, const std::function<std
 
     Mates mates(2 * contours.size(), kFree);
     const double widest = std::max(o.close_gaps, kSeam);
-    for (const bool directed :
-         {true, false}) // near ones first, so that few are left to look at when the cells are wide
+    for (const bool directed : {true, false}) // nearest first, so that few ends remain when the cells are wide
         for (double radius = kSeam;; radius *= 5) {
             marry_near(contours, std::min(radius, widest), directed, mates);
             if (radius >= widest) break;
@@ -274,10 +274,11 @@ Closed close_contours(std::vector<OpenContour> contours, const std::function<std
         const Vec2 at = contours.front().points.front();
         for (OpenContour& c : lids()) contours.push_back(std::move(c));
         contours = join(contours, mates_on_edges(contours), out, lid);
-        std::erase_if(contours, [](const OpenContour& c) { return c.lid >= length(c); }); // no contour came to these
+        std::erase_if(contours,
+                      [](const OpenContour& c) { return c.lid >= length(c); }); // lids that no contour reached
         if (lid > 0) tell(NoteCode::contour_over_hole, lid, at);
     }
-    for (std::size_t before = 0; before != contours.size();) { // what is joined is longer, and may bear wider openings
+    for (std::size_t before = 0; before != contours.size();) { // joined contours are longer, and allow wider openings
         before = contours.size();
         mates.assign(2 * contours.size(), kFree);
         marry_far(contours, o.close_openings, mates);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kGrid = 1e4; // steps per mm, as in polygon/clip.hpp
 
-// Where one triangle meets the plane: from one of its edges to another, solid on the left.
+// The line where one triangle meets the plane: from one edge to another, solid on the left.
 struct Piece {
     EdgeKey from, to;
 };
@@ -18,7 +18,7 @@ EdgeKey key(std::uint32_t a, std::uint32_t b) { return a < b ? EdgeKey{a} << 32 
 
 // Precondition: the plane is between the triangle's lowest and highest vertex.
 Piece piece(const mesh::Triangle& t, bool a, bool b, bool c) {
-    // k: the vertex that is alone on its side; its edges are k-1 -> k and k -> k+1
+    // k: the only vertex on its side of the plane; its edges are k-1 -> k and k -> k+1
     const unsigned above = (a ? 1U : 0U) | (b ? 2U : 0U) | (c ? 4U : 0U);
     const bool alone_above = above == 1 || above == 2 || above == 4;
     const auto k = static_cast<unsigned>(std::countr_zero(alone_above ? above : ~above));
@@ -31,7 +31,7 @@ double snap(double v) {
     return static_cast<double>(static_cast<std::int64_t>(v * kGrid + (v < 0 ? -0.5 : 0.5))) / kGrid;
 }
 
-// Both triangles of an edge get the same point, bit by bit: the vertex with the lower number comes first.
+// The point on an edge.  The vertex with the lower number comes first, so both triangles get the same bits.
 Vec2 crossing(const mesh::Mesh& mesh, EdgeKey edge, double plane) {
     const auto &p = mesh.vertices[edge >> 32], &q = mesh.vertices[edge & 0xffffffff];
     const double t = (plane - p.z) / (q.z - p.z);
@@ -40,7 +40,7 @@ Vec2 crossing(const mesh::Mesh& mesh, EdgeKey edge, double plane) {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-// For every piece the one that goes on where it ends, kNone if there is none; and whether anything comes before it.
+// Per piece, the piece that continues where it ends, or kNone; and whether another piece comes before it.
 struct Order {
     std::vector<std::uint32_t> next;
     std::vector<char> continues;
@@ -70,7 +70,8 @@ void append(std::vector<Vec2>& points, std::size_t first, Vec2 p) {
     if (points.size() == first || !(points.back() == p)) points.push_back(p);
 }
 
-// Open contours from pieces that nothing comes before, and loops of the rest; both in the order of their first pieces.
+// Links pieces to open contours, which start at pieces without a predecessor, and the rest to loops. Both are in the
+// order of their first pieces.
 Section link(const Part& part, double plane, const std::vector<Piece>& pieces) {
     Section out;
     const mesh::Mesh& mesh = part.mesh;
@@ -97,7 +98,7 @@ Section link(const Part& part, double plane, const std::vector<Piece>& pieces) {
         }
         while (loops.points.size() > first + 1 && loops.points.back() == loops.points[first]) loops.points.pop_back();
         if (loops.points.size() < first + 3)
-            loops.points.resize(first); // smaller than the grid
+            loops.points.resize(first); // the loop is smaller than the grid
         else {
             loops.close();
             out.body.push_back(part.bodies.of_vertex[pieces[i].from >> 32]);

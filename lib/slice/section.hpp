@@ -1,4 +1,4 @@
-// Where a plane meets the triangles: closed contours, and pieces that are left open; private to lib/slice.
+// Cuts the triangles with planes into closed contours and open pieces; private to lib/slice.
 #pragma once
 
 #include "polygon/arrange.hpp"
@@ -8,14 +8,14 @@ namespace filum::slice {
 
 struct Section {
     Loops loops;                     // closed contours, solid on the left
-    std::vector<std::uint32_t> body; // of each
+    std::vector<std::uint32_t> body; // per loop: its body
     std::vector<OpenContour> open;
 };
 
-// One for each layer of the chunk.
+// The sections of a chunk, one per layer.
 std::vector<Section> sections(const Sweep& sweep, std::size_t chunk);
 
-// The contours of the lids' triangles at this layer; all of their length is lid.
+// The contours of the lids' triangles at this layer.  All of their length counts as lid.
 std::vector<OpenContour> lid_contours(const Sweep& sweep, std::size_t layer);
 
 } // namespace filum::slice

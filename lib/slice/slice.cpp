@@ -21,7 +21,7 @@ std::vector<std::uint32_t> ranks(const mesh::Mesh& mesh, const std::vector<Level
     for (const Level& l : levels) planes.push_back(l.plane + kLift);
     std::vector<std::uint32_t> out(mesh.vertices.size());
     parallel::for_chunks(out.size(), kGrain, threads, [&](std::size_t from, std::size_t to) {
-        for (std::size_t v = from; v < to; ++v) // as many planes as are below it
+        for (std::size_t v = from; v < to; ++v) // the number of planes below the vertex
             out[v] = static_cast<std::uint32_t>(std::lower_bound(planes.begin(), planes.end(), mesh.vertices[v].z) -
                                                 planes.begin());
     });
@@ -62,7 +62,7 @@ Part make_part(mesh::Mesh mesh, Notes& notes, double least_wall) {
     Part out;
     const bool two_sided = mesh::part_sheets(mesh, notes);
     mesh::face_one_way(mesh, true, notes);
-    // with lids on its holes the mesh says more about what is inside
+    // lids on the holes make the volumes and directions of shells more reliable
     mesh::Lids found = mesh::lids(mesh);
     const auto& lids = found.triangles;
     mesh.triangles.insert(mesh.triangles.end(), lids.begin(), lids.end());

@@ -1,4 +1,4 @@
-// Which faces of a layer are solid.
+// Decides which faces of a layer are solid.
 #include "polygon/simple.hpp"
 #include "slice/bodies.hpp"
 
@@ -14,11 +14,11 @@ using geom::Box2;
 using geom::Vec2;
 using polygon::Loops;
 
-constexpr std::size_t kTogether = 16;    // bodies that are united at once
-constexpr std::size_t kBordersAsked = 4; // of a face: the longest ones
-constexpr double kBeside = 5e-4;         // mm from a border, where it is asked
+constexpr std::size_t kTogether = 16;    // most bodies that are united at once
+constexpr std::size_t kBordersAsked = 4; // sampled borders per face: the longest ones
+constexpr double kBeside = 5e-4;         // mm between a border and its sample
 
-// Loops of each body on their own.
+// The area of each body, from its own loops.
 std::vector<Loops> by_body(const Loops& loops, const std::vector<std::uint32_t>& body,
                            const std::vector<char>& hollow) {
     std::vector<std::uint32_t> order(loops.size());
@@ -35,7 +35,7 @@ std::vector<Loops> by_body(const Loops& loops, const std::vector<std::uint32_t>&
     return out;
 }
 
-// Simple areas as one, those that keep clear of all others as they are.
+// Unites simple areas.  Areas whose boxes touch no other stay as they are.
 Loops united(std::span<const Loops> areas) {
     std::vector<Box2> box;
     for (const Loops& a : areas) box.push_back(polygon::bounds(a));
@@ -60,7 +60,7 @@ bool few(const std::vector<std::uint32_t>& body) {
     return true;
 }
 
-// How much of a face's rim is asked, and what it says: length, and winding numbers times it.
+// Samples of a face's borders: their total length, and the sum of winding number times length.
 struct Evidence {
     double length = 0, winding = 0;
 };
@@ -75,7 +75,7 @@ Loops unite_bodies(const Loops& loops, const std::vector<std::uint32_t>& body, c
     }
     std::vector<Loops> areas = by_body(loops, body, hollow);
     std::erase_if(areas, [](const Loops& a) { return a.empty(); });
-    // near ones together: what lies in one place is one before it meets the others
+    // near bodies come first: those in one place are united before they meet the others
     std::vector<std::pair<Vec2, std::size_t>> place;
     for (std::size_t i = 0; i < areas.size(); ++i) place.emplace_back(polygon::bounds(areas[i]).lo, i);
     std::sort(place.begin(), place.end(), [](const auto& a, const auto& b) {

@@ -16,17 +16,17 @@ namespace filum::slice {
 
 namespace {
 
-constexpr double kTold = 0.015;            // of the volume: more is told; 2 %, less what the measure itself is off
-constexpr double kUncertain = 0.25;        // winding numbers so far from whole ones leave open what is inside
-constexpr std::size_t kPlanes = 256;       // that a part is measured by,
-constexpr std::size_t kPoints = 64000;     // and points on them all, where contours are open;
-constexpr std::size_t kFirstPlanes = 32;   // fewer to begin with: they tell if it is a solid at all
-constexpr std::size_t kFirstPoints = 8000; //
-constexpr double kRows = 512;              // across the area of a plane,
-constexpr double kFewRows = 48;            // or as few as this,
-constexpr double kPassed = 2e5;            // so that they pass no more walls than this
+constexpr double kTold = 0.015;        // of the volume: larger differences are noted; 2 % less the error of the measure
+constexpr double kUncertain = 0.25;    // a point is undecided if its winding number is farther from a whole one
+constexpr std::size_t kPlanes = 256;   // planes that measure a part
+constexpr std::size_t kPoints = 64000; // points on all planes together, where contours are open
+constexpr std::size_t kFirstPlanes = 32;   // planes of the first pass, which tests if the part is a solid at all
+constexpr std::size_t kFirstPoints = 8000; // points of the first pass
+constexpr double kRows = 512;              // most rows across a plane
+constexpr double kFewRows = 48;            // fewest rows
+constexpr double kPassed = 2e5;            // most crossings of rows and walls, which limits the rows
 
-// The levels at which the layers `asked` are measured, `each` in each, as far up as the part reaches.
+// The planes that measure the layers `asked`: `each` per layer, up to the top of the part.
 std::vector<Level> levels_within(const Sweep& sweep, const std::vector<std::size_t>& asked, std::size_t each) {
     std::vector<Level> out;
     for (const std::size_t i : asked) {
@@ -35,13 +35,13 @@ std::vector<Level> levels_within(const Sweep& sweep, const std::vector<std::size
         const double step = (top - bottom) / static_cast<double>(each);
         for (std::size_t k = 0; k < each; ++k) {
             const double at = bottom + (static_cast<double>(k) + 0.5) * step;
-            out.push_back({at, step, at - kLift}); // which the sweep adds
+            out.push_back({at, step, at - kLift}); // kLift is what the sweep adds
         }
     }
     return out;
 }
 
-// The area that closed contours wind round, by rows.
+// The area that closed contours wind round, mm2, by sampling rows.
 double area_by_rows(const Loops& loops, bool hollow) {
     const geom::Box2 box = polygon::bounds(loops);
     if (box.empty() || !(box.hi.y > box.lo.y)) return 0;
@@ -50,7 +50,7 @@ double area_by_rows(const Loops& loops, bool hollow) {
     for (const polygon::Wall& w : walls) rise += std::abs(w.b.y - w.a.y) / (box.hi.y - box.lo.y);
     const double rows = std::clamp(std::floor(kPassed / std::max(rise, 1.0)), kFewRows, kRows);
     const double step = (box.hi.y - box.lo.y) / rows;
-    std::vector<std::vector<std::pair<double, int>>> passed(static_cast<std::size_t>(rows)); // where, and which way
+    std::vector<std::vector<std::pair<double, int>>> passed(static_cast<std::size_t>(rows)); // x, and direction
     for (const polygon::Wall& w : walls) {
         const auto [low, high] = std::minmax(w.a.y, w.b.y);
         const double first = std::ceil((low - box.lo.y) / step - 0.5);
@@ -74,12 +74,12 @@ double area_by_rows(const Loops& loops, bool hollow) {
     return area;
 }
 
-// What one plane says.
+// The measurement of one plane.
 struct Reading {
     double solid = 0;              // mm2, where contours close
-    double cell = 0;               // mm2 that each point stands for
-    std::vector<geom::Vec2> point; // where they don't,
-    std::vector<double> winding;   // and how often the surface winds round them
+    double cell = 0;               // mm2 per point
+    std::vector<geom::Vec2> point; // sample points, where contours are open
+    std::vector<double> winding;   // winding number of the surface, per point
 };
 
 Reading read_points(const Part& part, double z, const geom::Box3& box, std::size_t points, std::uint64_t seed) {
@@ -100,7 +100,7 @@ Reading read_points(const Part& part, double z, const geom::Box3& box, std::size
     return out;
 }
 
-// The winding number of what is within: 1, less where triangles are missing all over.
+// The typical winding number inside: 1, or less if triangles are missing everywhere.
 double level_within(const std::vector<Reading>& readings) {
     std::vector<double> within;
     for (const Reading& r : readings)
@@ -138,7 +138,8 @@ void note_undecided(const Measured& m, Notes& notes) {
                      .detail = percent(undecided / solid)});
 }
 
-// An edge of a hole hides a bulge: as good a guess as any is a half sphere on a disc of the lid's area.
+// Notes the volume that flat lids may have lost. The estimate assumes that each hole was a half sphere over a disc of
+// the lid's area.
 void note_holes(const Part& part, double solid, Notes& notes) {
     double hidden = 0, largest = 0;
     geom::Vec3 at;
@@ -177,7 +178,7 @@ Measured measure(const Sweep& sweep, std::size_t planes, std::size_t points, int
     const std::size_t n = sweep.levels.size(), asked = std::min(n, std::max<std::size_t>(1, planes / 2));
     const std::size_t each = std::max<std::size_t>(2, planes / 4 / asked);
     Measured out;
-    for (std::size_t k = 0; k < asked; ++k) { // one out of each of as many equal stretches, at random
+    for (std::size_t k = 0; k < asked; ++k) { // one random layer out of each of `asked` equal stretches
         const double at =
             (static_cast<double>(k) + (asked < n ? as_share(mixed(k + 1)) : 0.5)) / static_cast<double>(asked);
         out.layers.push_back(std::min(n - 1, static_cast<std::size_t>(at * static_cast<double>(n))));
@@ -212,7 +213,7 @@ Measured measure(const Sweep& sweep, std::size_t planes, std::size_t points, int
             const double w = found[i].winding[p], turns = w / level;
             if (w > 0.5) out.solid[k] += h * found[i].cell;
             if (std::abs(turns - std::round(turns)) > kUncertain) out.baseless += h * found[i].cell;
-            const bool inside_out = w < -0.5; // some of the surface faces the wrong way
+            const bool inside_out = w < -0.5; // part of the surface faces the wrong way
             if (std::abs(w - std::round(w)) <= kUncertain && !inside_out) continue;
             if (out.undecided[k] == 0) out.where[k] = found[i].point[p];
             out.undecided[k] += h * found[i].cell;

@@ -1,4 +1,4 @@
-// What is printed against what the mesh holds: no layer and no volume goes without a word.
+// Compares the volume of the layers with that of the mesh, so that no loss goes unreported.
 #pragma once
 
 #include "slice/slice.hpp"
@@ -8,26 +8,26 @@
 
 namespace filum::slice {
 
-// How much of a part is solid, found another way than by slicing it: planes of its own, two or more in each layer that
-// is asked.  Where contours close, the area that they wind round, by rows; where they don't, points at which the
-// surface winds round by more than one half.  Undecided is what it winds round by a quarter more or less than a whole
-// number, or less than not at all.
+// The solid volume of a part, measured independently of its layers: by planes of its own, at least two in each sampled
+// layer. Where the contours of a plane close, rows measure the area inside. Elsewhere random points are tested: a point
+// is solid if the winding number of the surface exceeds 1/2. A point is undecided if its winding number differs by more
+// than a quarter from every whole number, or is clearly negative.
 struct Measured {
-    std::vector<std::size_t> layers;      // that were asked, ascending; all of them if there are not many
-    std::vector<double> solid, undecided; // of each, mm3
-    std::vector<geom::Vec2> where;        // of each, somewhere undecided
-    double baseless = 0;                  // mm3 that are undecided even if triangles missing all over are allowed for
+    std::vector<std::size_t> layers;      // the sampled layers, ascending; all layers if there are few
+    std::vector<double> solid, undecided; // per sampled layer, mm3
+    std::vector<geom::Vec2> where;        // per sampled layer: an undecided point
+    double baseless = 0;                  // mm3 that stay undecided even if triangles are missing everywhere
 };
 Measured measure(const Sweep& sweep, std::size_t planes, std::size_t points, int threads);
 
-// For a mesh that is not closed: measures it, and notes what it leaves undecided, if that is more than 2 % of the
-// solid, and what its holes may have lost.  Throws Error(bad_input) if more is undecided than solid: random triangles,
-// a sheet.  Nothing for a closed mesh.
+// Measures a mesh that is not closed; returns nothing for a closed one. A note reports the undecided volume if it
+// exceeds 1.5 % of the solid. Another note reports the volume that flat lids on its holes may have lost. Throws
+// Error(bad_input) if more is undecided than solid, as for random triangles or a sheet.
 std::optional<Measured> judge(const Sweep& sweep, int threads, Notes& notes);
 
-// Notes a printed volume that is more than 2 % off, with the layer where most is, and empty layers between others.
-// `area` is that of each layer, mm2; `measured` what judge() gave.  A closed mesh is measured only if the sum of its
-// shells' volumes does not say enough.
+// Adds a note if the printed volume is more than 1.5 % off, naming the layer with the largest difference. Also adds a
+// note on each empty layer between others. `area` is the area of each layer, mm2; `measured` is the result of judge().
+// A closed mesh is measured only if the volumes of its shells do not already agree with the print.
 void compare(const Sweep& sweep, const std::optional<Measured>& measured, std::span<const double> area, int threads,
              Notes& notes);
 
