@@ -11,7 +11,7 @@ namespace filum::plate {
 
 namespace {
 
-constexpr std::size_t kMost = 1000; // columns, or rows
+constexpr std::size_t kMost = 1000; // most columns, and most rows
 constexpr std::size_t kLetters = 26;
 
 std::string row_name(std::size_t row) {

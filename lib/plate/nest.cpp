@@ -20,7 +20,7 @@ Nested nest(const std::vector<Corners>& polygons, double width, double depth, bo
     std::vector<Item> items;
     items.reserve(polygons.size());
     for (const Corners& p : polygons) {
-        PolygonImpl shape; // closed and clockwise, as the library wants it
+        PolygonImpl shape; // closed and clockwise, as the library requires
         for (std::size_t i = p.x.size(); i-- > 0;) shape.Contour.push_back({mm(p.x[i]), mm(p.y[i])});
         shape.Contour.push_back(shape.Contour.front());
         items.emplace_back(std::move(shape));
@@ -29,7 +29,7 @@ Nested nest(const std::vector<Corners>& polygons, double width, double depth, bo
     how.placer_config.rotations = {0.0};
     if (turn)
         for (int k = 1; k < 4; ++k) how.placer_config.rotations.emplace_back(k * kQuarter);
-    how.placer_config.parallel = false; // milliseconds either way
+    how.placer_config.parallel = false; // threads would save only milliseconds
     libnest2d::nest(items, Box(mm(width), mm(depth), {0, 0}), 0, how);
     Nested out;
     const auto to_mm = [](Coord c) { return static_cast<double>(c) / static_cast<double>(mm(1.0)); };

@@ -1,5 +1,5 @@
-// libnest2d behind plain data; private to lib/plate.  The library does not compile as C++20 (its Radians compare
-// ambiguously), so nest.cpp is C++17, and so is this header.
+// Wraps libnest2d behind plain data; private to lib/plate. The library does not compile as C++20 (its Radians compare
+// ambiguously), so nest.cpp and this header are C++17.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@ struct Corners {
 };
 
 struct Nested {
-    std::vector<double> x, y;        // per polygon, how far it is moved, once turned, mm
-    std::vector<int> quarters;       // per polygon, how many quarter turns to the left about (0, 0)
-    std::vector<std::size_t> on_bed; // per polygon: 0 for the first bed, 1 for what found no place on it, and so on
+    std::vector<double> x, y;        // mm, per polygon: its move after the turn
+    std::vector<int> quarters;       // per polygon: its quarter turns to the left about (0, 0)
+    std::vector<std::size_t> on_bed; // per polygon: 0 on the first bed, 1 on the next, and so on
 };
 
-// Places the polygons on beds of width x depth so that they touch but do not overlap; the largest first.  With
-// `turn` all but the first may be turned by quarter turns, where that is most compact.  The same places for the same
-// polygons.  No-fit polygons and a local search of the best place (libnest2d 5.0, T. Meszaros).
+// Places the polygons on beds of width x depth mm, the largest first, so that they touch but do not overlap. With
+// `turn`, all but the first may be rotated by quarter turns where that is more compact. Equal input gives equal places.
+// Uses no-fit polygons and a local search for the best place (libnest2d 5.0, T. Meszaros).
 Nested nest(const std::vector<Corners>& polygons, double width, double depth, bool turn);
 
 } // namespace filum::plate

@@ -10,9 +10,9 @@ namespace filum::plate {
 
 namespace {
 
-constexpr double kGrid = 1e-3;     // mm, of places
-constexpr double kLeast = 2;       // mm; parts that are nearer than a few beads stick together
-constexpr double kRounding = 0.01; // mm on top of the head: places are rounded, and so are the outlines of layers
+constexpr double kGrid = 1e-3;     // mm, step of places
+constexpr double kLeast = 2;       // mm; parts closer than a few beads stick together
+constexpr double kRounding = 0.01; // mm added to the head's size, as places and the outlines of layers are rounded
 
 double second_highest(std::span<const Thing> things) {
     std::vector<double> height;
@@ -21,7 +21,7 @@ double second_highest(std::span<const Thing> things) {
     return height.size() < 2 ? 0 : height[1];
 }
 
-// What keeps the head clear of parts up to `height`; nothing where it spans the machine.
+// The distance that keeps the head clear of parts up to `height`, mm; none where it spans the machine.
 std::optional<Vec2> head_room(const machine::Head& head, double height) {
     if (head.none) return Vec2{0, 0};
     if (height > head.gantry_height) return std::nullopt;
@@ -30,7 +30,7 @@ std::optional<Vec2> head_room(const machine::Head& head, double height) {
     return Vec2{std::max(nozzle, head.carriage_x / 2), std::max(nozzle, head.carriage_y / 2)};
 }
 
-// Everything within half the spacing of the outline, in x and in y.
+// The outline grown by half the spacing in x and in y.
 Corners grown(const Thing& thing, const Spacing& apart) {
     std::vector<Vec2> all;
     for (const Vec2& p : thing.outline)
@@ -74,7 +74,8 @@ Packed pack(std::span<const Thing> things, const Spacing& apart, Vec2 size, Turn
         for (Vec2& p : t.outline) p = first(p);
         polygons.push_back(grown(t, keep));
     }
-    // what is grown may reach over the edge of the bed by as much as it grew; and room for the rounding of places
+    // Grown outlines may reach over the edge of the bed by half the spacing. The bed is reduced by the rounding of
+    // places.
     const Nested nested = nest(polygons, size.x + keep.x - 2 * kGrid, size.y + keep.y - 2 * kGrid, turn == Turn::each);
     Packed out;
     geom::Box2 box;
