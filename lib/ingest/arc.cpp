@@ -11,9 +11,9 @@ namespace {
 using geom::Vec2;
 
 constexpr double kRound = 2 * std::numbers::pi;
-constexpr double kFewest = 8; // lines of a full circle, however small
+constexpr double kFewest = 8; // least number of lines of a full circle
 
-// The centre from a radius: left of the way if the shorter arc is counter-clockwise.
+// The centre of an arc with a radius: left of the chord for a counter-clockwise shorter arc.
 std::optional<Vec2> centre_by_radius(Vec2 from, Vec2 to, const ArcWords& w) {
     const Vec2 way = to - from;
     const double d = norm(way), r = std::abs(*w.r);

@@ -10,8 +10,8 @@ namespace {
 using geom::kDegree;
 using machine::AxisNumbers;
 
-constexpr double kChordOff = 0.002, kLeanOff = 0.2 * kDegree; // mm, rad: of what turns
-constexpr int kMostHalvings = 16;                             // of a move that turns
+constexpr double kChordOff = 0.002, kLeanOff = 0.2 * kDegree; // mm, rad: most deviation of a piece that turns
+constexpr int kMostHalvings = 16;                             // halvings of such a move
 
 } // namespace
 

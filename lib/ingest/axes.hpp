@@ -1,4 +1,4 @@
-// Where the axes of a machine are, and where that puts the tool.
+// The positions of a machine's axes, and the pose of the tool that they give.
 #pragma once
 
 #include "ingest/beads.hpp"
@@ -12,16 +12,16 @@ class Axes {
   public:
     explicit Axes(const machine::Profile& profile);
 
-    machine::AxisNumbers at{}; // as the program has them: mm, degrees
+    machine::AxisNumbers at{}; // mm and degrees, as the program writes them
 
     void take(std::uint32_t tool) { tool_ = tool; }
     [[nodiscard]] std::uint32_t tool() const { return tool_; }
-    // X, Y and Z mean the tip from here on, or where the axes stand; the tool stays where it is.
+    // From now on X, Y and Z are those of the tip (`tip`), or of the axes.  The tool does not move.
     void mean_tip(bool tip);
     [[nodiscard]] Place place(const machine::AxisNumbers& numbers) const;
 
-    // A straight move of the axes, as pieces on which the tip goes straight, too: `piece` gets both ends and which
-    // share of the move it is.  Moves there.
+    // Moves the axes straight to `to`, in pieces so short that the tip moves straight, too. Calls `piece` with both
+    // ends of each piece and its share of the whole move.
     using Piece = std::function<void(const Place& from, const Place& to, double share)>;
     void move(const machine::AxisNumbers& to, const Piece& piece) { part(to, 1, 0, piece); }
 

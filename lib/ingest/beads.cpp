@@ -12,7 +12,7 @@ using toolpath::Role;
 using toolpath::Span;
 
 constexpr double kStopWay = 0.05, kAside = 0.5; // mm
-constexpr double kLayers = 2.01;                // heights that a stroke may climb without laying anything
+constexpr double kLayers = 2.01;                // layer heights that a stroke may climb without a bead
 constexpr double kStanding = 1e-6;              // mm
 
 Span span_of(const std::vector<Place>& places, bool leans) {
@@ -104,7 +104,7 @@ void Beads::close_run() {
     run_ = {};
 }
 
-// What lies between the last bead and the next, if anything does.
+// Emits the gap between the last bead and the next, if there is one.
 void Beads::close_gap(const Laid& next) {
     if (!begun_) {
         begun_ = true;

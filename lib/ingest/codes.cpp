@@ -8,7 +8,7 @@ namespace {
 
 bool within(double v, double low, double high) { return v >= low - 1e-3 && v <= high + 1e-3; }
 
-// Codes that move or turn what follows, whatever else stands on their line.
+// Codes that change later moves and are not followed, with any other words on their line.
 const char* what_is_not_followed(double g) {
     struct Range {
         double from, to;
@@ -33,8 +33,8 @@ const char* what_is_not_followed(double g) {
     return nullptr;
 }
 
-// Codes that mean a curve or a cycle where an axis stands on their line, and something harmless without: G5 and G80 to
-// G89 calibrate some printers.
+// Codes that are a curve or a cycle if their line has an axis, and harmless otherwise: on some printers G5 and G80 to
+// G89 start a calibration.
 const char* cycle(double g) {
     if (within(g, 5, 6)) return "a curve";
     if (within(g, 33, 33.1)) return "a move that keeps up with a spindle";

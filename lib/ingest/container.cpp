@@ -22,7 +22,7 @@ std::string text_of(const bgcode::File& file) {
     return out;
 }
 
-// "Metadata/plate_2.gcode" is 2, without regard to case.
+// The number of a plate's entry: 2 for "Metadata/plate_2.gcode", in any case.
 std::optional<std::uint32_t> plate_number(std::string_view entry) {
     constexpr std::string_view kBegin = "metadata/plate_", kEnd = ".gcode";
     std::string lower(entry);
@@ -62,7 +62,7 @@ std::string of_project(std::string_view bytes, const std::string& name, std::uin
     return zip.read(chosen->second);
 }
 
-// A NUL among the first bytes.
+// True if there is a NUL among the first bytes.
 bool is_binary(std::string_view bytes) {
     constexpr std::size_t kLookedAt = 4096;
     return bytes.substr(0, kLookedAt).find('\0') != std::string_view::npos;

@@ -1,4 +1,4 @@
-// What a program comes in: text, binary G-code (.bgcode), or a project with one program a plate (.gcode.3mf).
+// Unpacks programs: text, binary G-code (.bgcode), or a project with one program per plate (.gcode.3mf).
 #pragma once
 
 #include "base/note.hpp"
@@ -9,10 +9,10 @@
 
 namespace filum::ingest {
 
-// The program as text.  Of binary G-code with its tables of settings behind it as comments, as text has them.  Of a
-// project that of `plate`, from 1; 0: the first there is, and how many others there are is a note.  `name` is for
-// messages.  `kept` holds text that is not part of `bytes`.  Throws Error(bad_input) if it is damaged, holds no
-// program, or is no text; Error(usage) if a plate is asked for that is not there.
+// Returns the program as text. For binary G-code, its tables of settings follow as comments, as in text programs. For a
+// project, returns the program of `plate`, counted from 1; 0 takes the first one, with a note on the number of others.
+// `name` is for messages. `kept` holds the text if it is not part of `bytes`. Throws Error(bad_input) if the content is
+// damaged, holds no program, or is not text. Throws Error(usage) if `plate` does not exist.
 std::string_view program_in(std::string_view bytes, const std::string& name, std::uint32_t plate, std::string& kept,
                             Notes& notes);
 

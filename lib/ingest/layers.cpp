@@ -7,7 +7,7 @@ namespace filum::ingest {
 
 namespace {
 
-constexpr double kMicro = 1000; // per mm: levels nearer than 1 um are one
+constexpr double kMicro = 1000; // steps per mm: levels in the same um are one
 
 } // namespace
 

@@ -1,4 +1,4 @@
-// Which layer a bead belongs to, and how high it is.
+// Finds the layer and the height of each bead.
 #pragma once
 
 #include "ingest/remarks.hpp"
@@ -10,26 +10,26 @@ namespace filum::ingest {
 
 class Layers {
   public:
-    // `height`: mm, where nothing tells; 0 for unknown.
+    // `height`: mm, the default where the program gives none; 0: unknown.
     Layers(const Told& told, double height) : told_(&told), usual_(height) {}
 
     void take(const Remark& remark);
-    // A bead from one z to another.  A level one at a new z says how high its layer is; one that climbs goes on with
-    // the height before, and is a layer higher each time that it has climbed by that.  Where no height is known, such
-    // as on the slope of a purge line, its lower end says it.
+    // Takes a bead from `from_z` to `z`. A level bead at a new z gives the height of its layer. A climbing bead keeps
+    // the last height and starts a layer each time it has climbed by that height. If no height is known yet, as on the
+    // slope of a purge line, the lower end of the bead gives it.
     void bead(double from_z, double z);
 
-    [[nodiscard]] bool begun() const { return begun_ || !told_->layers; } // the first layer's mark has come
+    [[nodiscard]] bool begun() const { return begun_ || !told_->layers; } // true once the first layer has begun
     [[nodiscard]] std::uint32_t index() const { return index_; }
-    [[nodiscard]] double height() const { return said_ > 0 ? said_ : height_ > 0 ? height_ : usual_; } // 0: unknown
+    [[nodiscard]] double height() const { return said_ > 0 ? said_ : height_ > 0 ? height_ : usual_; } // mm; 0: unknown
 
   private:
     void level(double z);
 
     const Told* told_;
     double usual_, said_ = 0, height_ = 0;
-    std::map<std::int64_t, std::uint32_t> levels_; // um, on which something was laid, and their numbers
-    std::optional<double> z_;                      // of the last level bead
+    std::map<std::int64_t, std::uint32_t> levels_; // z in um of each level with a bead, and the level's number
+    std::optional<double> z_;                      // z of the last level bead
     std::uint32_t index_ = 0;
     bool begun_ = false;
 };

@@ -12,7 +12,7 @@ bool Line::places() const {
 
 namespace {
 
-// A letter that is neither an axis nor the extruder.
+// Adds a word that is not the extruder's and not that of an axis of the machine.
 void add_word(const machine::Word& word, double unit, Line& to) {
     const double v = word.value;
     switch (word.letter) {

@@ -1,4 +1,4 @@
-// How much material the extruder word of a program means.
+// The volume of material that the extruder word of a program stands for.
 #pragma once
 
 #include "ingest/remarks.hpp"
@@ -6,8 +6,8 @@
 
 namespace filum::ingest {
 
-// mm3 of one unit of the extruder word.  `filament`: mm, its diameter if it is given, else 0; `volumetric`: the program
-// counts mm3.
+// The volume of one unit of the extruder word, mm3. `filament`: its diameter in mm, or 0 if it is not given.
+// `volumetric`: the program counts mm3.
 double unit_volume(const machine::Profile& profile, std::uint32_t tool, double filament, const Told& told,
                    bool volumetric);
 

@@ -1,4 +1,4 @@
-// What the codes of a program switch, and where its extruder is.
+// The modal state of a program, and the position of its extruder.
 #pragma once
 
 #include "base/length_unit.hpp"
@@ -12,16 +12,16 @@ struct Modes {
     explicit Modes(const machine::Profile& profile)
         : relative_extruder(profile.extrusion.relative && !profile.name.empty()) {}
 
-    int motion = -1; // 0 to 3: G0 to G3, until another; -1: none yet
+    int motion = -1; // 0 to 3: the last of G0 to G3; -1: none yet
     bool relative = false, relative_extruder, extruder_told = false, relative_centres = true;
-    int plane = 17;      // of arcs: G17 is XY
-    double extruder = 0; // units of the last word
-    bool open = false;   // the valve, or the fibre
+    int plane = 17;      // plane of arcs; 17, for G17, is XY
+    double extruder = 0; // position after the last word, in its unit
+    bool open = false;   // the valve is open, or the fibre is on
 
     void inches(bool are) { unit_ = are ? kInch : 1; }
-    [[nodiscard]] double unit() const { return unit_; } // mm
+    [[nodiscard]] double unit() const { return unit_; } // mm per unit of length
 
-    // A code that changes how words are read, or one that changes nothing.
+    // Applies a code that changes how words are read.  Ignores other codes.
     void modal(double g) {
         const auto is = [g](double code) { return std::abs(g - code) < 1e-3; };
         if (is(17) || is(18) || is(19)) plane = static_cast<int>(std::lround(g));
@@ -29,13 +29,14 @@ struct Modes {
         if (is(90.1) || is(91.1)) relative_centres = is(91.1);
     }
 
-    // By how much the extruder goes forward.
+    // Updates the extruder's position by a word.  Returns its advance.
     double pushed(double word) {
         const double by = relative_extruder ? word : word - extruder;
         extruder = relative_extruder ? extruder + word : word;
         return by;
     }
-    // Of places; of the extruder, too, unless a code of its own was ever said, as Marlin does at first.
+    // Sets whether coordinates are relative. This applies to the extruder too, until a code of its own (M82, M83)
+    // appears, as in Marlin.
     void places(bool are_relative) {
         relative = are_relative;
         if (!extruder_told) relative_extruder = are_relative;

@@ -1,4 +1,4 @@
-// Where the numbers of a program count from: G10 L2, G52, G54 to G59, G92.
+// The origin of a program's coordinates: G10 L2, G52, G54 to G59, G92.
 #pragma once
 
 #include "machine/codes.hpp"
@@ -9,19 +9,19 @@ namespace filum::ingest {
 
 using machine::AxisNumbers;
 
-// Places are the machine's, as far as the program tells them: where it homes is taken as 0.
+// Positions are machine coordinates.  The home position is taken as 0, as programs do not state it.
 class Origin {
   public:
     static constexpr std::size_t kSystems = 9; // G54 to G59, G59.1 to G59.3
 
-    // What is added to the number of an axis.
+    // The offset added to the number of an axis.
     [[nodiscard]] double of(std::size_t axis) const { return work_[system_][axis] + local_[axis] + zero_[axis]; }
-    // Places of axes that are given, from here on: the place `at` gets the number (G92).
+    // Gives position `at` of an axis the coordinate `number` (G92).
     void name(std::size_t axis, double at, double number);
     void forget_names() { zero_ = {}; }
     void home(std::size_t axis) { zero_[axis] = 0; }
     void local(std::size_t axis, double offset) { local_[axis] = offset; }
-    // G10 L2: the origin of a system; L20: so that the place `at` gets the number.  System 0 is the one in use.
+    // work: G10 L2, sets the origin of a system.  work_name: G10 L20, gives position `at` the coordinate `number`.
     void work(std::size_t system, std::size_t axis, double offset);
     void work_name(std::size_t system, std::size_t axis, double at, double number);
     void use(std::size_t system) { system_ = system; }

@@ -26,9 +26,9 @@ using machine::AxisNumbers;
 using machine::Feeding;
 using machine::Profile;
 
-constexpr double kPushed = 1e-6; // extruder units: less is rounding
-constexpr double kAlong = 1e-6;  // mm in XY: less is no way
-// Tools beyond are codes for the firmware, as T255 and T1000 of Bambu's printers.
+constexpr double kPushed = 1e-6; // extruder units: smaller moves are rounding
+constexpr double kAlong = 1e-6;  // mm: a shorter move counts as standing
+// Higher tool numbers are codes for the firmware, such as T255 and T1000 of Bambu Lab's printers.
 constexpr std::uint32_t kMostTools = 254;
 
 class Reader {
@@ -77,7 +77,7 @@ class Reader {
         if (r.role) role_ = *r.role;
     }
 
-    // Of Klipper's commands one matters.
+    // Follows the only one of Klipper's commands that matters, and counts all of them.
     void own_command(std::string_view code) {
         ++out_.ignored;
         constexpr std::string_view takes = "ACTIVATE_EXTRUDER EXTRUDER=extruder";
@@ -86,7 +86,7 @@ class Reader {
         take(number.empty() ? 0 : static_cast<std::uint32_t>(std::max(0, std::atoi(number.c_str()))));
     }
 
-    // Lines that the profile itself gives a meaning.
+    // Applies a line that the profile defines.  False if it does not define it.
     bool special(std::string_view code) {
         if (p_.name.empty()) return false;
         if (!tools_.empty())
@@ -139,7 +139,7 @@ class Reader {
         return std::ranges::any_of(line.g, [](double g) { return g >= 0 && g <= 3; });
     }
 
-    // Follows one code; whether the line moves, if it did so by the codes before: a code that owns its words ends that.
+    // Follows one code.  Returns whether the line still moves: a code that owns the line's words ends that.
     bool g_code(double g, const Line& line, bool moves, bool& in_machine) {
         const bool offsets = line.l && (*line.l == 2 || *line.l == 20);
         const Code code = code_of(g, {line.places(), offsets, told_.machinekit});
@@ -210,8 +210,8 @@ class Reader {
         origin_.use(system);
     }
 
-    // Where the numbers of axes count from.  A machine knows where home is, the program does not: what is laid next
-    // begins at a new place.
+    // Applies a code that changes the origin of coordinates. A program does not state the machine's home, so after it
+    // beads start at a new position.
     void origin(Action action, const Line& line) {
         const bool all = std::ranges::none_of(line.named, [](bool b) { return b; });
         const auto p = static_cast<std::size_t>(std::clamp(line.p.value_or(0), 0.0, double{Origin::kSystems}));
@@ -323,11 +323,11 @@ class Reader {
     Origin origin_;
     machine::Words words_;
     Tally out_;
-    double width_ = 0, flow_ = 1; // mm; of M221
+    double width_ = 0, flow_ = 1; // width in mm; flow of M221
     toolpath::Feature feature_ = toolpath::Feature::none;
     toolpath::Role role_ = toolpath::Role::bead;
-    std::uint64_t number_ = 0;  // of the line, from 1
-    int extruder_decimals_ = 0; // of the line
+    std::uint64_t number_ = 0;  // number of the line, from 1
+    int extruder_decimals_ = 0; // of the line's extruder word
     bool volumetric_ = false, laid_ = false;
 };
 

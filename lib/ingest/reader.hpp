@@ -1,4 +1,4 @@
-// A machine's program, of any slicer, as a toolpath.
+// Reads a machine's program, from any slicer, as a toolpath.
 #pragma once
 
 #include "ingest/beads.hpp"
@@ -12,23 +12,29 @@
 namespace filum::ingest {
 
 struct Options {
-    double filament = 0;          // mm, its diameter; 0: what the program says, else the profile
-    std::vector<double> bead;     // mm: width and height of beads where the program does not tell; none: it must
-    bool start_code = false;      // keep what is laid before the first layer begins
-    double arc_tolerance = 0.002; // mm, of the lines that an arc becomes
+    double filament = 0;      // mm, diameter; 0: as in the program, or else as in the profile
+    std::vector<double> bead; // mm: width and height of beads that the program does not give; empty: it must give them
+    bool start_code = false;  // keep beads before the first layer
+    double arc_tolerance = 0.002; // mm, largest deviation of lines from their arc
 };
 
-// Follows the whole program.  Moves are G0 to G3 (I J or R, P turns; in XY).  What else changes where they lead or what
-// they lay is followed: G10 and G11, G17, G20 and G21, G28, G52 to G59, G90 to G92, M82 and M83, M200 D, T and M6, and
-// Klipper's ACTIVATE_EXTRUDER; or it is an error that names the code, as G5, G18 with an arc, G43.4, G51, G68, M128 and
-// words of axes that the profile lacks.  All other commands are counted, and their words are not looked at: they have
-// flags and text.
-// Places are mm as the program has them, from where it homes; on a profile with rotary axes the tip in the part's
-// frame, with the tool's axis, cut so fine that the tip keeps to its line within 0.002 mm.  Material is what the
-// extruder word counts, or where a valve's or a fibre's codes are open width times height times way.  The height of a
-// bead is what comments say, else how far its level lies above the one below it that something was laid on.  Throws
-// Error(bad_input) naming the line: words of a move without numbers, moves that are not followed, a bead of unknown
-// height; or if nothing is laid at all.
+// Follows the whole program and emits its spans.
+//
+// Moves are G0 to G3 (with I J or R, and P turns; in XY). These codes are followed, too, as they change where moves
+// lead or what they deposit: G10, G11, G17, G20, G21, G28, G52 to G59, G90 to G92, M82, M83, M200 D, T, M6, and
+// Klipper's ACTIVATE_EXTRUDER. Other codes that would change moves are errors that name the code: G5, G18 with an arc,
+// G43.4, G51, G68, M128. So are words of axes that the profile lacks. All other commands are counted. Their words are
+// not read, as they may be flags and text.
+//
+// Positions are in mm as in the program, relative to its home. On a profile with rotary axes, a span holds the tip in
+// the part's frame and the tool's axis. It is cut so finely that the tip keeps to its line within 0.002 mm.
+//
+// The volume of a bead is what the extruder word counts. Where codes open a valve or start a fibre, it is width times
+// height times length. The height of a bead comes from comments. Without them it is the distance between its level and
+// the next lower level that has a bead.
+//
+// Throws Error(bad_input) with the line for words of a move without numbers, moves that are not followed, and beads of
+// unknown height. It is thrown, too, if the program deposits nothing.
 Found read(std::string_view program, const std::string& name, const machine::Profile& profile, const Options& options,
            const Beads::Emit& emit);
 

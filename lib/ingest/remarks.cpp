@@ -17,12 +17,12 @@ using toolpath::Role;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-// Without regard to case.
+// True if both texts are equal, without regard to case.
 bool same(std::string_view a, std::string_view b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
 }
 
-// What stands behind `key` at the begin of `text`; nothing if it does not.
+// The rest of `text` after `key`; none if it does not begin with `key`.
 std::optional<std::string_view> behind(std::string_view text, std::string_view key) {
     if (text.size() < key.size() || !same(text.substr(0, key.size()), key)) return std::nullopt;
     return trimmed(text.substr(key.size()));
@@ -34,7 +34,7 @@ std::optional<double> number(std::string_view text) {
     return v;
 }
 
-// The names of PrusaSlicer and SuperSlicer, of OrcaSlicer and Bambu Studio, of Cura.
+// Names of features in PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio and Cura.
 constexpr std::pair<std::string_view, Feature> kNames[] = {
     {"External perimeter", Feature::outer_wall},
     {"Perimeter", Feature::wall},
@@ -78,7 +78,7 @@ constexpr std::pair<std::string_view, Feature> kNames[] = {
 
 constexpr const char* kOwn = "filum";
 
-// "jog wall": the role and the feature of what follows, in programs of Filum.
+// Reads "jog wall": the role and the feature of the beads that follow, in programs of Filum.
 void own_kind(std::string_view text, Remark& to) {
     const auto index_of = [](const auto& names, std::string_view name) {
         return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
@@ -93,7 +93,7 @@ void own_kind(std::string_view text, Remark& to) {
     to.feature = static_cast<Feature>(feature);
 }
 
-// "; filament_diameter = 1.75,2.85"
+// Reads the value of "; filament_diameter = 1.75,2.85", mm.
 void diameters(std::string_view text, std::vector<double>& to) {
     to.clear();
     while (!text.empty()) {

@@ -1,4 +1,4 @@
-// What slicers tell in the comments of their programs.
+// Reads the comments that slicers write into their programs.
 #pragma once
 
 #include "toolpath/path.hpp"
@@ -10,26 +10,26 @@
 
 namespace filum::ingest {
 
-// What is told anywhere in a program, before it is followed.
+// Facts from comments anywhere in a program, collected before the program is followed.
 struct Told {
-    std::string by;                // "filum", "PrusaSlicer", ...: whose comments these are; "" for unknown
-    bool layers = false;           // it says where layers begin
-    std::int64_t lowest_layer = 0; // at most 0: Cura numbers rafts below it
-    std::vector<double> diameters; // mm, of the filament of each tool; none if it says nothing
+    std::string by;                // author of the program: "filum", "PrusaSlicer", ...; "" for unknown
+    bool layers = false;           // comments mark where layers begin
+    std::int64_t lowest_layer = 0; // at most 0, as Cura gives rafts negative numbers
+    std::vector<double> diameters; // mm, filament diameter of each tool; empty: unknown
     bool volumetric = false;       // the extruder word counts mm3
-    bool marlin = false;           // it says that it is for Marlin
-    bool machinekit = false;       // ... for MachineKit, where G22 and G23 retract and give again
-    char extruder = 'E';           // the extruder's word
+    bool marlin = false;           // the program is for Marlin
+    bool machinekit = false;       // the program is for MachineKit, where G22 and G23 retract and return
+    char extruder = 'E';           // letter of the extruder word
 };
 Told told_by(std::string_view program);
 
-// One comment, as it changes what follows.
+// The changes that one comment makes to the moves after it.
 struct Remark {
     bool layer = false;                      // a layer begins
-    std::optional<std::int64_t> layer_index; // its number, where it is told
-    std::optional<double> width, height;     // mm, of beads
+    std::optional<std::int64_t> layer_index; // number of the layer, if the comment gives it
+    std::optional<double> width, height;     // mm, size of beads
     std::optional<toolpath::Feature> feature;
-    std::optional<toolpath::Role> role; // of programs of our own
+    std::optional<toolpath::Role> role; // only in programs of Filum
 };
 Remark remark_in(std::string_view comment, const Told& told);
 

@@ -8,7 +8,7 @@ Notes notes_of(const Tally& tally, const Counts& counts) {
         if (count > 0) out.push_back({code, amount, count});
     };
     const auto lines = [&](NoteCode code, std::uint64_t count) { note(code, static_cast<double>(count), count); };
-    constexpr double kLeast = 0.5; // mm3: less is rounding, and what is given on top after each travel
+    constexpr double kLeast = 0.5; // mm3: less comes from rounding, and from material added after travels
     const auto volume = [&](NoteCode code, double amount) { note(code, amount, amount > kLeast ? 1 : 0); };
     note(NoteCode::purge_dropped, tally.purged, tally.purged_moves);
     volume(NoteCode::extruded_standing, counts.still);
