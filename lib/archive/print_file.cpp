@@ -21,10 +21,10 @@ constexpr const char* kBoxes = "Metadata/plate_1.json";
 constexpr const char* kPicture = "Metadata/plate_1.png";
 constexpr const char* kSmallPicture = "Metadata/plate_1_small.png";
 
-// Reading software compares this with its own version, and takes a file without it for a plain model.
+// Slicers compare this version with their own.  They take a file without it for a plain model.
 constexpr const char* kFormatVersion = "01.10.01.50";
 
-// Bambu Lab's model ids.  A printer refuses a file with another id than its own, and takes one without an id.
+// Bambu Lab's model ids. A printer refuses a file with the id of another model, and accepts one without an id.
 struct Model {
     const char *name, *id;
 };
@@ -36,7 +36,7 @@ std::string lower(std::string text) {
     return text;
 }
 
-// "" for printers of other makers.
+// The model id of a Bambu Lab printer; "" for printers of other makers.
 std::string model_id(const std::string& printer) {
     const std::string name = lower(printer);
     if (name.find("bambu") == std::string::npos) return "";
@@ -45,7 +45,7 @@ std::string model_id(const std::string& printer) {
     return "";
 }
 
-// Thirty-two capital hexadecimal digits.
+// The MD5 sum as 32 capital hexadecimal digits.
 std::string md5(const std::string& bytes) {
     MD5_CTX state;
     MD5Init(&state);
@@ -127,7 +127,7 @@ std::string package_relations(const PrintFile& file) {
     return relations(list);
 }
 
-// The model of the package, which is empty.
+// The empty model of the package.
 std::string model() {
     pugi::xml_node root;
     const auto document = document_with("model", root);
@@ -161,7 +161,7 @@ std::string model_settings(const PrintFile& file) {
     return text_of(document);
 }
 
-// Numbers that software shows and asks a printer to skip parts by: from 1.
+// The number of a part, from 1.  Software shows it, and uses it to make the printer skip a part.
 std::size_t part_number(std::size_t index) { return index + 1; }
 
 std::string slice_info(const PrintFile& file) {
@@ -205,7 +205,7 @@ std::string json_box(const PlateBox& box) {
     return out + "]";
 }
 
-// Where the parts are, for the picture in which a user picks those to skip.
+// The boxes of the parts, for the picture in which a user picks parts to skip.
 std::string boxes(const PrintFile& file) {
     PlateBox all = file.parts.empty() ? PlateBox{} : file.parts.front().box;
     std::string objects;

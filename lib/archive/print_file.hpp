@@ -1,5 +1,6 @@
-// A Bambu Studio print file (.gcode.3mf): a 3MF archive without a model that holds the program of one plate, and what
-// the printer and its software show of it.  Entries and keys are those of BambuStudio's and OrcaSlicer's `bbs_3mf.cpp`.
+// A Bambu Studio print file (.gcode.3mf): a 3MF archive without a model. It holds the program of one plate, and the
+// data that the printer and its software show. Entries and keys are those of BambuStudio's and OrcaSlicer's
+// `bbs_3mf.cpp`.
 #pragma once
 
 #include <array>
@@ -16,7 +17,7 @@ struct PlatePart {
     PlateBox box{};
 };
 
-// What one tool takes of its filament.
+// The filament that one tool uses.
 struct FilamentUse {
     int tool = 0;                  // counted from 0
     double length = 0, weight = 0; // m, g
@@ -24,11 +25,11 @@ struct FilamentUse {
 
 struct PrintFile {
     std::string gcode;
-    std::string printer;     // its name; the model id of a Bambu Lab printer goes with it, none with another name
-    double nozzle = 0;       // mm, its diameter; 0: unknown
+    std::string printer;     // name; that of a Bambu Lab printer adds its model id to the file
+    double nozzle = 0;       // mm, diameter; 0: unknown
     double layer_height = 0; // mm
-    double seconds = 0;      // what the print takes
-    bool supports = false;   // whether some of the program is support
+    double seconds = 0;      // duration of the print
+    bool supports = false;   // the program prints supports
     std::vector<PlatePart> parts;
     std::vector<FilamentUse> filaments;
     std::string picture, small_picture; // PNG, kPlatePicture and kSmallPlatePicture pixels wide; "" for none
@@ -36,7 +37,7 @@ struct PrintFile {
 
 inline constexpr int kPlatePicture = 512, kSmallPlatePicture = 128;
 
-// The bytes of the file.  Equal contents give equal bytes.
+// The bytes of the file.  Equal content gives equal bytes.
 std::string written(const PrintFile& file);
 
 } // namespace filum::archive

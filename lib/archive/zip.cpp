@@ -52,7 +52,7 @@ std::string Zip::read(std::string path) {
     if (f == nullptr) bad("'" + path + "' in the archive cannot be opened: " + zip_strerror(zip));
     std::string out;
     constexpr std::size_t kStep = std::size_t{1} << 20;
-    for (;;) { // the size that the archive states is no promise
+    for (;;) { // reads in steps, as the size that the archive states may be wrong
         const std::size_t had = out.size();
         out.resize(had + kStep);
         const zip_int64_t n = zip_fread(f.get(), out.data() + had, kStep);
@@ -71,7 +71,7 @@ namespace {
 
 using Target = std::unique_ptr<zip_source_t, decltype(&zip_source_free)>;
 
-// What libzip has written to `target`.
+// The bytes that libzip has written to `target`.
 std::string bytes_of(zip_source_t* target) {
     zip_stat_t about;
     zip_stat_init(&about);
@@ -105,7 +105,7 @@ std::string zipped(const std::vector<std::pair<std::string, std::string>>& files
     zip_error_init(&error);
     const Target target(zip_source_buffer_create(nullptr, 0, 0, &error), &zip_source_free);
     if (target == nullptr) cannot_write(zip_error_strerror(&error));
-    zip_source_keep(target.get()); // zip_close gives up one of the two holds
+    zip_source_keep(target.get()); // a second reference: zip_close releases one
     std::unique_ptr<zip_t, decltype(&zip_discard)> zip(
         zip_open_from_source(target.get(), ZIP_CREATE | ZIP_TRUNCATE, &error), &zip_discard);
     if (zip == nullptr) {

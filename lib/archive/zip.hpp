@@ -1,4 +1,4 @@
-// Files in a zip archive in memory: reading and writing.
+// Reads and writes zip archives in memory.
 #pragma once
 
 #include <cstddef>
@@ -14,24 +14,25 @@ namespace filum::archive {
 
 class Zip {
   public:
-    // An archive states names and sizes twice: in its directory, and before each entry.
+    // Where names and sizes come from.  An archive states them twice: in its directory, and before each entry.
     enum class Names : std::uint8_t { of_directory, of_both_places }; // the latter must agree
 
-    // `bytes` must live as long as this; `name` is for messages.  Throws Error(bad_input) if they are no whole archive.
+    // `bytes` must outlive this object; `name` is for messages. Throws Error(bad_input) if they are not a complete
+    // archive.
     Zip(std::string_view bytes, std::string name, Names names = Names::of_directory);
     ~Zip();
     Zip(const Zip&) = delete;
     Zip& operator=(const Zip&) = delete;
 
-    // True for bytes that begin as an archive does.
+    // True if `bytes` begin like a zip archive.
     static bool begins(std::string_view bytes);
 
-    // Names without regard to case; a leading '/' does not count.
+    // True if the archive has this entry.  Names are compared without regard to case and without a leading '/'.
     [[nodiscard]] bool has(const std::string& path) const;
-    // The first entry whose name `fits`; "" if there is none.
+    // The name of the first entry for which `fits` is true; "" if there is none.
     [[nodiscard]] std::string find(const std::function<bool(std::string_view)>& fits) const;
-    // The content of an entry.  Throws Error(bad_input) if it is missing or damaged, and where all that was read comes
-    // to more than kMost: a small archive can hold terabytes.
+    // The content of an entry. Throws Error(bad_input) if it is missing or damaged. Also throws if all entries read so
+    // far exceed kMost, as a small archive can expand to terabytes.
     std::string read(std::string path);
 
   private:
@@ -43,9 +44,9 @@ class Zip {
     std::size_t taken_ = 0;
 };
 
-// The bytes of an archive with these files, deflated, in this order: pairs of a path and a content.  Equal files give
-// equal bytes: every entry is dated 1 January 1980, the first day that the format knows.  Throws Error(failure) if
-// memory runs out.
+// The bytes of an archive with these files, in this order: pairs of path and content. Entries are deflated. Equal files
+// give equal bytes: every entry is dated 1 January 1980, the first day of the format. Throws Error(failure) if memory
+// runs out.
 std::string zipped(const std::vector<std::pair<std::string, std::string>>& files);
 
 } // namespace filum::archive
