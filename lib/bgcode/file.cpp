@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::string_view kMagic = "GCDE";
 constexpr std::uint32_t kVersion = 1;
-constexpr std::size_t kMost = std::size_t{1} << 29;       // bytes, of all that is expanded
-constexpr std::size_t kGcodeBlock = std::size_t{1} << 16; // bytes of text
+constexpr std::size_t kMost = std::size_t{1} << 29;       // bytes, of all expanded content
+constexpr std::size_t kGcodeBlock = std::size_t{1} << 16; // bytes of text per block
 constexpr int kLengthBits = 4;
 
 enum Kind : std::uint16_t { about, gcode, slicer, printer, print, thumbnail, kinds };
@@ -27,9 +27,9 @@ std::uint32_t crc(std::string_view bytes) {
         crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
 }
 
-// Nothing if it is damaged or another size.
+// Inflates `data`; none if it is damaged or does not have `size` bytes.
 std::optional<std::string> inflated(std::string_view data, std::size_t size) {
-    constexpr std::size_t kMostByByte = 1032; // of deflate
+    constexpr std::size_t kMostByByte = 1032; // the largest ratio that deflate can reach
     if (size > kMostByByte * (data.size() + 1)) return std::nullopt;
     std::string out(size, '\0');
     uLongf length = size;
@@ -76,7 +76,7 @@ class Reader {
         return out;
     }
 
-    // Whether it is G-code.
+    // Reads a block.  True if it is G-code.
     bool block(bool has_checksum) {
         const std::size_t begin = all_.size() - rest_.size();
         const std::string where = "its block at byte " + std::to_string(begin);
@@ -115,7 +115,7 @@ class Reader {
         return kind == gcode;
     }
 
-    // Lines "key=value".
+    // Reads lines of "key=value".
     void table(std::string_view text, std::uint16_t kind) {
         Table& to = kind == about     ? out_.about
                     : kind == slicer  ? out_.slicer
@@ -142,7 +142,7 @@ void put(T value, std::string& out) {
     for (std::size_t i = 0; i < sizeof(T); ++i) out += static_cast<char>((value >> (8 * i)) & 0xFF);
 }
 
-// `parameters`: behind the header, as bytes.
+// Appends a block.  `parameters`: the bytes after the header.
 void put_block(Kind kind, Compression compression, std::size_t size, const std::string& parameters,
                std::string_view stored, std::string& out) {
     std::string block;
@@ -179,7 +179,7 @@ void put_table(Kind kind, const Table& table, std::string& out) {
 void put_gcode(std::string_view text, std::string& out) {
     while (!text.empty()) {
         std::size_t size = std::min(text.size(), kGcodeBlock);
-        if (size < text.size()) // whole lines
+        if (size < text.size()) // ends the block after a whole line
             if (const auto end = text.rfind('\n', size - 1); end != text.npos) size = end + 1;
         const std::string code = packed(text.substr(0, size));
         text.remove_prefix(size);

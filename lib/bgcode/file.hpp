@@ -1,4 +1,4 @@
-// Binary G-code (.bgcode): blocks of metadata, pictures and G-code, as libbgcode's specification has them.
+// Binary G-code (.bgcode): blocks of metadata, pictures and G-code, as in libbgcode's specification.
 #pragma once
 
 #include <cstdint>
@@ -20,19 +20,21 @@ struct Thumbnail {
 };
 
 struct File {
-    Table about, printer, print, slicer; // who made it; for which printer; what the print takes; the slicer's settings
+    Table about, printer, print, slicer; // producer; printer; amounts of the print; settings of the slicer
     std::vector<Thumbnail> thumbnails;
     std::string gcode;
 };
 
-// True for bytes that begin as such a file does.
+// True if `bytes` begin like binary G-code.
 bool begins(std::string_view bytes);
 
-// Reads a whole file.  `name` is for messages.  Throws Error(truncated) if it ends within a block, Error(bad_input) if
-// a checksum differs, a block is of an unknown kind or damaged, there is no G-code, or it comes to more than 512 MiB.
+// Reads a whole file. `name` is for messages. Throws Error(truncated) if it ends within a block. Throws
+// Error(bad_input) if a checksum differs, a block is damaged or of an unknown kind, there is no G-code, or the content
+// exceeds 512 MiB.
 File read(std::string_view bytes, const std::string& name);
 
-// With checksums; tables deflated where that is shorter, G-code packed and shrunk in blocks of 64 KiB.
+// The bytes of a file, with checksums.  Tables are deflated if that is shorter.  G-code is compressed by MeatPack and
+// Heatshrink, in blocks of 64 KiB of text.
 std::string written(const File& file);
 
 } // namespace filum::bgcode

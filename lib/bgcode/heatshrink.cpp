@@ -11,7 +11,7 @@ namespace {
 class BitReader {
   public:
     explicit BitReader(std::string_view data) : data_(data) {}
-    // Nothing if there are not so many.
+    // Takes the next `bits` bits; none if fewer are left.
     std::optional<std::uint32_t> take(int bits) {
         if (at_ + static_cast<std::size_t>(bits) > 8 * data_.size()) return std::nullopt;
         std::uint32_t out = 0;
@@ -22,7 +22,7 @@ class BitReader {
 
   private:
     std::string_view data_;
-    std::size_t at_ = 0; // bits
+    std::size_t at_ = 0; // position in bits
 };
 
 class BitWriter {
@@ -65,11 +65,11 @@ std::optional<std::string> expanded(std::string_view data, std::size_t size, int
 
 std::string shrunk(std::string_view data, int window_bits, int length_bits) {
     constexpr std::size_t kHashes = std::size_t{1} << 15;
-    constexpr int kMostTrials = 64; // earlier places that are looked at
+    constexpr int kMostTrials = 64; // earlier positions that are compared
     const std::size_t window = std::size_t{1} << window_bits, longest = std::size_t{1} << length_bits;
-    const std::size_t least = static_cast<std::size_t>(1 + window_bits + length_bits) / 9 + 1; // that saves bits
+    const std::size_t least = static_cast<std::size_t>(1 + window_bits + length_bits) / 9 + 1; // shortest useful match
     constexpr std::uint32_t kNone = UINT32_MAX;
-    std::vector<std::uint32_t> latest(kHashes, kNone), earlier(data.size(), kNone); // places of equal hash
+    std::vector<std::uint32_t> latest(kHashes, kNone), earlier(data.size(), kNone); // chains by hash
     const auto hash = [&](std::size_t i) {
         const auto byte = [&](std::size_t k) {
             return static_cast<std::uint32_t>(static_cast<unsigned char>(data[k]));

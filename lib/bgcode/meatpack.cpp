@@ -42,7 +42,7 @@ class Unpacker {
 
     [[nodiscard]] char common(unsigned k) const { return k == kBlank && no_blanks_ ? 'E' : kCommon[k]; }
 
-    // Without empty lines: the packer makes some at the ends of G codes.
+    // Appends a character, but no empty line: the packer adds some after G codes.
     void put(char c) {
         if (c != '\n' || (!out_.empty() && out_.back() != '\n')) out_ += c;
     }
@@ -66,7 +66,7 @@ class Unpacker {
             return;
         }
         put(common(low));
-        if (common(low) == '\n') return; // fills up a line of an odd number of characters
+        if (common(low) == '\n') return; // the high half only fills up a line with an odd number of characters
         if (high == kFull)
             full_ = 1;
         else
@@ -75,7 +75,7 @@ class Unpacker {
 
     std::string out_;
     int signals_ = 0, full_ = 0;
-    char behind_ = 0; // a packed character that comes behind a full one
+    char behind_ = 0; // a packed character that follows a full one
     bool packing_ = false, no_blanks_ = false;
 };
 
@@ -101,7 +101,7 @@ void pack_line(const std::string& line, std::string& out) {
     }
 }
 
-// Without comment and blanks at its ends; G codes without blanks at all.
+// The line without its comment and without blanks at its ends; G codes without any blanks.
 std::string plain_line(std::string_view line) {
     std::string out(line.substr(0, line.find(';')));
     const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };

@@ -1,4 +1,5 @@
-// MeatPack: G-code with its fifteen commonest characters in four bits each.  Bytes 255 255 and a third are commands.
+// MeatPack: G-code with its fifteen most common characters in four bits each. The bytes 255 255 and a third one are a
+// command.
 #pragma once
 
 #include <string>
@@ -6,11 +7,11 @@
 
 namespace filum::bgcode {
 
-// Text as it was, without empty lines, and without blanks in lines of G codes if the packer left them out.
+// Unpacks text.  Empty lines are dropped.  Blanks in lines of G codes stay out if the packer removed them.
 std::string unpacked(std::string_view data);
 
-// Lines that are comments stay as they are; other lines lose comments behind their code, and G codes their blanks.
-// Empty lines are left out.
+// Packs text. Comment lines stay unchanged. Other lines lose comments after their code and blanks at their ends; G
+// codes lose all blanks. Empty lines are dropped.
 std::string packed(std::string_view text);
 
 } // namespace filum::bgcode
