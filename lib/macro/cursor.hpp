@@ -1,4 +1,4 @@
-// Characters and words of a template, one after the other.
+// A cursor over the characters and words of a template.
 #pragma once
 
 #include "macro/parser.hpp"
@@ -21,12 +21,12 @@ class Cursor {
     void move(std::size_t to) { at_ = to; }
     void step(std::size_t by = 1) { at_ += by; }
 
-    void blanks();                          // skips them
-    bool take(std::string_view sign);       // skips blanks before it
+    void blanks();                          // skips blanks
+    bool take(std::string_view sign);       // skips blanks, then `sign`; false if it does not follow
     void need(char sign, const char* what); // throws FaultAt: "a ')' is missing: what"
-    bool take_word(std::string_view word);  // likewise, and no letter follows
-    [[nodiscard]] std::string peek_name();  // a name or keyword ahead, or ""
-    std::string name(const char* what);     // a name that is no keyword
+    bool take_word(std::string_view word);  // the same for a whole word
+    [[nodiscard]] std::string peek_name();  // the next name or keyword, or ""
+    std::string name(const char* what);     // takes a name that is not a keyword; throws FaultAt
     [[noreturn]] void fail(const std::string& why) const { throw FaultAt{why, at_}; }
 
   private:

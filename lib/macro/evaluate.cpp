@@ -13,7 +13,7 @@ using Kind = Expression::Kind;
 using Whole = std::int64_t;
 
 constexpr std::size_t kLongestText = std::size_t{16} << 20;
-constexpr double kEqual = 1e-8; // numbers that differ by less are the same, as in PrusaSlicer
+constexpr double kEqual = 1e-8; // numbers that differ by less are equal, as in PrusaSlicer
 
 bool is_number(const Value& v) { return std::holds_alternative<Whole>(v) || std::holds_alternative<double>(v); }
 bool is_text(const Value& v) { return std::holds_alternative<std::string>(v); }
@@ -64,7 +64,7 @@ Value arithmetic(Operator op, const Value& left, const Value& right, const Varia
     return out;
 }
 
-// Below 0, 0 or above, as the left side is to the right one.
+// Compares two values: below 0, 0 or above 0 if left is below, equal to or above right.
 int order(const Value& left, const Value& right, bool equality, const Variables& in, std::size_t at) {
     if (is_number(left) && is_number(right)) {
         if (std::holds_alternative<Whole>(left) && std::holds_alternative<Whole>(right)) {
@@ -81,7 +81,7 @@ int order(const Value& left, const Value& right, bool equality, const Variables&
     mismatch("cannot compare", left, right, at);
 }
 
-// True or false; nothing for any other value.
+// The value of a condition; none if the value is not a condition.
 std::optional<bool> truth(const Value& value, const Variables& in) {
     if (const auto* flag = std::get_if<bool>(&value)) return *flag;
     const auto* number = std::get_if<Whole>(&value);

@@ -1,4 +1,4 @@
-// The value of expressions.
+// Evaluates expressions.
 #pragma once
 
 #include "macro/macro.hpp"
@@ -6,7 +6,7 @@
 
 namespace filum::macro {
 
-// The variables of one template while it is written.
+// The variables of one template during its expansion.
 struct Variables {
     Scope* scope = nullptr;
     std::map<std::string, Variable, std::less<>> locals{};
@@ -16,16 +16,16 @@ struct Variables {
     [[nodiscard]] const Variable* find(std::string_view name) const;
 };
 
-// Throws FaultAt.
+// The value of an expression.  Throws FaultAt.
 Value evaluate(const Expression& e, const Variables& variables);
 
-// A condition's value; a value that is neither true nor false is a fault.
+// The value of a condition.  Throws FaultAt if it is not true or false.
 bool holds(const Expression& e, const Variables& variables);
 
-// An index of a list: a whole number; below 0 is a fault.
+// The value of an index.  Throws FaultAt if it is not a whole number, or below 0.
 std::size_t index_of(const Expression& e, const Variables& variables);
 
-// An item of a list.  An index behind its end means the first item, as in slicers.
+// An item of a list.  An index beyond its end gives the first item, as in slicers.
 const Value& item(const Variable& list, std::size_t index, const std::string& name, std::size_t place);
 
 Value call(const Expression& e, const Variables& variables);

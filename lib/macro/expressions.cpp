@@ -16,7 +16,7 @@ using Kind = Expression::Kind;
 struct Named {
     std::string_view name;
     Function function;
-    std::size_t least, most; // arguments
+    std::size_t least, most; // least and largest number of arguments
 };
 constexpr std::size_t kAny = 10'000;
 constexpr std::array kFunctions{
@@ -148,7 +148,7 @@ class ExpressionReader {
         }
     }
 
-    // A text between two quotes; escapes are kept, or become the characters that they stand for.
+    // Takes a text between two quotes.  `unescape`: replaces escapes by their characters.
     std::string quoted(char quote, bool unescape) {
         const std::size_t at = in_.at();
         in_.step();
@@ -263,7 +263,7 @@ class ExpressionReader {
         return value;
     }
 
-    // A variable, one of its items, or a function.
+    // Takes a variable, an item of one, or a function.
     Expression named() {
         Expression out;
         out.at = in_.at();
@@ -311,9 +311,9 @@ class ExpressionReader {
     void argument(const Named& f, Expression& out) {
         in_.blanks();
         if (in_.peek() == ')' && (f.function == Function::one_of || f.function == Function::interpolate))
-            return; // behind a last comma
+            return; // after a last comma
         if (f.function == Function::one_of && !out.parts.empty()) return candidate(out);
-        if (f.function == Function::interpolate && !out.parts.empty()) { // (x, y), as two arguments
+        if (f.function == Function::interpolate && !out.parts.empty()) { // (x, y): two arguments
             in_.need('(', "before a pair of interpolate_table");
             out.parts.push_back(whole());
             in_.need(',', "in a pair of interpolate_table");
@@ -324,7 +324,7 @@ class ExpressionReader {
         out.parts.push_back(whole());
     }
 
-    // Of one_of: a value, /a pattern/, or ~a text that holds a pattern.
+    // Takes an argument of one_of: a value, /a pattern/, or ~ and a text that holds a pattern.
     void candidate(Expression& to) {
         Expression one;
         one.at = in_.at();

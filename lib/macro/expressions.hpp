@@ -1,16 +1,16 @@
-// Reads expressions of templates.
+// Parses expressions of templates.
 #pragma once
 
 #include "macro/cursor.hpp"
 
 namespace filum::macro {
 
-// `depth`: how many brackets it stands in.  Throws FaultAt.
+// Parses an expression.  `depth`: the number of brackets around it.  Throws FaultAt.
 Expression parse_expression(Cursor& in, int depth = 0);
 
-// What may stand on the right of an assignment's index: sums, products, names, numbers.
+// Parses the index of an item or assignment: sums, products, names, numbers.  Throws FaultAt.
 Expression parse_sum(Cursor& in, int depth = 0);
 
-constexpr int kDeepestTemplate = 100; // brackets within brackets, conditions within conditions
+constexpr int kDeepestTemplate = 100; // deepest nesting of brackets, and of conditions
 
 } // namespace filum::macro

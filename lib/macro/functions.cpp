@@ -35,7 +35,7 @@ Value rounded(Function f, const Value& value, std::size_t at) {
                     at);
 }
 
-// 64 bits, by SplitMix64: the same for the same job.
+// The next 64 random bits (SplitMix64).  Equal jobs get equal bits.
 std::uint64_t next(std::uint64_t& state) {
     std::uint64_t z = state += 0x9e3779b97f4a7c15;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
@@ -57,7 +57,7 @@ Value random(const Value& low, const Value& high, std::uint64_t& state, std::siz
     return a + (b - a) * (static_cast<double>(bits >> 11) * scale);
 }
 
-// A number in a field of so many characters, with so many decimals.
+// Writes a number in a field of a given width, with given decimals.
 Value digits(const Expression& e, const Variables& in) {
     const Value value = evaluate(e.parts[0], in);
     const double number = number_of(value, e.at);
@@ -77,7 +77,7 @@ Value digits(const Expression& e, const Variables& in) {
     return std::string(out.data());
 }
 
-// The variable that an argument names.
+// The variable that an argument names.  Throws FaultAt if the argument is not a name.
 const Variable& named(const Expression& argument, const Variables& in, const std::string& function) {
     if (argument.kind != Expression::Kind::variable && argument.kind != Expression::Kind::item)
         throw FaultAt{function + " needs a name in its brackets", argument.at};
@@ -123,7 +123,7 @@ bool one_of(const Expression& e, const Variables& in) {
     return false;
 }
 
-// Between the pairs of a table; before its first and behind its last one their values.
+// Interpolates between the pairs of a table.  Beyond its ends the first or last value holds.
 double interpolated(const Expression& e, const Variables& in) {
     const auto number = [&](std::size_t i) { return number_of(evaluate(e.parts[i], in), e.parts[i].at); };
     const double x = number(0);

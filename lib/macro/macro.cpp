@@ -57,7 +57,7 @@ class Writer {
             if (i >= from.conditions.size() || holds(from.conditions[i], variables_)) return write(from.blocks[i]);
     }
 
-    // [name]: of a list, the item of the extruder; [name_2]: its third item.
+    // Writes [name], for a list the item of the extruder, or [name_2], the third item.
     void bracket(const Piece& piece) {
         const Variable* found = variables_.find(piece.text);
         std::size_t index = variables_.scope->extruder;
@@ -82,7 +82,7 @@ class Writer {
                                               : text_of(found->items[index], variables_.scope->numbers);
     }
 
-    // Where an assignment goes.
+    // The variable that an assignment changes.
     Variable& target(const Assignment& a, std::size_t at) {
         Scope& scope = *variables_.scope;
         if (a.scope == Assignment::Scope::global) return scope.globals[a.name];
@@ -119,7 +119,7 @@ class Writer {
         return sizeof(Value) + (text == nullptr ? 0 : text->size());
     }
 
-    // Counts what variables hold.
+    // Counts the bytes of assigned values.  Throws FaultAt beyond kMostKept.
     void keep(std::size_t bytes, std::size_t at) {
         kept_ += bytes;
         if (kept_ > kMostKept) throw FaultAt{"its variables hold more than 64 MB", at};
@@ -129,7 +129,7 @@ class Writer {
         const Assignment& a = piece.assignment;
         const Expression& first = a.values.empty() ? Expression{} : a.values[0];
         Variable made;
-        // A bare name of a list copies the list.
+        // An assignment of a bare name copies its list.
         const Variable* source =
             !a.list && !a.repeat && first.kind == Expression::Kind::variable ? variables_.find(first.name) : nullptr;
         if (source != nullptr && source->list && a.index.empty()) {
@@ -156,10 +156,10 @@ class Writer {
 
     Variables variables_;
     std::string out_;
-    std::size_t kept_ = 0; // bytes of all values that were assigned
+    std::size_t kept_ = 0; // bytes of all assigned values
 };
 
-// Looks for names that nothing defines.
+// Finds names that are not defined.
 class NameCheck {
   public:
     explicit NameCheck(const std::function<bool(std::string_view)>& known) : known_(known) {}

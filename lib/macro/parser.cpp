@@ -22,7 +22,7 @@ class TemplateReader {
   private:
     static bool goes_on(std::string_view word) { return word == "elsif" || word == "else" || word == "endif"; }
 
-    // The keyword behind a brace.
+    // The name or keyword after a brace; the cursor stays.
     std::string ahead() {
         const std::size_t at = in_.at();
         in_.step();
@@ -43,7 +43,7 @@ class TemplateReader {
         to.push_back(std::move(piece));
     }
 
-    // Text and what stands in braces between it, up to the brace of an elsif, else or endif.
+    // Reads text and braces, up to the brace of an elsif, else or endif.
     Block text_block(bool within) {
         if (++depth_ > kDeepestTemplate) in_.fail("its conditions are nested too deep");
         Block out;
@@ -72,7 +72,7 @@ class TemplateReader {
         return out;
     }
 
-    // [name] or [name[index]].
+    // Reads [name] or [name[index]].
     Piece bracket() {
         Piece out;
         out.kind = Piece::Kind::bracket;
@@ -87,7 +87,7 @@ class TemplateReader {
         return out;
     }
 
-    // What stands behind an opening brace, with its closing one.
+    // Reads the rest of a pair of braces, after the opening one.
     void braces(Block& out) {
         const std::size_t at = in_.at() - 1;
         bool any = false;
@@ -104,7 +104,7 @@ class TemplateReader {
         }
     }
 
-    // Behind `if`: conditions with what they guard, up to endif.
+    // Reads the rest of an `if`: conditions and their blocks, up to endif.
     Piece branch() {
         if (++depth_ > kDeepestTemplate) in_.fail("its conditions are nested too deep");
         Piece out;
@@ -114,7 +114,7 @@ class TemplateReader {
             if (!last) out.branch.conditions.push_back(parse_expression(in_, depth_));
             if (in_.take("}")) {
                 out.branch.blocks.push_back(text_block(true));
-                in_.step(); // the brace before elsif, else or endif
+                in_.step(); // skips the brace before elsif, else or endif
             } else if (last || in_.take_word("then")) {
                 out.branch.blocks.push_back(code_block());
             } else {
@@ -129,7 +129,7 @@ class TemplateReader {
         return out;
     }
 
-    // Statements without braces, up to elsif, else or endif.
+    // Reads statements without braces, up to elsif, else or endif.
     Block code_block() {
         Block out;
         for (;;) {
@@ -163,7 +163,7 @@ class TemplateReader {
         return out;
     }
 
-    // Whether "name =" or "name[index] =" follows.
+    // True if "name =" or "name[index] =" follows.
     bool assigns() {
         const std::size_t at = in_.at();
         const std::string name = in_.peek_name();
@@ -202,7 +202,7 @@ class TemplateReader {
         return out;
     }
 
-    // "(a, b)" is a list; "(a) + b" is an expression that begins with a bracket.
+    // Reads the right side of an assignment.  "(a, b)" is a list; "(a) + b" is an expression.
     void values(Assignment& out) {
         in_.blanks();
         const std::size_t at = in_.at();

@@ -1,4 +1,4 @@
-// Reads templates of G-code into trees.
+// Parses templates of G-code into trees.
 #pragma once
 
 #include "macro/syntax.hpp"
@@ -8,16 +8,16 @@
 
 namespace filum::macro {
 
-// A fault on its way to whoever knows what the template is called.
+// A fault, thrown to the caller that knows the name of the template.
 struct FaultAt {
     std::string why{};
-    std::size_t at = 0; // bytes
+    std::size_t at = 0; // offset in the template, bytes
 };
 
-// Throws FaultAt.
+// Parses a template.  Throws FaultAt.
 Block parse(std::string_view text, Style style);
 
-// The line and column of a place.
+// Adds the line and column of a fault.
 Fault placed(const FaultAt& fault, std::string_view text);
 
 } // namespace filum::macro

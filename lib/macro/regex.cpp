@@ -15,7 +15,7 @@ using Step = Regex::Step;
 
 constexpr std::size_t kMostSteps = 20'000;
 constexpr std::size_t kMostRepeats = 1'000;
-constexpr int kDeepest = 100; // groups within groups
+constexpr int kDeepest = 100; // deepest nesting of groups
 
 [[noreturn]] void fail(const std::string& why) { throw std::invalid_argument(why); }
 
@@ -35,7 +35,7 @@ bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 |
 
 } // namespace
 
-// Compiles a pattern by recursive descent; every part is a run of steps that goes on at its end.
+// Compiles a pattern by recursive descent.  Every part is a run of steps that continues at its end.
 class RegexCompiler {
   public:
     RegexCompiler(std::string_view pattern, Regex& out) : rest_(pattern), out_(out) {}
@@ -60,7 +60,7 @@ class RegexCompiler {
         return true;
     }
 
-    // a|b: a split before, a jump behind each alternative.
+    // Compiles a|b: a split before and a jump after each alternative.
     void alternatives(int depth) {
         if (depth > kDeepest) fail("its groups are nested too deep");
         const std::size_t from = steps().size();
@@ -76,7 +76,7 @@ class RegexCompiler {
         for (const std::size_t j : jumps) steps()[j].a = steps().size();
     }
 
-    // Puts a step before others, whose targets move with them.
+    // Inserts a step at `at`, and moves the targets of the steps after it.
     void insert(std::size_t at, Step step) {
         if (steps().size() >= kMostSteps) fail("the pattern repeats too often");
         for (std::size_t i = at; i < steps().size(); ++i) {
@@ -131,7 +131,7 @@ class RegexCompiler {
         out_.sets_.push_back(set);
     }
 
-    // Of what follows a backslash.
+    // The set of characters that an escape after a backslash matches.
     Set escaped() {
         const char c = rest_.front();
         rest_.remove_prefix(1);
@@ -200,7 +200,7 @@ class RegexCompiler {
         return digits > 0 ? std::optional(out) : std::nullopt;
     }
 
-    // What stands behind the part that began at `from`: * + ? {n,m}; false: nothing of that.
+    // Applies a repeat (* + ? {n,m}) to the part that starts at `from`.  False if none follows.
     bool repeat(std::size_t from) {
         if (rest_.empty()) return false;
         if (take('*')) {
@@ -215,7 +215,7 @@ class RegexCompiler {
         } else {
             return false;
         }
-        (void)take('?'); // greedy or not: whether all of the text matches is the same
+        (void)take('?'); // lazy or greedy does not matter for a match of the whole text
         return true;
     }
 
@@ -224,7 +224,7 @@ class RegexCompiler {
         push({Op::jump, from, 0});
     }
 
-    // Appends the steps of a part once more.
+    // Appends another copy of a part's steps.
     void copy(const std::vector<Step>& part, std::size_t from) {
         const std::size_t by = steps().size() - from;
         for (Step s : part) {
@@ -265,13 +265,13 @@ Regex::Regex(std::string_view pattern) { RegexCompiler(pattern, *this).run(); }
 
 namespace {
 
-// Follows all ways through the steps at once, so that the time is bounded.
+// Follows all paths through the steps at the same time, so that the time is bounded.
 class Matcher {
   public:
     Matcher(const std::vector<Step>& steps, std::string_view text)
         : steps_(steps), text_(text), seen_(steps.size(), 0) {}
 
-    // Adds the steps that can be reached from `step` without a character, before text_[at].
+    // Adds the steps that are reached from `step` without consuming a character, before text_[at].
     void add(std::size_t step, std::size_t at, std::vector<std::size_t>& to) {
         const std::size_t mark = at + 1;
         todo_.assign(1, step);

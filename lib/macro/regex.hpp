@@ -1,4 +1,4 @@
-// Regular expressions that a hostile pattern cannot slow down: matched in time proportional to pattern times text.
+// Regular expressions with bounded cost.  Matching takes time proportional to pattern length times text length.
 #pragma once
 
 #include <bitset>
@@ -9,21 +9,21 @@
 
 namespace filum::macro {
 
-// A pattern with: characters, '.', [classes], \d \w \s \D \W \S \b \B, ^ $, groups, |, * + ? {n,m}.  A dot stands for
-// any character, line ends, too.
+// A pattern. It may hold characters, '.', [classes], \d \w \s \D \W \S \b \B, ^ $, groups, |, * + ? {n,m}. A dot
+// matches any character, including line ends.
 class Regex {
   public:
-    // Throws std::invalid_argument with what is wrong: a bracket without its partner, a look-around or a
-    // back-reference, which it does not know, or a pattern that repeats to more than 20,000 steps.
+    // Throws std::invalid_argument with the fault: a bracket without its partner, or a look-around or back-reference,
+    // which are not supported. A pattern that repeats to more than 20,000 steps is a fault, too.
     explicit Regex(std::string_view pattern);
 
-    // Whether the pattern matches the whole text.
+    // True if the pattern matches the whole text.
     [[nodiscard]] bool matches(std::string_view text) const;
 
     enum class Op : std::uint8_t { set, split, jump, begin, end, boundary, no_boundary, done };
     struct Step {
         Op op = Op::done;
-        std::size_t a = 0, b = 0; // where to go on; of a set, its number
+        std::size_t a = 0, b = 0; // next steps; of a set, a is its number
     };
 
   private:

@@ -15,7 +15,7 @@ enum class Operator : std::uint8_t {
     subtract,
     multiply,
     divide,
-    remainder, // numbers; add joins texts
+    remainder, // numbers; add also joins texts
     equal,
     unequal,
     below,
@@ -45,18 +45,18 @@ enum class Function : std::uint8_t {
     one_of,
     interpolate,
     exists,
-    otherwise, // default_float(name, value) and its like
+    otherwise, // default_float(name, value) and similar functions
 };
 
 struct Expression {
     enum class Kind : std::uint8_t { literal, variable, item, unary, binary, choice, match, call } kind = Kind::literal;
     Value value{};                        // of a literal
     std::string name{};                   // of a variable, or of one of its items
-    Operator op = Operator::add;          // of unary and binary ones; unequal: a match that must not be
+    Operator op = Operator::add;          // of unary and binary expressions, and of a match: unequal inverts it
     Function function = Function::min;    // of a call
     std::shared_ptr<const Regex> regex{}; // of a match, and of an argument of one_of
-    std::vector<Expression> parts{};      // operands, arguments; condition, then, else; the index of an item
-    std::size_t at = 0;                   // where it begins in the template, bytes
+    std::vector<Expression> parts{};      // operands; arguments; condition, then, else; index of an item
+    std::size_t at = 0;                   // its offset in the template, bytes
 };
 
 struct Piece;
@@ -65,7 +65,7 @@ using Block = std::vector<Piece>;
 struct Assignment {
     enum class Scope : std::uint8_t { known, local, global } scope = Scope::known;
     std::string name{};
-    std::vector<Expression> index{};   // none, or one
+    std::vector<Expression> index{};   // empty, or one index
     bool list = false, repeat = false; // (a, b, c); repeat(count, value)
     std::vector<Expression> values{};
 };
@@ -77,21 +77,21 @@ struct Branch {
 
 struct Piece {
     enum class Kind : std::uint8_t { text, expression, bracket, branch, assignment } kind = Kind::text;
-    std::string text{}; // as it stands; of a bracket, the name
+    std::string text{}; // the text; of a bracket, its name
     Expression expression{};
-    std::string index{}; // of a bracket with an index: the variable that holds it
+    std::string index{}; // of a bracket with an index: the variable that holds the index
     Branch branch{};
     Assignment assignment{};
     std::size_t at = 0;
 };
 
-// Which templates they are.
+// The dialects of templates.
 enum class Style : std::uint8_t {
     slicer, // {expression} and [name]
-    own,    // of machine profiles: {expression}; {{ and }} are braces, [ is a bracket
+    own,    // of machine profiles: {expression}; {{ and }} are braces, [ is plain text
 };
 
-// What is wrong with a template; counted from 1.
+// A fault of a template; line and column count from 1.
 struct Fault {
     std::string why{};
     std::size_t line = 1, column = 1;

@@ -25,7 +25,7 @@ std::string text_of(const Value& value, const NumberFormat& format) {
         return out;
     }
     std::array<char, 64> digits{};
-    constexpr int significant = 6; // of std::ostream
+    constexpr int significant = 6; // as std::ostream
     const auto end =
         std::to_chars(digits.data(), digits.data() + digits.size(), *number, std::chars_format::general, significant);
     return {digits.data(), end.ptr};
