@@ -46,7 +46,7 @@ std::string nozzle_temperature(Flavor flavor, int celsius, bool wait, int tool) 
     const bool rrf = flavor == Flavor::reprapfirmware, apart = rrf || flavor == Flavor::teacup;
     std::string out = wait && !apart ? "M109 " : rrf ? "G10 " : "M104 ";
     out += temperature_letter(flavor) + std::to_string(celsius);
-    if (rrf && tool < 0) tool = 0; // G10 sets a tool's
+    if (rrf && tool < 0) tool = 0; // G10 needs a tool
     if (tool >= 0) out += (rrf ? " P" : " T") + std::to_string(tool);
     out += wait && !apart ? " ; set temperature and wait for it to be reached\n" : " ; set temperature\n";
     if (wait && apart) out += "M116 ; wait for temperature to be reached\n";

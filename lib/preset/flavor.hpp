@@ -1,4 +1,4 @@
-// Commands as the firmware of a printer takes them.
+// Commands in the dialect of a printer's firmware.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ enum class Flavor : std::uint8_t {
     repetier,
     teacup,
     makerware,
-    marlin,  // before 2.0
-    marlin2, // since
+    marlin,  // Marlin before 2.0
+    marlin2, // Marlin 2.0 and later
     klipper,
     sailfish,
     mach3,
@@ -23,14 +23,14 @@ enum class Flavor : std::uint8_t {
     no_extrusion,
 };
 
-// Throws Error(bad_input) for an unknown word, and for a firmware that Filum writes no programs for.
+// The flavor that a setting names.  Throws Error(bad_input) for an unknown one, or one that Filum does not write.
 Flavor flavor_of(const std::string& word);
 
-// Degrees Celsius.  `tool`: -1 where there is one only.  Lines with line ends.
+// Commands that set a temperature in degrees Celsius, with line ends.  `tool`: -1 if there is only one.
 std::string nozzle_temperature(Flavor flavor, int celsius, bool wait, int tool);
 std::string bed_temperature(Flavor flavor, int celsius, bool wait);
 
-// Millimetres, absolute coordinates, how extruder words count.
+// Commands that set millimetres, absolute coordinates, and relative or absolute extruder words.
 std::string preamble(Flavor flavor, bool relative);
 std::string reset_extruder(Flavor flavor, bool relative);
 char extruder_letter(Flavor flavor);

@@ -40,7 +40,7 @@ void set_box(const std::string& name, const Extent& box, Settings& to) {
 
 std::string two_digits(int value) { return (value < 10 ? "0" : "") + std::to_string(value); }
 
-// The time at which the program is written: that of SOURCE_DATE_EPOCH where it is set.
+// Sets the time of writing: job.clock, else SOURCE_DATE_EPOCH, else the current time.
 void set_clock(const Job& job, Settings& to) {
     std::time_t now = std::time(nullptr);
     if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH")) now = std::strtoll(epoch, nullptr, 10);
@@ -56,7 +56,7 @@ void set_clock(const Job& job, Settings& to) {
     for (const auto& [name, value] : parts) to.set(name, Variable::one(whole_value(value)));
 }
 
-// What each extruder gives, and whether it is used at all.
+// Sets the material of each extruder, and whether it is used.
 void set_material(const Job& job, std::size_t extruders, Settings& to) {
     std::vector<Value> used, volume, weight;
     double all_volume = 0, all_weight = 0;
@@ -80,7 +80,7 @@ void set_material(const Job& job, std::size_t extruders, Settings& to) {
     to.set("num_printing_extruders", Variable::one(whole_value(static_cast<double>(job.tools.size()))));
 }
 
-// mm3/s of the outer wall: a rectangle with round ends, as wide as the setting says or as the nozzle.
+// Sets the flow of the outer wall, mm3/s: a rectangle with round ends, as wide as the setting or the nozzle.
 void set_outer_wall(Settings& to) {
     const double nozzle = to.number("nozzle_diameter", 0, 0.4), height = to.number("layer_height", 0, 0.2);
     double width = to.number("outer_wall_line_width");
@@ -95,7 +95,7 @@ void set_outer_wall(Settings& to) {
     to.set("outer_wall_volumetric_speed", Variable::one(flow));
 }
 
-// Names that OrcaSlicer and Bambu Studio compute.
+// Sets the values that OrcaSlicer and Bambu Studio compute.
 void set_orca(const Job& job, const Extent& box, Settings& to) {
     const std::string plate = to.text("curr_bed_type");
     const std::string key = plate == "Cool Plate"          ? "cool_plate_temp"

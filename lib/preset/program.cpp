@@ -14,7 +14,7 @@ namespace {
 using macro::Value;
 using macro::Variable;
 
-// A text of lines ends with one.
+// Adds a line end to a text that lacks one.
 void end_line(std::string& text) {
     if (!text.empty() && text.back() != '\n') text += '\n';
 }
@@ -56,7 +56,7 @@ std::string Program::code(const char* key, const std::string& text, std::uint32_
     return out;
 }
 
-// The first of these settings that the profile has: slicers have several names for the same.
+// The first of these settings that is not empty, as slicers have several names for one setting.
 std::string Program::code_of(std::initializer_list<const char*> names, std::uint32_t tool) const {
     for (const char* name : names)
         if (std::string text = settings_.text(name, tool); !text.empty()) return text;
@@ -70,13 +70,13 @@ std::string Program::filament_code(const char* key, std::uint32_t tool) {
     return code(key, text, tool);
 }
 
-// -1: the word for the tool is left out.
+// The number of a tool in temperature commands; -1: no word for the tool.
 int Program::tool_word(std::uint32_t tool) const {
     const bool several = job_.tools.back() > 0 && !settings_.flag("single_extruder_multi_material");
     return several || flavor_ == Flavor::reprapfirmware ? static_cast<int>(tool) : -1;
 }
 
-// What the layer is, for macros.
+// Sets the values of the layer for macros.
 void Program::place(std::uint32_t layer, double z) {
     highest_ = std::max(highest_, z);
     now_["layer_num"] = whole(layer);
@@ -156,7 +156,7 @@ std::string Program::after_layer(std::uint32_t layer, double z) {
     return layer > 0 && !std::exchange(warm_, true) ? out + later_temperatures() : out;
 }
 
-// When the first layer is left, where they differ.
+// Commands after the first layer, for temperatures that differ from those of the first layer.
 std::string Program::later_temperatures() {
     const char* later = orca_ ? "nozzle_temperature" : "temperature";
     const char* first = orca_ ? "nozzle_temperature_initial_layer" : "first_layer_temperature";
@@ -182,7 +182,7 @@ std::string Program::pause(std::uint32_t layer, double z) {
     return code(key, text, tool_);
 }
 
-// mm that the slicer lifts the nozzle by when it retracts at this height.
+// The lift of the nozzle at a retraction at height z, mm.
 double Program::last_lift(double z) const {
     const bool retracts = settings_.number("retract_length", tool_) > 0 || settings_.flag("use_firmware_retraction");
     const double above = settings_.number("retract_lift_above", tool_),
@@ -192,7 +192,7 @@ double Program::last_lift(double z) const {
 
 std::string Program::end(std::uint32_t layer, double z) {
     place(layer, z);
-    // The slicer names the height of the nozzle, which its last retraction lifts.
+    // PrusaSlicer reports the height of the nozzle after its last retraction.
     if (!orca_) now_["layer_z"] = Variable::one(z + last_lift(z));
     std::string out = ";TYPE:Custom\n";
     const std::size_t filaments =

@@ -1,4 +1,5 @@
-// The parts of a program that a slicer's profile writes: before the first bead, between layers, after the last bead.
+// Writes the parts of a program that a slicer's profile defines: before the first bead, between layers, after the last
+// bead.
 #pragma once
 
 #include "geom/vec.hpp"
@@ -13,39 +14,39 @@
 
 namespace filum::preset {
 
-// What is printed, as far as macros may ask.
+// The properties of a print that macros can use.
 struct Job {
-    std::vector<std::uint32_t> tools{0}; // that extrude, in the order of their numbers
+    std::vector<std::uint32_t> tools{0}; // tools that extrude, in ascending order
     std::uint32_t first_tool = 0;
     std::uint32_t layers = 1;
-    std::vector<geom::Vec2> first_layer{};      // corners of the convex hull of its beads, on the bed, mm
+    std::vector<geom::Vec2> first_layer{};      // mm, on the bed: corners of the convex hull of its beads
     double height = 0;                          // mm: z of the last layer
-    double seconds = 0;                         // of print
+    double seconds = 0;                         // duration of the print
     std::map<std::uint32_t, double> volume{};   // mm3, by tool
     std::map<std::uint32_t, double> filament{}; // mm, by tool
     std::uint32_t objects = 1;
-    std::string input = "part";          // name of the part's file, without folder and ending
-    std::optional<std::int64_t> clock{}; // seconds since 1970; none: that of the machine
+    std::string input = "part";          // name of the part's file, without folder and extension
+    std::optional<std::int64_t> clock{}; // seconds since 1970; none: the clock of this computer
 };
 
 class Program {
   public:
-    // Throws Error(bad_input) for a macro that cannot be read, and for a flavour that Filum does not write.
+    // Throws Error(bad_input) for a flavour that Filum does not write, and for a bed with malformed corners.
     Program(const Preset& preset, Job job);
-    // Uses values of its own for settings: "temperature" 230.
+    // Replaces the value of a setting, such as "temperature" by 230, in all items of a list.
     void set(const std::string& name, double value);
 
-    // Each throws Error(bad_input) that names the G-code, the line and the column of what cannot be written.
+    // Each of these throws Error(bad_input) with the template, the line and the column of a fault.
     std::string start();
-    std::string before_layer(std::uint32_t layer, double z); // counted from 0; z of the part
+    std::string before_layer(std::uint32_t layer, double z); // `layer` counts from 0; z of the part, mm
     std::string after_layer(std::uint32_t layer, double z);
     std::string change_tool(std::uint32_t to, std::uint32_t layer, double z);
     std::string pause(std::uint32_t layer, double z);
     std::string end(std::uint32_t layer, double z);
 
     [[nodiscard]] Flavor flavor() const { return flavor_; }
-    [[nodiscard]] std::uint32_t tool() const { return tool_; } // that is in use
-    [[nodiscard]] bool of_orca() const { return orca_; }       // or of Bambu Studio
+    [[nodiscard]] std::uint32_t tool() const { return tool_; } // the current tool
+    [[nodiscard]] bool of_orca() const { return orca_; }       // the profile is of OrcaSlicer or Bambu Studio
     [[nodiscard]] const Settings& settings() const { return settings_; }
 
   private:
@@ -60,15 +61,15 @@ class Program {
     [[nodiscard]] double last_lift(double z) const;
 
     Settings settings_;
-    bool orca_ = false; // or Bambu Studio: names of their own
+    bool orca_ = false; // OrcaSlicer or Bambu Studio, which have names of their own
     Flavor flavor_ = Flavor::marlin;
     macro::Scope scope_;
-    std::map<std::string, macro::Variable, std::less<>> now_; // of the piece that is written
-    std::map<std::string, macro::Template> read_;             // by their text
+    std::map<std::string, macro::Variable, std::less<>> now_; // values for the current template
+    std::map<std::string, macro::Template> read_;             // parsed templates, by their text
     Job job_;
     std::uint32_t tool_ = 0;
-    double highest_ = 0; // mm: z of the highest layer so far
-    bool warm_ = false;  // the temperatures of the upper layers are set
+    double highest_ = 0; // mm, z of the highest layer so far
+    bool warm_ = false;  // the temperatures for layers above the first are set
     int bed_ = -1;       // the bed's temperature as last set
 };
 

@@ -21,7 +21,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(from, text.find_last_not_of(" \t\r\n") - from + 1);
 }
 
-// The number at the beginning of a text, as a stream reads it.
+// The number at the beginning of a text, as a C++ stream reads it.
 std::optional<double> number_in(std::string_view text) {
     text = trimmed(text);
     if (text.starts_with('+')) text.remove_prefix(1);
@@ -30,7 +30,7 @@ std::optional<double> number_in(std::string_view text) {
     return error == std::errc() ? std::optional(out) : std::nullopt;
 }
 
-// \n, \r and \\ as the characters that they stand for.
+// Replaces \n, \r and \\ by their characters.
 std::string unescaped(std::string_view text) {
     std::string out;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -54,7 +54,7 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
-// "one";two;"three": texts with semicolons between, in quotes where they hold one.
+// Splits "one";two;"three": texts separated by semicolons, in quotes if they contain one.
 std::vector<std::string> quoted_items(std::string_view text) {
     std::vector<std::string> out;
     text = trimmed(text);
@@ -89,7 +89,7 @@ std::vector<std::string> comma_items(std::string_view text) {
     return out;
 }
 
-// Of a setting that keys.tsv does not hold: what its value looks like.
+// Guesses the type of a setting that is not in keys.tsv from its values.
 Key looks_like(std::string_view name, const std::vector<std::string>& values) {
     Key out;
     out.name = name;
@@ -108,7 +108,7 @@ Key looks_like(std::string_view name, const std::vector<std::string>& values) {
     return out;
 }
 
-// One value of a type, and how [name] writes it.
+// Converts a text to a value of a type, and to the text that [name] writes.
 std::pair<Value, std::string> typed(Type type, const std::string& text, bool list) {
     if (text == "nil" && type != Type::text) return {Value{}, "nil"};
     const double number = number_in(text).value_or(0);
@@ -182,7 +182,7 @@ std::vector<std::string> values_of_json(std::string_view name, std::string_view 
 std::vector<geom::Vec2> corners(const std::vector<std::string>& texts) {
     std::vector<geom::Vec2> out;
     for (const std::string& text : texts) {
-        const auto between = text.find('x', 1); // "0x20" would be a number to a stream
+        const auto between = text.find('x', 1); // split first: a stream would read "0x20" as one number
         const auto x = number_in(text.substr(0, between));
         const auto y = between == std::string::npos ? std::nullopt : number_in(text.substr(between + 1));
         if (!x || !y)
@@ -195,7 +195,7 @@ std::vector<geom::Vec2> corners(const std::vector<std::string>& texts) {
 Settings::Settings(const Preset& preset) {
     for (const Key& key : keys())
         if (!key.usual.empty()) variables_[std::string(key.name)] = variable(key, values_of_line(key.name, key.usual));
-    for (const Key& key : keys()) // a text without a default is empty
+    for (const Key& key : keys()) // texts without a default are empty
         if (key.usual.empty() && key.type == Type::text && !preset.settings.contains(key.name))
             variables_[std::string(key.name)] = variable(key, {""});
     for (const auto& [name, values] : preset.settings) {
@@ -205,7 +205,7 @@ Settings::Settings(const Preset& preset) {
         made.either = key == nullptr;
     }
     resolve_shares();
-    // What a filament says of its own for a setting of the printer.
+    // A filament may override settings of the printer: filament_NAME replaces NAME.
     std::vector<std::pair<std::string, Variable>> own;
     for (const auto& [name, theirs] : variables_) {
         const auto printer = name.starts_with("filament_") ? variables_.find(name.substr(9)) : variables_.end();
@@ -225,7 +225,7 @@ Settings::Settings(const Preset& preset) {
     for (auto& [name, merged] : own) variables_[name] = std::move(merged);
 }
 
-// Percentages become what they are of; [name] still writes the percentage.
+// Converts percentages to absolute values.  [name] still writes the percentage.
 void Settings::resolve_shares() {
     constexpr int deepest = 8;
     const double nozzle = number("nozzle_diameter", 0, 0.4);
@@ -245,7 +245,7 @@ void Settings::resolve_shares() {
             }
             share *= number_in(at->second.written[0]).value_or(0) / 100;
             of = key_of(of->of);
-            if (of == nullptr) break; // nothing says what it is a percentage of
+            if (of == nullptr) break; // the table does not say what it is a percentage of
         }
     }
     for (const Key& key : keys())
@@ -253,7 +253,7 @@ void Settings::resolve_shares() {
             variables_[std::string(key.name)].items[0] = width(std::string(key.name), nozzle);
 }
 
-// mm: 0 asks for the common width, and that for a width after the nozzle.
+// A width in mm.  0 means the common width; a common width of 0 depends on the nozzle.
 double Settings::width(const std::string& name, double nozzle) const {
     const auto found = variables_.find(name);
     if (found == variables_.end() || found->second.written.empty()) return nozzle;
@@ -263,7 +263,7 @@ double Settings::width(const std::string& name, double nozzle) const {
         return value / 100 * number(name.starts_with("first_layer") ? "first_layer_height" : "layer_height");
     if (value > 0) return value;
     if (name != "extrusion_width") return width("extrusion_width", nozzle);
-    constexpr double usual = 1.125; // of the nozzle, as slicers choose
+    constexpr double usual = 1.125; // of the nozzle's diameter, as slicers choose
     return usual * nozzle;
 }
 

@@ -14,7 +14,7 @@ std::string_view without_blanks(std::string_view text) {
     return from == std::string_view::npos ? std::string_view{} : text.substr(from);
 }
 
-// The whole number at the beginning; takes it off the text.
+// Takes a whole number off the beginning of a text.  False if there is none.
 bool take_number(std::string_view& text, int& out) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
     if (error != std::errc()) return false;
@@ -79,7 +79,7 @@ bool changes_tool(std::string_view text, std::uint32_t tool) {
 std::string machine_limits(const Settings& settings, Flavor flavor) {
     const bool rrf = flavor == Flavor::reprapfirmware;
     if (!rrf && flavor != Flavor::marlin && flavor != Flavor::marlin2) return "";
-    // OrcaSlicer and Bambu Studio have a name of their own for the speeds, and emit the limits unless told otherwise.
+    // OrcaSlicer and Bambu Studio have their own name for the speeds. They emit the limits unless a setting forbids it.
     const bool orca = settings.find("machine_max_speed_x") != nullptr;
     const bool told = settings.find("emit_machine_limits_to_gcode") != nullptr;
     const bool asked = told   ? settings.flag("emit_machine_limits_to_gcode")

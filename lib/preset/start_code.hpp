@@ -1,4 +1,4 @@
-// What the G-code of a profile's start does itself, and what a slicer adds to it.
+// Reads which commands a profile's start G-code already contains, and writes those that a slicer adds.
 #pragma once
 
 #include "preset/program.hpp"
@@ -8,20 +8,20 @@
 
 namespace filum::preset {
 
-// Whether lines set a temperature by one of two M codes (or G10 with S), and the last one that they set; -1: none.
+// The temperature commands in a text (two M codes, or G10 with S).  `celsius`: the last value set; -1: none.
 struct TemperatureCommands {
     bool any = false;
     int celsius = -1;
 };
 TemperatureCommands temperature_commands(std::string_view text, int set, int set_and_wait, bool g10);
 
-// Whether a line of the text is the command T of that tool.
+// True if a line of the text selects that tool by T.
 bool changes_tool(std::string_view text, std::uint32_t tool);
 
-// M201, M203, M204 and M205 (or M566), where the profile asks for them: "" for none.
+// M201, M203, M204 and M205 (or M566) if the profile asks for them, or "".
 std::string machine_limits(const Settings& settings, Flavor flavor);
 
-// The names that slicers compute: total_layer_count, first_layer_print_min, ...
+// Sets the values that slicers compute: total_layer_count, first_layer_print_min, ...
 void set_job_values(const Job& job, bool orca, Settings& to);
 
 } // namespace filum::preset

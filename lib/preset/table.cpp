@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-// The file between two labels, by the assembler: FILUM_PRESET_KEYS is given by the build.
+// The assembler embeds the file between two labels.  The build defines FILUM_PRESET_KEYS.
 __asm__(".section .rodata\n.global filum_preset_keys\nfilum_preset_keys:\n.incbin \"" FILUM_PRESET_KEYS
         "\"\n.global filum_preset_keys_end\nfilum_preset_keys_end:\n.byte 0\n.previous\n");
 extern "C" const char filum_preset_keys[], filum_preset_keys_end[];
@@ -20,7 +20,7 @@ std::string_view cut(std::string_view& from, char at) {
     return out;
 }
 
-// "floats" is a list of "float".
+// Sets the type of a key.  "floats" is a list of "float".
 void set_type(std::string_view word, Key& to) {
     constexpr std::array<std::pair<std::string_view, Type>, 8> kTypes{{{"flag", Type::flag},
                                                                        {"int", Type::whole},

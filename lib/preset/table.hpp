@@ -1,4 +1,4 @@
-// What is known of slicers' settings by their names; the build puts keys.tsv into the program.
+// The table of slicers' settings: their types and defaults.  The build embeds keys.tsv in the program.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace filum::preset {
 
-// Of one value, or of each value of a list.
+// The type of one value, or of each value of a list.
 enum class Type : std::uint8_t {
     flag,
     whole,
@@ -15,7 +15,7 @@ enum class Type : std::uint8_t {
     percent,
     share, // a number, or a percentage of another setting
     text,
-    word, // one of a choice
+    word, // one word of a choice
     point,
 };
 
@@ -23,11 +23,11 @@ struct Key {
     std::string_view name;
     Type type = Type::text;
     bool list = false;
-    std::string_view of;    // a share: the setting that 100 % are
-    std::string_view usual; // the value where a file lacks it; "" for none
+    std::string_view of;    // of a share: the setting that is 100 %
+    std::string_view usual; // default where a file lacks the setting; "" for none
 };
 
-// Null for an unknown name.
+// The entry of a setting; null for an unknown name.
 const Key* key_of(std::string_view name);
 const std::vector<Key>& keys();
 
