@@ -16,15 +16,15 @@ using polygon::kBeadArc;
 using polygon::Loops;
 using polygon::Region;
 
-// One vase while it grows upwards.
+// A vase that grows upwards.
 struct Vase {
-    Loops outline;                   // of its highest region so far
-    Loops holes;                     // of its floor there, as areas
-    std::uint32_t layers = 0;        // so far
+    Loops outline;                   // outline of its highest region so far
+    Loops holes;                     // holes of its floor there, as areas
+    std::uint32_t layers = 0;        // number of layers so far
     std::vector<std::size_t> over{}; // regions of the next layer that lie over it
 };
 
-// The outer outline of a region, as a region without holes.
+// The outer outline of a region, without its holes.
 Loops outer(const Region& r) {
     Loops out;
     out.add(r.loops[0]);
@@ -46,10 +46,10 @@ bool lie_over(const Region& a, const Loops& below, const Loops& above) {
     return meet(a.box, polygon::bounds(below)) && !polygon::intersect(above, below).empty();
 }
 
-// What is not printed, summed up for one note of each kind.
+// The material that is not printed, summed up for one note per kind.
 struct LeftOut {
-    Note branch{NoteCode::vase_ends, 0, 0};   // above places where vases branch
-    Note within{NoteCode::vase_within, 0, 0}; // bodies within an outline
+    Note branch{NoteCode::vase_ends, 0, 0};   // material above a branch
+    Note within{NoteCode::vase_within, 0, 0}; // bodies inside an outline
 
     static void add(Note& to, const Region& r) {
         if (to.count == 0) {
@@ -66,7 +66,7 @@ struct LeftOut {
     }
 };
 
-// The region of a vase that `of` becomes.  `grown` has as many layers as lie below it.
+// Turns region `of` into the next layer of the vase `grown`.
 Region layer_of(const Region& of, Vase& grown, const Options& o) {
     Region out = of;
     out.parent = -1;
@@ -92,7 +92,7 @@ Region layer_of(const Region& of, Vase& grown, const Options& o) {
     return out;
 }
 
-// The outlines of a layer, which lie in no other one; bodies within these are left out.
+// The outlines of a layer that lie in no other one.  Bodies inside an outline are left out.
 std::vector<const Region*> outlines(std::span<const Region> layer, LeftOut& left) {
     std::vector<const Region*> out;
     for (const Region& r : layer)
@@ -103,12 +103,12 @@ std::vector<const Region*> outlines(std::span<const Region> layer, LeftOut& left
     return out;
 }
 
-// Grows the vases by one layer, and drops those that end.  Appends its regions to `to`.
+// Grows the vases by one layer, and drops those that end.  Appends the new regions to `to`.
 void grow(std::vector<Vase>& vases, std::span<const Region> layer, const Options& o, LeftOut& left,
           std::vector<Region>& to) {
     const auto tops = outlines(layer, left);
     std::vector<Loops> loops;
-    std::vector<std::size_t> below(tops.size(), 0); // vases under each
+    std::vector<std::size_t> below(tops.size(), 0); // per outline: number of vases below
     for (const Region* r : tops) loops.push_back(outer(*r));
     for (Vase& v : vases)
         for (std::size_t k = 0; k < tops.size(); ++k)
@@ -136,10 +136,10 @@ void grow(std::vector<Vase>& vases, std::span<const Region> layer, const Options
             LeftOut::add(left.branch, *tops[k]);
 }
 
-// Numbers the regions anew, and finds again how they lie on each other.
+// Renumbers the regions, and recomputes which of them lie on each other.
 void lay_anew(std::vector<Region>& regions, const Options& o) {
     for (std::size_t i = 0; i < regions.size(); ++i) regions[i].id = static_cast<std::uint32_t>(i);
-    regions::Air air; // `regions` reported overhangs of the part
+    regions::Air air; // unused: `regions` has already reported overhangs of the part
     std::size_t from = 0, before = 0;
     for (std::size_t i = 0; i <= regions.size(); ++i) {
         if (i < regions.size() && (i == from || regions[i].layer == regions[from].layer)) continue;
@@ -161,14 +161,14 @@ Loops band(const Region& r, const Options& o) {
     return polygon::subtract(plain, polygon::offset(plain, -static_cast<double>(o.walls) * o.bead_width, kBeadArc));
 }
 
-// Where less than half of a wall's width lies on the layer below, in mm of a bead's length.
+// Notes walls with less than half of their width on the layer below.  The amount is the length of bead, mm.
 void note_hanging(const std::vector<Region>& regions, const Options& o, Notes& notes) {
     Note out{NoteCode::vase_hangs, 0, 0};
     const double half = o.bead_width / 2;
     for (const Region& r : regions) {
         if (r.areas.empty() || r.below.empty()) continue;
         const Loops below = polygon::offset(band(regions[r.below[0].below], o), half, kBeadArc);
-        // a strip narrower than a hairline is none
+        // strips narrower than a hairline do not count
         const double hair = regions::kHairline * half;
         const Loops free = polygon::opened(polygon::subtract(band(r, o), below), hair, kBeadArc);
         if (free.empty()) continue;
@@ -199,7 +199,7 @@ std::vector<Region> vase(const std::vector<Region>& part, const Options& o, Note
                 out.push_back(layer_of(*r, vases.back(), o));
             }
         } else {
-            if (part[i - 1].layer + 1 != part[i].layer) vases.clear(); // nothing stands over a gap
+            if (part[i - 1].layer + 1 != part[i].layer) vases.clear(); // no vase continues over a missing layer
             grow(vases, layer, o, left, out);
         }
         i = end;
