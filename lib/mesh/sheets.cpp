@@ -315,9 +315,9 @@ std::vector<char> nearly_closed(const Mesh& mesh, const Sheets& sheets) {
     return out;
 }
 
-// Splits non-manifold vertices. A fan gets its own copy of the vertex if it is closed, or if more than two triangles
-// meet on one of its edges there. Open fans keep sharing the vertex, as the gap between them may be a hole to fill.
-// Sheets that are nearly closed by themselves need no other sheets, so each gets a copy for its open fans.
+// Splits non-manifold vertices. A fan gets its own copy of the vertex if it is closed, or if one of its edges there has
+// more than two triangles. Open fans keep sharing the vertex, as the gap between them may be a hole to fill. Sheets
+// that are nearly closed by themselves need no other sheets, so each gets a copy for its open fans.
 void part_vertices(Mesh& mesh, const std::vector<HalfEdge>& sides, const std::vector<std::uint32_t>& mate) {
     const Sheets sheets = sheets_of(mate);
     const std::vector<char> whole = nearly_closed(mesh, sheets);

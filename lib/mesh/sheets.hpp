@@ -15,9 +15,9 @@ namespace filum::mesh {
 // triangle whose solid is on the other side. Triangles that lie on each other are copies, not neighbours; of several
 // copies the first goes with the first. Sheets that come apart this way get vertices of their own.
 //
-// A sheet is left out if an earlier sheet holds all of its triangles, in the same orientation, or in either one if it
-// is open. If every triangle is there in both orientations, one of each is kept and true is returned: the triangles no
-// longer tell which side is outside.
+// A sheet is left out if an earlier sheet holds all of its triangles in the same orientation. For an open sheet either
+// orientation counts. If every triangle is there in both orientations, one of each is kept and true is returned: the
+// triangles no longer tell which side is outside.
 //
 // A mesh without such edges is not changed, at about 5 ns per side.
 bool part_sheets(Mesh& mesh, Notes& notes);
