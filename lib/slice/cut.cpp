@@ -26,8 +26,8 @@ void add_walls(const Loops& loops, bool marked, std::vector<polygon::Wall>& out)
     }
 }
 
-// The solid of a layer with open contours. Closed contours alone decide if none of them is guessed; otherwise the
-// winding number of the surface decides.
+// The solid of a layer with open contours. If too much of them is turned, parity decides. Else closed contours decide
+// alone if none of them is guessed; otherwise the winding number of the surface decides.
 Loops open_solid(const Sweep& sweep, std::size_t layer, Loops loops, std::vector<OpenContour> contours, Notes& notes) {
     std::vector<polygon::Wall> walls;
     add_walls(loops, true, walls);

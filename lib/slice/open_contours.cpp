@@ -274,8 +274,7 @@ Closed close_contours(std::vector<OpenContour> contours, const std::function<std
         const Vec2 at = contours.front().points.front();
         for (OpenContour& c : lids()) contours.push_back(std::move(c));
         contours = join(contours, mates_on_edges(contours), out, lid);
-        std::erase_if(contours,
-                      [](const OpenContour& c) { return c.lid >= length(c); }); // lids that no contour reached
+        std::erase_if(contours, [](const OpenContour& c) { return c.lid >= length(c); }); // lids left over
         if (lid > 0) tell(NoteCode::contour_over_hole, lid, at);
     }
     for (std::size_t before = 0; before != contours.size();) { // joined contours are longer, and allow wider openings

@@ -50,10 +50,10 @@ inline constexpr double kLift = 2.5e-3; // mm
 // has the requested height. A part lower than the first layer gets one level, cut at half of the part's own height,
 // with a note.
 //
-// With `adaptive`, a layer of height h leaves steps of h |n_z| on a surface whose unit normal has the vertical part n_z
-// (cusp height, Dolenc and Makela 1994). Each layer is the highest within the limits that keeps its steps below `cusp`.
-// The steepest 5 % of the area at one height and level faces do not count. Heights of neighbours differ by less than a
-// third.
+// With `adaptive`, a layer of height h on a surface leaves steps of h |n_z|, where n_z is the vertical part of the unit
+// normal (cusp height, Dolenc and Makela 1994). Each layer is the highest within the limits that keeps its steps below
+// `cusp`. The steepest 5 % of the area at one height and level faces do not count. Heights of neighbours differ by less
+// than a third.
 //
 // Throws Error(bad_input) for a part lower than half a layer, and for more than a million layers, or 100000 adaptive
 // ones. Throws Error(usage) if the limits of adaptive heights contradict each other.
