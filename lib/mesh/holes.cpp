@@ -97,8 +97,8 @@ Lids lids(Mesh& mesh) {
     for (const auto& rim : closed_rims(rims(mesh))) {
         double round = 0;
         Vec3 middle;
-        for (std::size_t i = 0; i < rim.size(); ++i) { // weighted with the lengths of both sides at the vertex, so that
-                                                       // densely sampled parts do not dominate
+        // weighted with the lengths of both sides at a vertex, so that densely sampled parts do not dominate
+        for (std::size_t i = 0; i < rim.size(); ++i) {
             const Vec3 &p = mesh.vertices[rim[i]], &q = mesh.vertices[rim[(i + 1) % rim.size()]];
             const double l = distance(p, q);
             round += l;
