@@ -16,10 +16,10 @@ namespace filum::slice {
 
 namespace {
 
-constexpr double kTold = 0.015;        // of the volume: larger differences are noted; 2 % less the error of the measure
-constexpr double kUncertain = 0.25;    // a point is undecided if its winding number is farther from a whole one
-constexpr std::size_t kPlanes = 256;   // planes that measure a part
-constexpr std::size_t kPoints = 64000; // points on all planes together, where contours are open
+constexpr double kTold = 0.015;            // of the volume: larger differences are noted; 2 % less the error
+constexpr double kUncertain = 0.25;        // a point is undecided if its winding number is farther from a whole one
+constexpr std::size_t kPlanes = 256;       // planes that measure a part
+constexpr std::size_t kPoints = 64000;     // points on all planes together, where contours are open
 constexpr std::size_t kFirstPlanes = 32;   // planes of the first pass, which tests if the part is a solid at all
 constexpr std::size_t kFirstPoints = 8000; // points of the first pass
 constexpr double kRows = 512;              // most rows across a plane
