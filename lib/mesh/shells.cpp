@@ -82,8 +82,8 @@ void face_whole_outwards(Mesh& mesh, std::vector<Shell>& shells, Notes& notes) {
     notes.push_back(turned_note(shells.size(), whole.volume));
 }
 
-// Finds the shells around a point, by rays along the axes. Each next point of a shell uses another direction, as a ray
-// may leave through a hole.
+// Finds the shells around a point, by rays along the axes. Successive points of a shell use different directions, as a
+// ray may leave through a hole.
 class Surroundings {
   public:
     Surroundings(const Mesh& mesh, const std::vector<std::uint32_t>& shell)
