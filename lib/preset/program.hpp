@@ -26,14 +26,14 @@ struct Job {
     std::map<std::uint32_t, double> filament{}; // mm, by tool
     std::uint32_t objects = 1;
     std::string input = "part";          // name of the part's file, without folder and extension
-    std::optional<std::int64_t> clock{}; // seconds since 1970; none: the clock of this computer
+    std::optional<std::int64_t> clock{}; // seconds since 1970; none: SOURCE_DATE_EPOCH, or now
 };
 
 class Program {
   public:
     // Throws Error(bad_input) for a flavour that Filum does not write, and for a bed with malformed corners.
     Program(const Preset& preset, Job job);
-    // Replaces the value of a setting, such as "temperature" by 230, in all items of a list.
+    // Sets a setting, in all items of a list, to `value` rounded to a whole number: "temperature" to 230.
     void set(const std::string& name, double value);
 
     // Each of these throws Error(bad_input) with the template, the line and the column of a fault.
