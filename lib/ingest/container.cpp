@@ -83,7 +83,7 @@ std::string_view program_in(std::string_view bytes, const std::string& name, std
     const std::string_view text = kept.empty() ? bytes : std::string_view(kept);
     if (is_binary(text))
         throw Error(Exit::bad_input, "cannot follow the program in " + name +
-                                         ": it is neither text nor binary G-code; export G-code, not a mesh");
+                                         ": it is not text and not binary G-code; export G-code, not a mesh");
     return text;
 }
 

@@ -47,7 +47,6 @@ class Settings {
     void resolve_shares();
     double width(const std::string& name, double nozzle) const;
     std::map<std::string, macro::Variable, std::less<>> variables_;
-    std::map<std::string, bool, std::less<>> shares_; // settings that are a percentage
 };
 
 } // namespace filum::preset
