@@ -41,7 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         planar::Input input;
         for (int k = 0; k < 2; ++k) {
             planar::add(beads, span);
-            planar::follow(input.course, span);
+            planar::follow(input.statistics, span);
             ++span.layer;
         }
         const auto layers = planar::measure_layers(beads, {}, 0, 1);
