@@ -37,7 +37,7 @@ struct MedialAxis {
 // (sites.hpp). Where the outline comes nearer to itself than a grid unit, the region may be grown by a micrometre,
 // rarely by more. Curved pieces are cut so that positions and radii between nodes are linear to `tolerance` mm. They
 // are also cut so that the radius rises or falls along each piece, and where its slope passes `slope`. Empty for a
-// region without area. Throws Error(failure) for a region wider than 100 m.
+// region without area. Throws Error(bad_input) for a region wider than 100 m.
 MedialAxis medial_axis(const Loops& region, double outline_tolerance, double tolerance, double slope);
 
 // The axis with nodes added on piece e at cuts[start[e]] .. cuts[start[e + 1]]. These are ascending shares in (0, 1) of

@@ -63,7 +63,8 @@ Sites on_grid(const Loops& loops, Vec2 origin) {
 Vec2 beside(const Loops& area) {
     const auto box = bounds(area);
     const double size = std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y);
-    if (size > kWidestRegion) throw Error(Exit::failure, "cannot fill a region wider than 100 m");
+    if (size > kWidestRegion)
+        throw Error(Exit::bad_input, "cannot fill a region wider than 100 m; check the unit of the part (--unit)");
     const auto snapped = [](double v) { return std::round(v * kGridPerMm) / kGridPerMm; };
     return {snapped(box.lo.x - size), snapped(box.lo.y - size)};
 }

@@ -24,7 +24,7 @@ struct Sites {
 // mm from the result. There are no straight angles and no repeated vertices, and two segments meet only at the vertex
 // between neighbours. Where simplifying would make the outline touch itself, fewer vertices are removed. Where the
 // outline touches itself in the input, the region is grown by kGrowBy, or by four, sixteen, ... times as much, until it
-// does not. Empty if nothing is left. Throws Error(failure) for a region wider than 100 m.
+// does not. Empty if nothing is left. Throws Error(bad_input) for a region wider than 100 m.
 Sites sites_of(const Loops& region, double tolerance);
 
 inline constexpr double kGrowBy = 0.001;   // mm: far below any bead, ten grid units
