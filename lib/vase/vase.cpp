@@ -109,6 +109,7 @@ void grow(std::vector<Vase>& vases, std::span<const Region> layer, const Options
     const auto tops = outlines(layer, left);
     std::vector<Loops> loops;
     std::vector<std::size_t> below(tops.size(), 0); // per outline: number of vases below
+    loops.reserve(tops.size());
     for (const Region* r : tops) loops.push_back(outer(*r));
     for (Vase& v : vases)
         for (std::size_t k = 0; k < tops.size(); ++k)
@@ -156,7 +157,7 @@ void lay_anew(std::vector<Region>& regions, const Options& o) {
 
 // The beads of a region above the floor, as an area.
 Loops band(const Region& r, const Options& o) {
-    const Loops plain = polygon::simplify(r.loops, kBeadArc);
+    Loops plain = polygon::simplify(r.loops, kBeadArc);
     if (r.areas.empty()) return plain;
     return polygon::subtract(plain, polygon::offset(plain, -static_cast<double>(o.walls) * o.bead_width, kBeadArc));
 }
