@@ -91,7 +91,8 @@ std::vector<std::size_t> wells_named(const Grid& grid, const std::string& names)
 }
 
 Vec2 middle(const Grid& grid, std::size_t index) {
-    const auto column = static_cast<double>(index % grid.columns), row = static_cast<double>(index / grid.columns);
+    const std::size_t rows_before = index / grid.columns;
+    const auto column = static_cast<double>(index % grid.columns), row = static_cast<double>(rows_before);
     return grid.shift + Vec2{(column - static_cast<double>(grid.columns - 1) / 2) * grid.pitch.x,
                              (static_cast<double>(grid.rows - 1) / 2 - row) * grid.pitch.y};
 }

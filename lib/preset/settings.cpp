@@ -160,7 +160,7 @@ std::vector<std::string> values_of_line(std::string_view name, std::string_view 
     const Key* key = key_of(name);
     const bool code = name.ends_with("gcode") || name.ends_with("notes");
     if (key == nullptr && !code) {
-        const auto items = comma_items(value);
+        auto items = comma_items(value);
         if (looks_like(name, items).type != Type::text) return items;
     }
     const bool list = key != nullptr && key->list;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 
 namespace filum::preset {
@@ -90,7 +91,7 @@ std::string machine_limits(const Settings& settings, Flavor flavor) {
         if (orca && name.starts_with("feedrate")) name.replace(0, 8, "speed");
         return settings.number("machine_max_" + name);
     };
-    const auto whole = [](double v) { return std::to_string(static_cast<long long>(v + 0.5)); };
+    const auto whole = [](double v) { return std::to_string(static_cast<long long>(std::floor(v + 0.5))); };
     const auto axes = [&](const std::string& name, double factor) {
         return " X" + whole(factor * value(name + "_x")) + " Y" + whole(factor * value(name + "_y")) + " Z" +
                whole(factor * value(name + "_z")) + " E" + whole(factor * value(name + "_e"));

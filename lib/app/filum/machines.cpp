@@ -143,7 +143,7 @@ int check_profile(const std::string& file) {
     const Profile profile = machine::load_profile(file);
     const auto found = surprises(profile, machine::profile_text(file));
     std::string out;
-    for (const std::string& one : found) out += file + ": " + one + "\n";
+    for (const std::string& one : found) out.append(file).append(": ").append(one) += '\n';
     if (found.empty()) out = file + ": nothing wrong or surprising\n";
     show(out);
     return found.empty() ? 0 : static_cast<int>(Exit::failure);
