@@ -4,11 +4,9 @@
 #include "polygon/simple.hpp"
 #include "regions/gaps.hpp"
 #include "regions/inradius.hpp"
-#include "regions/nesting.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace filum::regions {
 
@@ -18,7 +16,7 @@ using geom::Vec2;
 using polygon::Loops;
 using polygon::Parts;
 
-constexpr double kGrid = 1e4; // grid units per mm, as in polygon/clip
+constexpr double kGrid = polygon::kGridPerMm;
 
 Loops on_grid(const Loops& a) {
     Loops out;
@@ -34,47 +32,6 @@ Loops on_grid(const Loops& a) {
             out.points.resize(first);
         else
             out.close();
-    }
-    return out;
-}
-
-Vec2 lowest_left(std::span<const Vec2> loop) {
-    return *std::min_element(loop.begin(), loop.end(),
-                             [](Vec2 a, Vec2 b) { return a.y < b.y || (a.y == b.y && a.x < b.x); });
-}
-
-// The parts of strictly simple loops; nothing if the direction of a loop does not fit its place.
-std::optional<Parts> assemble(const Loops& loops, const std::vector<int>& parent) {
-    const std::size_t n = loops.size();
-    std::vector<char> hole(n);
-    for (std::size_t l = 0; l < n; ++l) hole[l] = polygon::signed_area(loops[l]) < 0 ? 1 : 0;
-    std::vector<std::size_t> outer;
-    std::vector<std::vector<std::size_t>> holes(n);
-    for (std::size_t l = 0; l < n; ++l) {
-        const int p = parent[l];
-        const bool in_material = p >= 0 && hole[static_cast<std::size_t>(p)] == 0;
-        if (in_material != (hole[l] != 0)) return std::nullopt;
-        if (hole[l] != 0)
-            holes[static_cast<std::size_t>(p)].push_back(l);
-        else
-            outer.push_back(l);
-    }
-    std::vector<Vec2> key(n);
-    for (const std::size_t l : outer) key[l] = lowest_left(loops[l]);
-    std::sort(outer.begin(), outer.end(), [&](std::size_t a, std::size_t b) {
-        return key[a].y < key[b].y || (key[a].y == key[b].y && key[a].x < key[b].x);
-    });
-    std::vector<int> place(n, -1);
-    for (std::size_t i = 0; i < outer.size(); ++i) place[outer[i]] = static_cast<int>(i);
-    Parts out;
-    for (const std::size_t l : outer) {
-        Loops part;
-        part.add(loops[l]);
-        for (const std::size_t h : holes[l]) part.add(loops[h]);
-        out.part.push_back(std::move(part));
-        const int around = parent[l]; // a hole, whose own parent is the outer loop around it
-        out.parent.push_back(around < 0 ? -1
-                                        : place[static_cast<std::size_t>(parent[static_cast<std::size_t>(around)])]);
     }
     return out;
 }
@@ -170,8 +127,7 @@ Parts outlines(const Loops& contours, double tolerance, double hairline, Notes& 
     if (!polygon::is_simple(loops)) loops = polygon::unite(loops);
     if (hairline > 0) close_gaps(loops, tolerance, hairline, notes);
     for (int attempt = 0; attempt < 3; ++attempt) {
-        if (const auto parent = regions::nesting(loops))
-            if (auto parts = assemble(loops, *parent)) return std::move(*parts);
+        if (polygon::is_simple(loops)) return polygon::split(loops);
         loops = polygon::unite(loops);
     }
     return mended(loops, notes);

@@ -1,5 +1,7 @@
 #include "slice/section.hpp"
 
+#include "polygon/simple.hpp"
+
 #include <algorithm>
 #include <bit>
 
@@ -7,7 +9,7 @@ namespace filum::slice {
 
 namespace {
 
-constexpr double kGrid = 1e4; // steps per mm, as in polygon/clip.hpp
+constexpr double kGrid = polygon::kGridPerMm;
 
 // The line where one triangle meets the plane: from one edge to another, solid on the left.
 struct Piece {
