@@ -1,35 +1,28 @@
-// Regular expressions with bounded cost.  Matching takes time proportional to pattern length times text length.
+// Regular expressions with bounded cost: RE2, which takes time proportional to the length of the text.
 #pragma once
 
-#include <bitset>
-#include <cstdint>
-#include <string>
+#include <memory>
 #include <string_view>
-#include <vector>
+
+namespace re2 {
+class RE2;
+}
 
 namespace filum::macro {
 
-// A pattern. It may hold characters, '.', [classes], \d \w \s \D \W \S \b \B, ^ $, groups, |, * + ? {n,m}. A dot
-// matches any character, including line ends.
+// A pattern in Perl's syntax, as RE2 has it: without look-arounds and back-references. A dot matches any character,
+// including line ends. Bytes are characters.
 class Regex {
   public:
-    // Throws std::invalid_argument with the fault: a bracket without its partner, or a look-around or back-reference,
-    // which are not supported. A pattern that repeats to more than 20,000 steps is a fault, too.
+    // Throws std::invalid_argument with the fault, such as a bracket without its partner, a look-around, or a pattern
+    // that repeats more than 1,000 times.
     explicit Regex(std::string_view pattern);
 
     // True if the pattern matches the whole text.
     [[nodiscard]] bool matches(std::string_view text) const;
 
-    enum class Op : std::uint8_t { set, split, jump, begin, end, boundary, no_boundary, done };
-    struct Step {
-        Op op = Op::done;
-        std::size_t a = 0, b = 0; // next steps; of a set, a is its number
-    };
-
   private:
-    friend class RegexCompiler;
-    std::vector<Step> steps_;
-    std::vector<std::bitset<256>> sets_;
+    std::shared_ptr<const re2::RE2> pattern_;
 };
 
 } // namespace filum::macro

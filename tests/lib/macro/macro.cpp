@@ -150,7 +150,7 @@ TEST(Macro, FaultsNameTemplateLineAndColumn) {
         {"{not 1}", "'not' needs a condition"},
         {"{-\"a\"}", "cannot calculate with"},
         {"{\"open}", "its closing \" is missing"},
-        {"{if \"a\" =~ /(/}x{endif}", "a '(' has no partner"},
+        {"{if \"a\" =~ /(/}x{endif}", "missing ): ("},
         {"{min(1)}", "min has 1 arguments; it takes 2"},
         {"{perimeters = 4}", "'perimeters' cannot be changed; it is a setting"},
         {"{new = 4}", "'new' is no known name; write 'local new = ...'"},
