@@ -8,13 +8,16 @@ namespace {
 
 constexpr double kHollow = 0.005; // |volume| over area^1.5 (a sphere has 0.094), below which a surface counts as flat
 constexpr double kUp = 0.1;       // mean z of the normals above which a surface faces up
-constexpr double kDown = -0.5;    // mean z of the normals below which a flat surface faces down
+constexpr double kDown = -0.5;    // mean z of the normals below which a surface faces down
+// Opening over area, above which a surface may be a concave part of a larger one, such as a fillet: 0.64 for half a
+// cylinder, 0.7 for an arc of 160 degrees, 0.9 for a quarter, 0.5 for half a sphere.
+constexpr double kOpen = 0.7;
 
 // Sums over the triangles of a component.
 struct Sums {
     double volume = 0; // six times the volume, with lids on all rims
     double area = 0;   // twice the area
-    double up = 0;     // twice: area seen from above minus area seen from below
+    Vec3 normals;      // twice the area times the normal: as large as the opening that its rims leave
     std::size_t rims = 0;
     std::uint32_t first = kNone; // its first vertex, the origin for volumes
 };
@@ -32,7 +35,7 @@ std::vector<Sums> sums(const Surface& s) {
         const Vec3 &a = s.vertices[i], &b = s.vertices[j], &c = s.vertices[k];
         const Vec3 n = cross(b - a, c - a);
         to.area += norm(n);
-        to.up += n.z;
+        to.normals = to.normals + n;
         add(to, a, b, c);
     }
     for (const Rim& rim : s.rims) {
@@ -48,8 +51,9 @@ std::vector<Sums> sums(const Surface& s) {
 
 bool faces_inwards(const Sums& c) {
     if (c.rims == 0) return c.volume < 0;
-    const double hollow = c.volume / 6 / std::pow(c.area / 2, 1.5), up = c.up / c.area;
-    return std::abs(hollow) > kHollow ? hollow < 0 && up < kUp : up < kDown;
+    const double hollow = c.volume / 6 / std::pow(c.area / 2, 1.5), up = c.normals.z / c.area;
+    if (up < kDown && hollow < kHollow) return true;
+    return hollow < -kHollow && up < kUp && norm(c.normals) < kOpen * c.area;
 }
 
 } // namespace

@@ -6,8 +6,9 @@
 namespace filum::surface {
 
 // The components that face inwards, as far as that can be determined: closed ones of negative volume; open ones that
-// have a negative volume with lids on their rims, unless they mostly face up, like a mould that is filled from above;
-// flat ones that mostly face down.
+// have a negative volume with lids on their rims and enclose it like half a cylinder or more, unless they mostly face
+// up, like a mould that is filled from above; others that mostly face down, unless their volume is positive. A concave
+// part of a larger surface, such as a fillet, is none.
 struct InwardArea {
     double area = 0; // mm2
     std::uint64_t components = 0;

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 using namespace filum;
 
 namespace facing {
@@ -16,6 +19,17 @@ surface::Surface dome(double high) { // 20 x 20 mm
     return surface::connect(surface::grid(20, 20, 10, 10, lift), notes);
 }
 
+// An upright cylinder of 10 mm radius, 20 mm high, that turns by `degrees` about z and faces its axis.
+surface::Surface inside_of_arc(double degrees) {
+    Notes notes;
+    const double turn = degrees * std::numbers::pi / 180;
+    const auto bend = [&](geom::Vec2 p) {
+        const double angle = p.x / 20 * turn;
+        return geom::Vec3{10 * std::cos(angle), 10 * std::sin(angle), 20 - p.y};
+    };
+    return surface::connect(surface::grid(20, 20, 40, 10, bend), notes);
+}
+
 } // namespace facing
 
 TEST(Facing, DomesAndSheetsThatFaceDownAreFound) {
@@ -26,6 +40,20 @@ TEST(Facing, DomesAndSheetsThatFaceDownAreFound) {
         EXPECT_NEAR(surface::inward(surface::flipped(s)).area, surface::area(s), 1e-9);
     }
     EXPECT_EQ(surface::inward(facing::dome(-5)).components, 0U) << "a bowl that is filled from above";
+}
+
+// From the shape alone, the inside of a fillet cannot be told from the outside of a ridge.
+TEST(Facing, AConcavePartFacesInwardsFromHalfATurnOn) {
+    for (const double degrees : {30, 60, 90, 120, 150}) {
+        const surface::Surface s = facing::inside_of_arc(degrees);
+        EXPECT_EQ(surface::inward(s).components, 0U) << degrees;
+        EXPECT_EQ(surface::inward(surface::flipped(s)).components, 0U) << degrees;
+    }
+    for (const double degrees : {180, 210, 270, 330}) {
+        const surface::Surface s = facing::inside_of_arc(degrees);
+        EXPECT_EQ(surface::inward(s).components, 1U) << degrees;
+        EXPECT_EQ(surface::inward(surface::flipped(s)).components, 0U) << degrees;
+    }
 }
 
 TEST(Facing, TurnedRoundTwiceItIsTheSame) {
