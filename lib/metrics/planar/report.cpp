@@ -136,8 +136,6 @@ const LayerFigures* worst_layer(const std::vector<LayerFigures>& layers) {
 void areas(const std::vector<LayerFigures>& layers, double claimed, Figures& out) {
     const Cover all = total(layers);
     if (all.area <= 0) return;
-    std::size_t crossed = 0;
-    for (const auto& l : layers) crossed += l.crossings;
     tell(out, "area_mm2", all.area);
     tell(out, "coverage", coverage(all));
     tell(out, "outside", all.outside() / all.area);
