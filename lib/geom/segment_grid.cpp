@@ -9,6 +9,20 @@ namespace {
 // The most entries of a grid: 4 million, or 24 for each segment.  A cell takes up to 36 bytes.
 constexpr double kMostEntries = 4e6, kMostEach = 24;
 
+// The box of segments, and their length in all.
+struct Extent {
+    Box2 box;
+    double length = 0;
+    explicit Extent(std::span<const Segment> segments) {
+        for (const Segment& s : segments) {
+            box.add(s.a);
+            box.add(s.b);
+            length += distance(s.a, s.b);
+        }
+    }
+    [[nodiscard]] Vec2 size() const { return box.hi - box.lo; }
+};
+
 // At most how many cells segments of this length in all lie in: each as many as it is long and a margin wide.
 double entries(double segments, double length, double margin, double cell) {
     return (length / cell + 2 * segments) * (2 * margin / cell + 2);
@@ -18,29 +32,18 @@ double entries(double segments, double length, double margin, double cell) {
 
 double cell_for(std::span<const Segment> segments, double least) {
     if (segments.empty()) return least;
-    Box2 box;
-    double length = 0;
-    for (const Segment& s : segments) {
-        box.add(s.a);
-        box.add(s.b);
-        length += distance(s.a, s.b);
-    }
-    if (!(length > 0)) return least;
-    const Vec2 size = box.hi - box.lo;
-    return std::max(least, std::min(size.x * size.y / length, length / static_cast<double>(segments.size())));
+    const Extent all(segments);
+    if (!(all.length > 0)) return least;
+    const Vec2 size = all.size();
+    return std::max(least, std::min(size.x * size.y / all.length, all.length / static_cast<double>(segments.size())));
 }
 
 SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell, double margin) : cell_(cell) {
     if (segments.empty()) return;
-    Box2 box;
-    double length = 0;
-    for (const Segment& s : segments) {
-        box.add(s.a);
-        box.add(s.b);
-        length += distance(s.a, s.b);
-    }
-    origin_ = box.lo;
-    const Vec2 size = box.hi - box.lo;
+    const Extent all(segments);
+    origin_ = all.box.lo;
+    const Vec2 size = all.size();
+    const double length = all.length;
     const auto n = static_cast<double>(segments.size());
     const double most = std::min(16e6, 64 + 8 * (n + length / cell));
     const auto blocks = [&](double mm) { return mm / (kSide * cell_) + 1; };

@@ -1,5 +1,7 @@
 #include "preset/table.hpp"
 
+#include "base/table.hpp"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -12,13 +14,6 @@ extern "C" const char filum_preset_keys[], filum_preset_keys_end[];
 namespace filum::preset {
 
 namespace {
-
-std::string_view cut(std::string_view& from, char at) {
-    const auto end = std::min(from.find(at), from.size());
-    const std::string_view out = from.substr(0, end);
-    from.remove_prefix(std::min(end + 1, from.size()));
-    return out;
-}
 
 // Sets the type of a key.  "floats" is a list of "float".
 void set_type(std::string_view word, Key& to) {
@@ -38,17 +33,10 @@ void set_type(std::string_view word, Key& to) {
 
 std::vector<Key> read() {
     std::vector<Key> out;
-    std::string_view all(filum_preset_keys, static_cast<std::size_t>(filum_preset_keys_end - filum_preset_keys));
-    while (!all.empty()) {
-        std::string_view line = cut(all, '\n');
-        if (line.empty() || line[0] == '#') continue;
-        Key key;
-        key.name = cut(line, '\t');
-        set_type(cut(line, '\t'), key);
-        key.of = cut(line, '\t');
-        key.usual = line;
-        if (key.of == "-") key.of = {};
-        if (key.usual == "-") key.usual = {};
+    const std::string_view all(filum_preset_keys, static_cast<std::size_t>(filum_preset_keys_end - filum_preset_keys));
+    for (const auto& row : table_rows(all)) {
+        Key key{.name = row.at(0), .type = Type::text, .list = false, .of = row.at(2), .usual = row.at(3)};
+        set_type(row[1], key);
         out.push_back(key);
     }
     std::ranges::sort(out, {}, &Key::name);

@@ -1,6 +1,7 @@
 #include "app/filum/slicer_table.hpp"
 
-#include <array>
+#include "base/table.hpp"
+
 #include <vector>
 
 // The assembler embeds the file FILUM_SETTINGS, which the build names, between two labels.
@@ -17,30 +18,16 @@ struct Line {
     SettingRow row;
 };
 
-std::string_view cut(std::string_view& from, char at) {
-    const auto end = std::min(from.find(at), from.size());
-    const std::string_view out = from.substr(0, end);
-    from.remove_prefix(std::min(end + 1, from.size()));
-    return out;
-}
-
 Use use_of(std::string_view word) {
     return word == "used" ? Use::used : word == "none" ? Use::none : word == "harm" ? Use::harm : Use::later;
 }
 
 std::vector<Line> lines() {
     std::vector<Line> out;
-    std::string_view all(filum_settings, static_cast<std::size_t>(filum_settings_end - filum_settings));
-    while (!all.empty()) {
-        std::string_view line = cut(all, '\n');
-        if (line.empty() || line[0] == '#') continue;
-        std::array<std::string_view, 8> cell;
-        for (auto& c : cell) {
-            c = cut(line, '\t');
-            if (c == "-") c = {};
-        }
-        out.push_back({cell[0], cell[1], {use_of(cell[2]), cell[3], cell[4], cell[5], cell[6], cell[7]}});
-    }
+    const std::string_view all(filum_settings, static_cast<std::size_t>(filum_settings_end - filum_settings));
+    for (const auto& row : table_rows(all))
+        out.push_back(
+            {row.at(0), row.at(1), {use_of(row.at(2)), row.at(3), row.at(4), row.at(5), row.at(6), row.at(7)}});
     return out;
 }
 
@@ -65,10 +52,6 @@ std::string_view word_of(Slicer slicer) {
     constexpr std::string_view kWords[] = {"unknown", "slic3r", "prusa", "super", "orca", "bambu"};
     return kWords[static_cast<std::size_t>(slicer)];
 }
-
-} // namespace
-
-namespace {
 
 const std::vector<Line>& table() {
     static const std::vector<Line> all = lines();
