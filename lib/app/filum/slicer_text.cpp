@@ -61,7 +61,11 @@ std::vector<SlicerSetting> all_settings(const std::string& text, Lines kind) {
 
 std::vector<SlicerSetting> json_settings(const std::string& text) {
     std::vector<SlicerSetting> out;
-    for (const auto& [key, value] : wire::json_values(text)) out.push_back({key, value});
+    for (const auto& [key, value] : wire::json_values(text)) {
+        if (key.empty())
+            throw Error(Exit::bad_input, "a setting of the JSON file has no name; write one before its ':'");
+        out.push_back({key, value});
+    }
     return out;
 }
 

@@ -31,7 +31,7 @@ std::vector<Section> sections(const std::string& text, Lines kind);
 std::vector<SlicerSetting> all_settings(const std::string& text, Lines kind);
 
 // The settings of a JSON object, sorted by key.  The items of a list have commas between them.  The result is empty if
-// the text is no JSON object.
+// the text is no JSON object.  Throws Error(bad_input) if a name is empty.
 std::vector<SlicerSetting> json_settings(const std::string& text);
 
 // Whether a text begins as a JSON object does.
