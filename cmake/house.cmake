@@ -1,4 +1,5 @@
-# lib/LAYERS and cmds/*.cpp are the only lists: a folder named there becomes a library, a file here a command.
+# lib/LAYERS and cmds/*.cpp are the only lists: a folder named there becomes a library, a file here a command.  What the
+# command's help says about it stands in the Markdown page beside its source.
 # The library of lib/a/b is filum_a_b.
 
 # Folders of which each program takes what it needs: compiled as one file they would bring all they stand on, such as
@@ -51,6 +52,21 @@ function(filum_link_included target source)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
 endfunction()
 
+# The description of a command, cli::kDescription, from the paragraphs of cmds/NAME.md below its title.
+function(filum_description name)
+    set(page ${CMAKE_SOURCE_DIR}/cmds/${name}.md)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page})
+    file(READ ${page} text)
+    string(REGEX REPLACE "^# ${name}\n\n" "" text "${text}")
+    string(REGEX REPLACE "\n$" "" text "${text}")
+    string(REGEX REPLACE "([^\n])\n([^\n])" "\\1 \\2" text "${text}")
+    file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/descriptions/${name}.cpp @ONLY CONTENT [=[
+#include "cli/command.hpp"
+const char* const filum::cli::kDescription = R"page(@text@)page";
+]=])
+    target_sources(${name} PRIVATE ${CMAKE_BINARY_DIR}/descriptions/${name}.cpp)
+endfunction()
+
 function(filum_commands)
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cmds/*.cpp)
     set(names)
@@ -59,6 +75,7 @@ function(filum_commands)
         add_executable(${name} ${source})
         target_compile_options(${name} PRIVATE ${FILUM_WARNINGS})
         filum_link_included(${name} ${source})
+        filum_description(${name})
         list(APPEND names ${name})
     endforeach()
     set(FILUM_COMMANDS ${names} PARENT_SCOPE)

@@ -14,15 +14,6 @@ namespace {
 
 using namespace filum;
 
-constexpr const char* kDescription =
-    "Writes several toolpaths as one, in the given order: a printed core first, then patches, or plies of one "
-    "surface. Strokes are numbered consecutively. Between two toolpaths the tool travels up along its axis by "
-    "--lift, across, and down. If the tool is tilted, it stands up there and crosses above everything printed so "
-    "far. Notes and facts of all stay, and the history names all of them.\n\n"
-    "--tools gives the machine's tool of each toolpath, such as 0,1 for a printed core and a patch of fibre on it. "
-    "--rotate and --translate move everything, like the same options of slice, for patches of a part that is printed "
-    "turned.";
-
 struct Options {
     toolpath::AssemblyOptions job;
     std::vector<double> rotate_deg{0, 0, 0}, translate{0, 0, 0}; // mm
@@ -32,7 +23,7 @@ cli::Spec spec(Options& o) {
     return {
         .name = "assemble",
         .synopsis = "put toolpaths into one job",
-        .description = kDescription,
+        .description = cli::kDescription,
         .in = cli::reads(stream::Payload::toolpath),
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "one toolpath",

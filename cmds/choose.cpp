@@ -20,31 +20,12 @@ struct Options {
     std::string algorithm = "best", weights = "coverage=1,load=1,angle=0.5,cuts=0.5,overlap=0.5", report, among;
 };
 
-constexpr const char* kDescription =
-    "Finds an algorithm of `surfpath`, and where it starts, for every surface of the stream, such as the patches of "
-    "a part. It writes the same surfaces with the algorithm, its sources and the distances from them. `surfpath` "
-    "follows this plan.\n\n"
-    "Candidates are rows (fina, fexa) along planes, and lines (ortheo) across them, in directions from the mean pull "
-    "of the patch on; its principal axes; lines that follow the pull; sides of its rims. Further candidates are "
-    "geo-contour, geo-fiso and hybrid within the rims, geo-spiral about its middle, and the plan that the patch came "
-    "with. First all candidates are judged by how much of the pull would run along such lines. The promising ones "
-    "are planned at twice the spacing, and the best --finals of them as asked.\n\n"
-    "The score is the mean, by --weights, of five terms from 0 to 1. Coverage is the share of the area within half a "
-    "bead of the path. Load is how much of the greatest pull of all load cases runs along the path: the greatest s1 "
-    "|t . d1| over the greatest s1, by length. Without stresses from `stressfield` there is no such term. Angle is 1 "
-    "less the mean of the greatest hundredth of angles at a quarter of the spacing, over 90 degrees. Cuts is 1 less "
-    "cuts times --cut-length over the length of the fibre. Overlap is 1 less the share of the fibre that lies on "
-    "fibre. Of equal scores the first candidate wins.\n\n"
-    "--report lists all candidates with their figures. A patch that no candidate fills goes on without an algorithm. "
-    "A note gives its area, and the command ends with 1. With --algorithm nothing else is tried, and the score is "
-    "that of the algorithm with the patch's sources.";
-
 cli::Spec spec(Options& o) {
     auto& plan = o.how.plan;
     return {
         .name = "choose",
         .synopsis = "choose the path of every patch of a surface",
-        .description = kDescription,
+        .description = cli::kDescription,
         .in = cli::reads(stream::Payload::surface),
         .out = cli::writes(stream::Payload::surface),
         .memory = "the patches, and windows of distance of one candidate per thread",

@@ -15,24 +15,6 @@ namespace {
 
 using namespace filum;
 
-constexpr const char* kDescription =
-    "Fills each connected region with bead lines and passes it on, in the order of the input. The default pattern is "
-    "a spiral: one closed curve per region that never crosses itself. Nested rings follow the outline at one bead "
-    "width. Where a wall is not a whole number of beads thick, the rings next to its middle share the difference. "
-    "Where a wall is thinner than a bead, two narrower lanes run along it, there and back. Stacks of rings are "
-    "joined as double spirals, and the others by pairs of short links. Corners and turns are rounded, so sharp turns "
-    "remain only at the ends of walls, at centres and where rings branch. --method sun2019 builds the spiral as in "
-    "the 2019 paper, without repairs, for comparison.\n\n"
-    "zigzag and spiral+zigzag (rings outside, rows inside) also give one closed curve per region. contour and "
-    "contour+zigzag leave the rings separate. rectilinear makes separate lines, like an ordinary slicer.\n\n"
-    "scaffold leaves pores. Each region is one open curve of strands at --spacing. It turns half a bead inside the "
-    "outline, and begins where the layer below ended. Holes and notches that interrupt strands are passed along the "
-    "boundary. Where that repeats a turn, both share one bead's width. --rings adds rings around the strands to the "
-    "same curve. Strands of a column stay in line from layer to layer, centred in its first region.\n\n"
-    "Every bead has its width, point by point. The machine extrudes width times layer height times length. The area "
-    "that no bead reaches (corners, tips) is the unplaced area in each region's frame. Beads narrower than "
-    "--min-width are printed, and a note reports them.";
-
 constexpr const char* kThin = "walls of a spiral thinner than a bead. lanes: two lanes, there and back; half-height: "
                               "there at half the layer's height and back on top, where lanes would be below "
                               "--min-width; single: one pass, where the curve may have two ends";
@@ -100,7 +82,7 @@ std::vector<cli::Option> options(Options& all) {
 cli::Spec spec(Options& all) {
     return {.name = "fill",
             .synopsis = "bead lines that fill each region",
-            .description = kDescription,
+            .description = cli::kDescription,
             .in = cli::reads(stream::Payload::regions),
             .out = cli::writes(stream::Payload::paths),
             .memory = "one region per thread, and outlines filled before, up to 32 MB",

@@ -10,36 +10,11 @@ using namespace filum;
 using app::laminate::Options;
 using cli::Option;
 
-constexpr const char* kDescription =
-    "Makes a stack of plies on a surface. Each ply consists of the lines of `surfpath field` at its angle from the "
-    "reference direction, counter-clockwise as seen from the side that the surface faces. It lies on the surface "
-    "raised by the true distance of the plies below it. So grooves become narrower and corners round; a groove "
-    "without room for a ply is a note. The toolpath has a layer per ply, beginning with 0.\n\n"
-    "--plies gives the angles from the surface outwards, and --symmetric adds the same in reverse. --table FILE "
-    "describes each ply: its first line names columns, out of angle, spacing, height, tool, side (over, or under for "
-    "the surface's back) and within, and a line per ply follows. Missing columns are as the options say. A note "
-    "reports a stack that is not symmetric about its middle, or has more plies of one angle than of its opposite.\n\n"
-    "A ply need not cover everything. The column within says where it lies: 'all'; 'faces:3,4', faces of the CAD "
-    "model by number; or a file of closed curves on or near the surface. Such a file has points as for `geodesic "
-    "--source-lines`, with the ply to their left as seen from the side that the surface faces. Plies above step down "
-    "beside its end over one spacing, or as gently as --ramp 1:20 asks. Then edges of plies that end within each "
-    "other are moved apart as far as necessary; a note reports edges that cannot move.\n\n"
-    "--turn-outside lets plies continue over the surface's rims and turn there, as surfpath does. Three radii and "
-    "half a spacing leave room for turns at any slant. Holes and notches without room for that are covered, to be "
-    "cut out, with a note. Where a ply ends within the part, it turns on it.\n\n"
-    "Plies of one direction are shifted by shares of a spacing. Their births lie beside each other, so that gaps do "
-    "not lie over gaps (--stagger=false: not). Facts give the thickness at points (mean, least, most, the thinnest "
-    "and the thickest hundredth) and as means about a bead's width ('even'). For each ply they give cuts, length, "
-    "the shares of the area under no bead and under two or three, the gap that ninety-nine hundredths of the area "
-    "stay below, and how far the fibres are off the angle, including turns. 'metrics --surface' shows them. --map "
-    "writes the surface with all of it at every point, as 'metrics --map' does. 'render --by thickness map.surface' "
-    "draws it, and 'render map.surface -o map.vtp' is for ParaView.";
-
 cli::Spec spec(Options& o) {
     return {
         .name = "laminate",
         .synopsis = "plies at angles to a direction, one on the other",
-        .description = kDescription,
+        .description = cli::kDescription,
         .in = cli::reads(stream::Payload::surface),
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "the model and all plies",

@@ -14,33 +14,6 @@ namespace {
 
 using namespace filum;
 
-constexpr const char* kDescription =
-    "Joins the curves of all regions into one toolpath with as few stops as possible. A stretch printed without a "
-    "stop is a stroke.\n\n"
-    "Regions are printed in the order of the input. Where `sequence` planned that a stroke continues upwards, link3d "
-    "cuts the closed curve open at the best entry point and raises the nozzle on the spot. A jog connects the two "
-    "ends: a short bead of half width. Jogs never cross another bead. If the next curve is out of reach of a jog, "
-    "the current curve ends with a lane: an extra pass between two of its own beads that leads to a point within "
-    "reach. The two beads are narrowed, so the amount of material does not change. Entry points shift gradually "
-    "towards the next regions, which keeps lanes rare.\n\n"
-    "Several curves of one region are printed nearest first and joined by jogs. Where no jog is possible the stroke "
-    "breaks: the nozzle travels, level or raised above everything that the head could touch.\n\n"
-    "--interlace keeps the starts of neighbouring layers at least three bead widths apart: at two places in turn, "
-    "spread by the golden section, or at random. A lane leads from the end of each layer to beneath the next start; "
-    "with --seam inside only to places where beads on both sides hide it. A start that cannot move is reported. Open "
-    "curves begin at their two ends in turn.\n\n"
-    "--lift ramp begins a layer by rising along its curve, at most 1 in 20 and over at least five beads, as thick as "
-    "the gap below. Its end lies on that ramp with the remaining thickness. So there is no blob, and the next layer "
-    "begins further along. --lift helical raises z evenly along each layer of a column whose single curves lie on "
-    "each other; the last lap is flat. Other layers get ramps.\n\n"
-    "A region in another place is reached by a break. With --connect outside a connector around everything printed "
-    "leads there, to be trimmed later. It is thin at both ends, where it breaks off, and follows the same way in all "
-    "layers, so that connectors stack to a fin. With --connect inside, a thin strand leads straight to a region of "
-    "the same layer. Both must cross nothing, and the head must touch nothing; otherwise there is a break, which is "
-    "reported.\n\n"
-    "--links sun2019 reproduces the method of the 2019 paper for comparison: closed curves begin on the main axis of "
-    "their points, and layers and parts are linked straight or around the box of all, unchecked.";
-
 struct Options {
     link3d::Options link;
     std::string seam = "nearest";
@@ -97,7 +70,7 @@ cli::Spec spec(Options& o) {
     return {
         .name = "link3d",
         .synopsis = "curves to one toolpath",
-        .description = kDescription,
+        .description = cli::kDescription,
         .in = cli::reads(stream::Payload::paths),
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "the regions it looks ahead; all of them with --connect inside or outside, or --links sun2019",

@@ -9,39 +9,6 @@ namespace {
 
 using namespace filum;
 
-constexpr const char* kDescription =
-    "Counts and measures a toolpath from its moves alone: strokes, stops, breaks and joins, lengths, print time and "
-    "material, crossings, bead widths and directions, sharp turns, and the distance between the starts of "
-    "neighbouring layers. With --regions it also measures coverage, area outside, overlaps, and the worst layer and "
-    "region. It uses no claim of a stage. The facts and notes of earlier stages are listed at the end. "
-    "docs/metrics.md lists the keys of JSON and TSV. The output of fill can be measured, too: each curve counts as "
-    "printed by itself.\n\n"
-    "A stop is a move of more than 0.05 mm in XY without extruding. A stroke ends at a stop, or where the nozzle "
-    "rises by more than two layers without extruding. A bead is a straight stretch with round ends, as wide as its "
-    "moves say; it belongs to the layer that it rises to. Shares refer to the outlines' area. Coverage is the area "
-    "under beads. Outside is the area of beads outside the outlines, including connectors. Overfill is the sum of "
-    "length times cross-section, divided by the layer's height, less the area under beads. In the air is the part "
-    "that no bead of the layer below carries: a bead carries up to half a bead beside it, and the lowest layer lies "
-    "on the bed. Crossings are pairs of moves of one layer that properly cross and do not follow each other. A move "
-    "over another that shares at most a tenth of the layer with it does not cross it.\n\n"
-    "Sharp turns follow the authors of the Connected Fermat Spirals: the path cuts a disc with the radius of one "
-    "bead width in two, and the turn is sharp if the smaller part is below 0.3 of the disc. Areas are swept by rows "
-    "with exact ends: their spacing shows in about the fourth digit. The print time assumes trapezoidal speeds with "
-    "look-ahead. A job of several tools, or with the fibre of --machine, is also reported tool by tool.\n\n"
-    "--pores is for scaffolds. It measures porosity by extruded volume, by covered area, and as 1 - width / spacing "
-    "of an endless lattice; strands and their spacing; pore size, the largest circle in each window of a layer and "
-    "those that cross it; and throats, the largest balls that fall straight through, or roll between two strands.\n\n"
-    "--surface names a Surface stream that the path lies on; figures of layers are left out then. It measures the "
-    "four criteria of Kipping et al. 2022 as printed, marked 'paper', and corrected ones beside them. These are cuts "
-    "and lengths of fibre; geodesic and normal curvature, against the limit of the fibre; coverage within half a "
-    "bead's width of the path along the surface, from exact distances; overlap, the largest void, and the gaps "
-    "between neighbours; and how well the path follows the stress of every load case in the stream. "
-    "docs/surface-metrics.md defines each figure. --voids writes the surface with the distance from the path, for "
-    "render; farther than half a bead is not covered.\n\n"
-    "--map writes the surface with the beads at every point, and reports ply by ply: thickness, uncovered area with "
-    "its distance from a bead, overlaps, and how far beads leave their direction. This is the angle of `laminate`, "
-    "else the surface's field 'direction', else the pull of its first load case.";
-
 cli::Spec spec(app::metrics::Options& all) {
     using cli::Option;
     metrics::planar::Options& o = all.plane;
@@ -49,7 +16,7 @@ cli::Spec spec(app::metrics::Options& all) {
     return {
         .name = "metrics",
         .synopsis = "measure a finished toolpath, or the curves of a fill",
-        .description = kDescription,
+        .description = cli::kDescription,
         .in = cli::reads(stream::Payload::unknown),
         .out = cli::text("a table, TSV or JSON"),
         .memory = "the toolpath at 20 bytes per segment, and the outlines; with --surface the model and its windows",

@@ -10,25 +10,6 @@ namespace {
 using namespace filum;
 using cli::Option;
 
-constexpr const char* kDescription =
-    "Divides surfaces into patches whose directions and normals stay near their mean. It writes a surface for each, "
-    "the greatest first, named A, B, C and so on, with all fields. Triangles are split where smooth borders cross "
-    "them. A surface with a name is a patch already and passes unchanged, so patches of several origins can be "
-    "combined. With --as-is surfaces without a name pass, too.\n\n"
-    "Directions are those of the greatest principal stress in the tangent plane, from `stressfield`, or of --field. "
-    "At each place the load case that pulls most counts. Directions have no arrow. They count less where there is "
-    "little load. Where there is none, or where it points out of the surface, they are continued from around. "
-    "Without stresses, or with --by shape, only normals count.\n\n"
-    "Neighbouring places merge while a patch's directions keep to --angle and its normals to --bend, except for a "
-    "twentieth of the patch, or until --patches are left. Then borders move to where they are short, patches are "
-    "even, and few strong directions are cut. Some borders always exist: edges that bend more than --crease, edges "
-    "between CAD faces with --faces, and lines drawn onto the surface by --seam. --seam is a text of points with "
-    "three numbers a line; an empty line separates two lines of points. A line that ends within a patch stays a "
-    "slit.\n\n"
-    "Patches below --min-area are joined to a neighbour. Patches without a neighbour are left out, and so are parts "
-    "with less load than --mask. Notes give place and area of both. For each patch, facts give its area, the mean "
-    "cosine between directions and their mean (coherence), and the angle and bend that 95 % of it stay below.";
-
 std::vector<cli::Option> options(app::partition::Options& o) {
     using cli::Option;
     return {
@@ -84,7 +65,7 @@ cli::Spec spec(app::partition::Options& o) {
     return {
         .name = "partition",
         .synopsis = "divide a surface into patches in which fibres can go one way",
-        .description = kDescription,
+        .description = cli::kDescription,
         .in = cli::reads(stream::Payload::surface),
         .out = cli::writes(stream::Payload::surface),
         .memory = "the surfaces, and some hundred bytes per vertex",

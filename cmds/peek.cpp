@@ -12,20 +12,7 @@ cli::Spec spec(app::peek::Options& o) {
     return {
         .name = "peek",
         .synopsis = "show or verify what is in a stream",
-        .description =
-            "Reads a whole stream of any kind, from a file or standard input. It prints its payload, its history with "
-            "all "
-            "settings, and a summary: the number of frames, points, layers and strokes, areas, bounds, facts, and the "
-            "sums "
-            "of the notes. Notes report everything that stages dropped, repaired or could not place, each with its "
-            "grade and "
-            "code (docs/notes.md).\n\n"
-            "The stream is verified as it is read: the preamble, every frame and its values, the checksum, and the end "
-            "frame. A stream whose writer did not finish ends with exit code 4, and a corrupt one with 3. --check only "
-            "verifies and prints nothing else.\n\n"
-            "--text prints every frame in a form made for grep and diff, --json the same for programs, and --script "
-            "the "
-            "pipeline that made the stream. If a stream is cut or corrupt, they print everything before the fault.",
+        .description = cli::kDescription,
         .in = cli::reads(stream::Payload::unknown),
         .out = cli::text("text or JSON"),
         .memory = "one frame",

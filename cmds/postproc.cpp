@@ -10,40 +10,11 @@ namespace {
 
 using namespace filum;
 
-constexpr const char* kDescription =
-    "Writes the program that a machine runs: every bead as moves with their own material, every break as a travel "
-    "with the profile's retraction and lift. Within a stroke every move deposits material, and nothing is retracted. "
-    "Material is exact: rounding errors go into the next move. A stretch within --path-tolerance of one move, "
-    "straight or (with format.arcs) an arc, becomes that move; the section of a bead stays within 5 %.\n\n"
-    "The output's ending chooses its form. part.bgcode is binary G-code, with tables of settings and the pictures of "
-    "--thumbnails. part.gcode.3mf is a print file of Bambu Studio: the program with its MD5 sum, pictures of the "
-    "plate, time, weight, and the places of the parts. Anything else is text.\n\n"
-    "The toolpath is read to its end first. The head of the program needs the time and the material, the part is "
-    "centred on the bed, and limits are checked. So a toolpath that is cut short or breaks a limit gives no program "
-    "at all. A program cut short later (a full disk, a killed process) lacks its last line, 'end of program'.\n\n"
-    "A machine is a TOML file: NAME.toml in the folders of $FILUM_PROFILES or in share/filum/profiles, or any file "
-    "given by its path. Copy the nearest one and edit it; its comments explain each key. Known are marlin, klipper, "
-    "reprapfirmware, linuxcnc (filament), cellink-inkredible and bio-x (valves), syringe. A bead above "
-    "limits.section or a place off the bed is an error. Feeds are lowered to keep limits.flow and "
-    "motion.max_speed_z.\n\n"
-    "A profile with a section [kinematics] has rotary axes (linuxcnc-xyzac, linuxcnc-xyzbc, linuxcnc-head-table, "
-    "linuxcnc-head-head, polar-xzbc, open5x-duet, klipper-xyzac). The tool follows the toolpath's normals. The "
-    "numbers are the tip in the part's frame, or the positions of the axes, cut so fine that the tip keeps to its "
-    "line; the program's head says which. The axes travel as little as possible over a stroke that keeps their "
-    "limits. Where none can continue, the stroke is broken and the axes unwind in the air. A note and the fact "
-    "'unwinds' report it. Near upright the tool may lean a little. kuka-krl, abb-rapid and ur write tool frames. A "
-    "place that the axes cannot reach is an error.\n\n"
-    "A profile with a section [fibre] (fibre-marlin, fibre-xyzac) uses continuous fibre for one of the tools of "
-    "'assemble --tools'. A stroke is anchored slowly, then pulled or fed. It is cut as far before its end as the "
-    "cutter is from the nozzle. A stroke too short for that is an error with its place, or left out (--short).\n\n"
-    "Templates in the profile contain the codes of the start, the end, and each layer. {names} in them stand for "
-    "numbers: every name of the profile's [values], and those that marlin.toml lists, such as {x_min} or {layer}.";
-
 cli::Spec spec(postproc::Options& o) {
     return {
         .name = "postproc",
         .synopsis = "a toolpath to machine code",
-        .description = kDescription,
+        .description = cli::kDescription,
         .in = cli::reads(stream::Payload::toolpath),
         .out = cli::text("machine code"),
         .memory = "some spans and half a million moves; what else arrives is kept, beyond 48 MiB in a temporary file "

@@ -12,51 +12,27 @@ namespace {
 using namespace filum;
 
 cli::Spec spec(regions::Options& o) {
-    return {
-        .name = "regions",
-        .synopsis = "split layers into connected regions and find how they lie on each other",
-        .description =
-            "Simplifies the contours of every layer, once for the whole pipeline. A point is removed if it lies within "
-            "--tolerance of the remaining outline. Afterwards no two edges cross; outlines that meet are united.\n\n"
-            "A hairline is the width of the gap that two beads close when they flow together: 0.107 of the bead width, "
-            "or "
-            "--hairline. Narrower gaps are closed, and a region that is nowhere as wide is left out, both with a note. "
-            "Regions of two layers whose common area is nowhere as wide do not rest on each other. So the same part "
-            "gives "
-            "the same regions with any triangles.\n\n"
-            "Each connected area becomes one region: an outer loop and its holes, with its area, its bounding box, the "
-            "region whose hole contains it, and its overlaps with the regions of the layer below. An overlap has a "
-            "common "
-            "area, a radius that certainly fits into it, and a mark whether a stroke can climb there. It can if a "
-            "circle of "
-            "half a bead's diameter fits into the common area, or, between walls thinner than a bead, one of half the "
-            "thinner wall's.\n\n"
-            "Material farther than half a bead from the layer below hangs in the air. Each region contains this area. "
-            "One "
-            "line on standard error gives the sum and the worst place, with the longest bridge: the shortest straight "
-            "way "
-            "over it that is carried at both ends, or how far it hangs over. The first layer lies on the bed.\n\n"
-            "Layers higher than a bead is wide, and beads wider than the part, are refused. So are layers that need "
-            "more "
-            "beads than memory holds: 25 million squares of a bead's width.",
-        .in = cli::reads(stream::Payload::layers),
-        .out = cli::writes(stream::Payload::regions),
-        .memory = "17 layers",
-        .options = {cli::Option{"bead-width", &o.bead_width, "MM",
-                                "width of a bead; it decides where a stroke can climb"}
-                        .within(0.01, 100)
-                        .a_limit(),
-                    cli::Option{"tolerance", &o.tolerance, "MM",
-                                "how far a removed contour point may lie from the outline"}
-                        .within(0, 1)
-                        .a_limit(),
-                    cli::Option{"hairline", &o.hairline, "MM",
-                                "narrower gaps, walls and contacts do not count; 0: 0.107 of the bead width"}
-                        .within(0, 10)
-                        .a_limit()},
-        .examples = {{"slice part.stl | regions > part.regions", "the regions of a part"},
-                     {"slice part.stl | regions --bead-width 0.8 | peek", "for a wide nozzle; what came out"}},
-        .see_also = {"slice", "sequence", "fill"}};
+    return {.name = "regions",
+            .synopsis = "split layers into connected regions and find how they lie on each other",
+            .description = cli::kDescription,
+            .in = cli::reads(stream::Payload::layers),
+            .out = cli::writes(stream::Payload::regions),
+            .memory = "17 layers",
+            .options = {cli::Option{"bead-width", &o.bead_width, "MM",
+                                    "width of a bead; it decides where a stroke can climb"}
+                            .within(0.01, 100)
+                            .a_limit(),
+                        cli::Option{"tolerance", &o.tolerance, "MM",
+                                    "how far a removed contour point may lie from the outline"}
+                            .within(0, 1)
+                            .a_limit(),
+                        cli::Option{"hairline", &o.hairline, "MM",
+                                    "narrower gaps, walls and contacts do not count; 0: 0.107 of the bead width"}
+                            .within(0, 10)
+                            .a_limit()},
+            .examples = {{"slice part.stl | regions > part.regions", "the regions of a part"},
+                         {"slice part.stl | regions --bead-width 0.8 | peek", "for a wide nozzle; what came out"}},
+            .see_also = {"slice", "sequence", "fill"}};
 }
 
 void run(const regions::Options& options, const cli::Io& io) {

@@ -10,33 +10,12 @@ namespace {
 
 using namespace filum;
 
-constexpr const char* kDescription =
-    "Draws a toolpath in perspective, every bead with its width and height, lit so that neighbouring beads can be "
-    "distinguished. With --layer it draws one layer flat from above. There, voids are red if --regions gives the "
-    "outlines, and overlaps are dark. Layers and Regions are drawn as solids, with --layer as filled outlines.\n\n"
-    "Colours show the place of a bead along the program (progress), its stroke, layer or width, the feed of a "
-    "machine, or its class. In a layer, green dots mark the beginning of a stretch, red ones its end and orange ones "
-    "lifts. Thin lines are moves without material.\n\n"
-    "A Surface is drawn as a map with a scale, its rims, its isolines and the field --by; its back is bluish. With "
-    "--surface a toolpath lies on it, on the side of its normals, later layers over earlier ones, with breaks as "
-    "grey lines. Path beside the surface, such as turns beyond its rims, is thin. --voids shows red where the "
-    "surface is farther than half a width (and 2 % of it) from the middle of all beads.\n\n"
-    "With --collisions the head stands where it comes in deepest (red), among the beads printed until then and "
-    "--part; other places are orange. The picture shows it from the best side, in full and close by.\n\n"
-    "A name that ends in .svg, or --svg, gives a layer as SVG in mm with true stroke widths. A name that ends in "
-    ".vtp writes a Toolpath, or a Surface with its fields, for ParaView. Equal input gives equal bytes.\n\n"
-    "A name that ends in .html makes a report: one page that opens from disk, without a network. It shows the stream "
-    "in three dimensions, with sliders along the path and over the layers, a choice of colours, and a layer from "
-    "above. Travels, stops, notes and collisions are lists; a click flies to the place. The page also shows figures "
-    "(--figures: a file of 'metrics --format tsv') and the pipeline that made the stream. --regions adds the "
-    "outlines, --surface the surface below the path, and --beside a second stream whose view follows the first one's.";
-
 cli::Spec spec(render::Options& o) {
     using cli::Option;
     return {
         .name = "render",
         .synopsis = "draw a picture of any stream",
-        .description = kDescription,
+        .description = cli::kDescription,
         .in = cli::reads(stream::Payload::unknown),
         .out = cli::text("a PNG picture, SVG, VTP or an HTML page"),
         .memory = "the model",

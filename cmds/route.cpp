@@ -9,25 +9,11 @@ namespace {
 
 using namespace filum;
 
-constexpr const char* kDescription =
-    "Finds a way for every travel between two strokes on which the head touches nothing: no earlier bead, none of "
-    "the meshes of --part and --fixture, and with --bed not the bed at z = 0. These are the obstacles and the head "
-    "of `collide`. The tool rises along its own axis by at least --lift, turns only on the way across, and descends "
-    "along the axis of the next stroke. Three ways are tried, and the shortest free one is taken: straight across, "
-    "as low as possible over the obstacles, or around them. These travels carry normals, and postproc follows them "
-    "exactly.\n\n"
-    "With --tilt the tool may also lean off its normals by so many degrees, where the head touches something along a "
-    "stroke: as little as frees it, and no faster along the path than --tilt-rate. Places and material of the path "
-    "stay. --leaning lists the strokes.\n\n"
-    "The result is checked as `collide` does, with the least clearances as facts. If the head still touches "
-    "something, route ends with 1 and gives the place; with --strict=false it continues with a note. --places lists "
-    "all such places.";
-
 cli::Spec spec(app::route::Options& o) {
     using cli::Option;
     return {.name = "route",
             .synopsis = "lead the head past what it would meet",
-            .description = kDescription,
+            .description = cli::kDescription,
             .in = cli::reads(stream::Payload::toolpath),
             .out = cli::writes(stream::Payload::toolpath),
             .memory = "the toolpath at 1000 bytes per move, meshes at 150 per triangle",

@@ -28,35 +28,7 @@ cli::Spec spec(Options& o) {
     return {
         .name = "sequence",
         .synopsis = "order the regions of all layers so that few strokes print them",
-        .description =
-            "Orders all regions of all layers in few strokes. A stroke climbs without a stop from a region to one "
-            "above it, "
-            "where 'regions' found that it can. Two rules restrict it: a region must wait for those that carry it, and "
-            "the "
-            "head must not touch printed regions. A region that begins in the air waits for all lower regions of its "
-            "part. "
-            "So a column is climbed until the head would come too close to its neighbours; then another one catches "
-            "up. "
-            "Layer by layer is always possible, and the result is never worse than that.\n\n"
-            "The head is a flat tip, a cone, the carriage as a box around the nozzle and parallel to the axes, and the "
-            "gantry, above which nothing may stand. Distances are those of the outlines, edge to edge.\n\n"
-            "The smallest number of strokes is hard to compute in general. Orders are searched and lower bounds proven "
-            "in "
-            "turns until they meet or --budget is used up. The order, the strokes and the joins are written into the "
-            "regions. Facts travel with the stream, and --report prints them: the planned strokes; the best lower "
-            "bound, "
-            "which no order can beat under the same head (lower-bound), and what proved it; the gap between both in "
-            "percent "
-            "of the strokes; the minimum by the links alone (path-cover) and layer by layer (layer-floor); and the "
-            "number of "
-            "strokes that end for each cause.\n\n"
-            "The causes are: top, no link leads on; taken, the region ahead continues another stroke; support, it also "
-            "rests "
-            "on a region that is printed later; tip, cone, carriage, gantry, this part of the head would touch a "
-            "region that "
-            "is printed later; open, the order goes on elsewhere. --ends lists every end with its place, the region "
-            "ahead, "
-            "the region that this one waits for, and their distance in height and aside.",
+        .description = cli::kDescription,
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
         .memory = "the whole graph",

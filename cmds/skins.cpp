@@ -44,48 +44,19 @@ std::vector<cli::Option> options(Options& all) {
 }
 
 cli::Spec spec(Options& all) {
-    return {
-        .name = "skins",
-        .synopsis = "what of each region must be solid, and what is filled in part",
-        .description =
-            "Marks the parts of each region that get sparse infill. Top and bottom surfaces stay solid, --top and "
-            "--bottom "
-            "layers deep. So do --walls rings inside the outline, and parts narrower than two beads. 'fill' then makes "
-            "one "
-            "curve of walls, skins and sparse infill in each region. A region without sparse parts is filled as if "
-            "this "
-            "stage were absent, and with --infill 100% this applies to all.\n\n"
-            "Skins reach over sparse parts by half the distance between two lines, so that a line lies under each. "
-            "Where "
-            "lines are farther apart than --bridge, those of the two layers under a skin lie nearer to each other.\n\n"
-            "Where a skin spans more than --bridge over air, 'fill' prints it in rows along the direction whose "
-            "longest row "
-            "is the shortest. Such beads have the class bridge, with a feed, flow and fan of their own in the "
-            "machine's "
-            "profile.\n\n"
-            "--infill is a share of volume. The spacing of the lines is chosen so that all material in sparse parts, "
-            "including links, is that share of them. Parts under skins, with their denser lines, do not count. The "
-            "spacing "
-            "is a fact. Lines lie in the same places in all layers, so they rest on each other. Rows run at 45 and 135 "
-            "degrees in turn, waves are the lines of a gyroid, and concentric lines follow the walls.\n\n"
-            "A --modifier is a body with other settings inside, such as a denser infill around a screw. It is a mesh "
-            "in the "
-            "coordinates of the part's file, and 'slice' scales, turns and moves it with the part. A wall separates it "
-            "from "
-            "the rest. With fewer walls in the body, the other walls follow its border; with more, they run inside it. "
-            "Another bead width applies to everything except the outer wall. Where several bodies overlap, the last "
-            "one "
-            "counts. A body that does not touch the part is a note.",
-        .in = cli::reads(stream::Payload::regions),
-        .out = cli::writes(stream::Payload::regions),
-        .memory = "the whole part",
-        .options = options(all),
-        .groups = {{"sparse parts", {"infill", "infill-pattern", "solid-below"}},
-                   {"walls and skins", {"walls", "top", "bottom", "bridge"}}},
-        .examples = {{"slice part.stl | regions | skins > part.regions", "two walls, four skins, 15 % inside"},
-                     {"slice part.stl | regions | skins --infill 30% --walls 3 | sequence | fill > part.paths",
-                      "stronger"}},
-        .see_also = {"regions", "sequence", "fill"}};
+    return {.name = "skins",
+            .synopsis = "what of each region must be solid, and what is filled in part",
+            .description = cli::kDescription,
+            .in = cli::reads(stream::Payload::regions),
+            .out = cli::writes(stream::Payload::regions),
+            .memory = "the whole part",
+            .options = options(all),
+            .groups = {{"sparse parts", {"infill", "infill-pattern", "solid-below"}},
+                       {"walls and skins", {"walls", "top", "bottom", "bridge"}}},
+            .examples = {{"slice part.stl | regions | skins > part.regions", "two walls, four skins, 15 % inside"},
+                         {"slice part.stl | regions | skins --infill 30% --walls 3 | sequence | fill > part.paths",
+                          "stronger"}},
+            .see_also = {"regions", "sequence", "fill"}};
 }
 
 } // namespace

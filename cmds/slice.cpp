@@ -11,30 +11,6 @@ namespace {
 using namespace filum;
 using cli::Option;
 
-constexpr const char* kDescription =
-    "Reads a mesh from a file or standard input and cuts it at the mid-height of each layer. A face at exactly that "
-    "height counts as below it. The kind of file is recognised by its content: STL (binary or ASCII), OBJ, PLY "
-    "(ASCII or binary), OFF, 3MF with its unit, components and build items, and STEP if the build has OpenCASCADE.\n\n"
-    "The part is scaled, turned, moved, centred and set on the bed, in this order. It gets round(height / layer "
-    "height) layers, at least one; half a layer is rounded down. A part lower than half a layer is an error.\n\n"
-    "Bodies that overlap, touch or are a hairline apart become one solid. A shell that faces inwards within another "
-    "stays a cavity. Flipped triangles are turned, gaps in contours are closed, and contours lead straight across "
-    "holes in the surface. Notes in the stream report all repairs, and every open contour that had to be left out, "
-    "with layer and length. Their sum appears on standard error.\n\n"
-    "The volume of the layers is compared with that of the mesh. Notes report a difference of more than 2 %, the "
-    "volume that an open surface leaves undecided, an empty layer between others, and a part of unlikely size. A "
-    "mesh that leaves more undecided than it contains is refused.\n\n"
-    "Several files, or --copies, make a plate. Parts are packed on the bed (libnest2d) as far apart as the head is "
-    "wide below the second highest top, so that each can be printed to its top by itself. If the bed is too small "
-    "for that, the distance is that of the nozzle, and the parts grow together; a note reports it. 'sequence' then "
-    "finds the order. Parts are turned by quarter turns only if they find no other place, with a note; a part "
-    "without a place is refused. All parts have the layers of the highest. --center and --translate move the whole "
-    "plate, and other options act on each part.\n\n"
-    "In a grid (--grid, or --wells with the positions of a plate) one part stands in each place, or as many parts as "
-    "there are places, in the order A1, A2, ..., B1. The middle of a part's box comes over the middle of its place.\n\n"
-    "Limits: files up to 4 GiB, coordinates up to 10 km, a million layers; below 3 GB of memory for any file below "
-    "100 MB. Contours are on a grid of 0.1 um.";
-
 std::vector<Option> placing(mesh::Placement& p) {
     return {
         Option{"unit", &p.unit, "", "unit of the file; auto guesses from the size, 3MF and STEP state their own"}
@@ -134,7 +110,7 @@ cli::Spec spec(app::slice::Options& o) {
     for (Option& option : app::slice::plate_options(o)) options.push_back(std::move(option));
     return {.name = "slice",
             .synopsis = "cut a mesh into layers of closed contours",
-            .description = kDescription,
+            .description = cli::kDescription,
             .in = cli::file("mesh file"),
             .out = cli::writes(stream::Payload::layers),
             .memory = "the model, and all contours with --hole-compensation",

@@ -24,33 +24,6 @@ struct Options {
     stressfield::Options place;
 };
 
-constexpr const char* kDescription =
-    "Reads stresses from the file of --stress and adds fields to the vertices of the surface, or of each patch of a "
-    "divided one. stress.CASE.s1, .s2 and .s3 are the principal stresses in MPa. stress.CASE.d1 is the unit vector "
-    "along which the greatest one, s1, pulls. A direction and its opposite are equal; the one with a positive "
-    "largest component is written. Unknown values are infinite. Existing fields stay. Without --stress nothing is "
-    "added.\n\n"
-    "The file is FRD, VTU or CSV, plain or packed by gzip, recognised by its content. peek shows what was read, in "
-    "which order and unit.\n\n"
-    "FRD is the result of CalculiX as text. The STRESS of each step becomes a load case with the step's number, that "
-    "of a mode STEP-modeN. Of several increments the last one counts; --step STEP-INCREMENT takes another one.\n\n"
-    "VTU is a VTK grid, in any encoding except LZ4 and LZMA. Each array of stresses at the points becomes a load "
-    "case with its name: of 6 or 9 numbers, or six arrays of one number. Arrays of strains, and arrays whose name "
-    "does not say stress, are left out; --columns names those to take, also vectors. The names of components give "
-    "their order. Six numbers without names are taken in VTK's order, xx yy zz xy yz xz, with a note. --order gives "
-    "another one: abaqus (xx yy zz xy xz yz), voigt (xx yy zz yz xz xy), upper (xx xy xz yy yz zz), or names in "
-    "their order.\n\n"
-    "CSV is a table with a line per point: x,y,z and either the vector of s1, with or without s1,s2,s3, or the whole "
-    "tensor. The header names the columns, with their units. Otherwise --columns lists them in order: x,y,z, "
-    "s1x,s1y,s1z, s1,s2,s3, sxx,syy,szz,sxy,syz,szx, and - for others. If no s1 is given, it is the length of the "
-    "vector.\n\n"
-    "If there are elements, a vertex takes the stress of the element around it, else of the nearest place on their "
-    "outer faces that face its way. Of bare points it takes the three around it on the surface, linearly; points on "
-    "the other side of a thin wall do not count. --reach is the farthest allowed distance. A direction is unknown "
-    "where s1 equals s2, or is below the share of --mask. Where a part is pressed, s1 is about 0 and its direction "
-    "is the surface's normal, which is useless on it. A note and a fact give the area of such places. --tangent "
-    "takes the direction of the greatest stress in the tangent plane instead.";
-
 std::vector<Option> options(Options& o) {
     const std::vector<Option> how = {
         {"case", &o.read.names, "NAME,...", "names for the load cases of the file, in order; none: its own"},
@@ -81,7 +54,7 @@ std::vector<Option> options(Options& o) {
 cli::Spec spec(Options& o) {
     return {.name = "stressfield",
             .synopsis = "put stresses onto a surface",
-            .description = kDescription,
+            .description = cli::kDescription,
             .in = cli::reads(stream::Payload::surface),
             .out = cli::writes(stream::Payload::surface),
             .memory = "the surface, and the file of stresses twice over",

@@ -10,31 +10,12 @@ using namespace filum;
 
 using app::supports::Options;
 
-constexpr const char* kDescription =
-    "Adds regions that are not part of the model: with --support columns under everything that leans out by more "
-    "than --support-angle, with --raft layers under all of it, with --brim a band around the first layer, with "
-    "--skirt a separate ring. They are ordered, filled and joined like all regions. A column is a stroke of its own, "
-    "printed before the part that it carries.\n\n"
-    "A column stands on the bed or, by default, also on the part. It keeps --beside away from the part in a layer, "
-    "and --gap layers above and below. It is a ring filled with rows --support-spacing apart, and two bead widths "
-    "apart in the last --interface layers. Downwards it shrinks by --support-taper, but stays a tenth as wide as it "
-    "is high. Columns nearer to each other than four bead widths become one.\n\n"
-    "--raft raises the part by so many layers and --gap, and carries all of its first layer by a support as wide as "
-    "it and two beads more. A brim and a skirt surround everything on the bed, but not the inside of holes. A brim's "
-    "rings are the first part of a stroke of the first layer.\n\n"
-    "--support-in and --no-support-in name a body, a mesh in the coordinates of the part's file, in which supports "
-    "are wanted or unwanted. Slicers call these enforcers and blockers. Of a slicer's project (3MF) with such "
-    "bodies, or with painted faces, these count and not the part itself.\n\n"
-    "The overhang that 'regions' reported is measured again. It remains where there is no room for a column, where a "
-    "column may not stand, between a wall and a column --beside it, and where a part leans by less than "
-    "--support-angle but by more than half a bead. Put this stage behind 'skins', if you use that.";
-
 cli::Spec spec(Options& all) {
     using cli::Option;
     supports::Options& o = all.how;
     return {.name = "supports",
             .synopsis = "what carries overhangs, and what holds the first layer",
-            .description = kDescription,
+            .description = cli::kDescription,
             .in = cli::reads(stream::Payload::regions),
             .out = cli::writes(stream::Payload::regions),
             .memory = "the whole part",

@@ -11,29 +11,6 @@ using namespace filum;
 using app::surfpath::Options;
 using cli::Option;
 
-constexpr const char* kDescription =
-    "Fills a surface with lines one spacing apart, inside its rims, as one stroke if there is a way. Most algorithms "
-    "follow the distances of `geodesic`. fina makes rows at equal distances from a line, and fexa rows in planes "
-    "along a plane cut. ortheo makes lines straight away from a line. geo-fiso makes rings inside the rims, in and "
-    "out again, and geo-contour rings that end on the ridge. geo-spiral makes a spiral around a point, then arcs. "
-    "Two need no source. Lines of field follow the stress, an angle to a reference direction as for plies, a rim, or "
-    "rings about all rims. hybrid makes rings about holes and along rims that turn into each other where they meet. "
-    "So it covers area that a wide turn of a whole ring would leave open.\n\n"
-    "Rows are visited out of order, skipping some each time, so that U-turns can be wide. Turns that must be tighter "
-    "than --min-radius are spans of their own, declared as hairpins. Notes report everything that cannot be placed. "
-    "Rings of closed surfaces begin at a seam, which a note reports, or at the source. The fact rings-bound is the "
-    "share that closed lines can cover that bend no tighter than --min-radius. The fact cuts-bound is a lower bound "
-    "on the cuts of any path that covers the surface and overlaps at most --cut-length of fibre to avoid a cut.\n\n"
-    "Several surfaces, the patches of one part, are filled in turn. A plan of `choose` travels with its surface and "
-    "is followed unless you name an algorithm; without any plan it is geo-fiso. A patch without a plan among others "
-    "that have one is left out, with a note. Facts of several patches begin with 'patch.' and their names.\n\n"
-    "`filum compare` lays a path by each algorithm on one surface and shows table and pictures.\n\n"
-    "--method kipping2022 follows J. Kipping, Z. Kallai, T. Schueppstuhl, 2022, section 3, for comparison: rows "
-    "beside a plane, fina by distance on the surface, fexa by that in space; ortheo, lines across the isocontours of "
-    "a seed curve; rings inside the rims, geo-fiso as one path, geo-contour as spirals; geo-spiral around a seed "
-    "point. The last group of options is for this method only. The paper does not give --resample, --savgol-window, "
-    "--savgol-degree and --min-spacing. Smoothing takes the path off the surface.";
-
 std::vector<Option> paper_options(Options& o) {
     return {
         Option{"plane", &o.plane, "NX,NY,NZ,D", "plane of the rows; none: that of the sources"}
@@ -104,7 +81,7 @@ cli::Spec spec(Options& o) {
     return {
         .name = "surfpath",
         .synopsis = "lay a path on a curved surface",
-        .description = kDescription,
+        .description = cli::kDescription,
         .in = cli::reads(stream::Payload::surface),
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "the model, and windows of distance",

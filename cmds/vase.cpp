@@ -14,25 +14,12 @@ namespace {
 
 using namespace filum;
 
-constexpr const char* kDescription =
-    "Makes a vase of a part: a solid floor of --bottom layers, and above it only the outer outline of each layer, with "
-    "--walls beads and nothing inside. It does not matter whether the part is solid or hollow. 'link3d --lift helical' "
-    "then lays the wall as one helix with a level top edge; 'filum print --vase' does both.\n\n"
-    "Holes of the floor stay open if they begin in the first layer, as of a flower pot. Every outline of the first "
-    "layer becomes a vase, so several parts on a bed are several vases.\n\n"
-    "A helix has no branches. Where a layer has two outlines over one, or one over two, the vase ends, and the rest of "
-    "the part is left out and reported. So are bodies within an outline. A part without a wall above its floor is an "
-    "error (3). Walls carry themselves if each turn lies at least with half of its width on the turn below: at layers "
-    "half as high as a bead is wide they may lean by 45 degrees. Longer overhangs are reported.\n\n"
-    "With --walls 2 each layer has two beads side by side, there and back, and is still one curve. Join such layers by "
-    "'link3d --lift ramp': a helix would put the two beads at different heights.";
-
 cli::Spec spec(vase::Options& o) {
     using cli::Option;
     return {
         .name = "vase",
         .synopsis = "a floor and one outline per layer, for a wall in one helix",
-        .description = kDescription,
+        .description = cli::kDescription,
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
         .memory = "the whole part",

@@ -15,6 +15,9 @@
 
 namespace filum::cli {
 
+// The paragraphs of cmds/NAME.md, with empty lines between them. The build puts the text into the program NAME.
+extern const char* const kDescription;
+
 // The options that every command has, and the name of the program.
 struct Io {
     std::string program;

@@ -9,6 +9,7 @@ setup() {
     printf '#pragma once\n#include "base/error.hpp"\n#include <vector>\nnamespace filum::geom {\n}\n' >"$tree/lib/geom/vec.hpp"
     printf '#include "base/error.hpp"\n#include <CLI/CLI.hpp>\nnamespace filum::cli {\n}\n' >"$tree/lib/cli/parse.cpp"
     printf '// cut - cuts\n// reads:  a\n// writes: b\n// memory: c\n#include "geom/vec.hpp"\n' >"$tree/cmds/cut.cpp"
+    printf '# cut\n\nCuts.\n' >"$tree/cmds/cut.md"
     echo 'Folders: `base`, `geom`, `cli`.' >"$tree/docs/architecture.md"
 }
 
@@ -175,6 +176,13 @@ nest() {
 @test "a command without its four lines" {
     printf '// cut - cuts\n// reads:  a\n// memory: c\n' >"$tree/cmds/cut.cpp"
     finds "cut.cpp:3: line 3 does not begin with '// writes:'"
+}
+
+@test "a command without the page of its help, and one with another title" {
+    printf 'Cuts.\n' >"$tree/cmds/cut.md"
+    finds "cmds/cut.md:1: does not begin with the title '# cut'"
+    rm "$tree/cmds/cut.md"
+    finds "cmds/cut.md: is missing"
 }
 
 @test "something unknown at the top" {
