@@ -69,23 +69,18 @@ Plan ring_path(const surface::Sheet& sheet, const Options& given, int by) {
     const Surface& s = sheet.surface;
     rings::Rings made = rings::rings(sheet, {o.spacing, o.least_radius, by == 1}, out.facts, out.notes);
     const lanes::Lanes lanes(s, made.lines, o.spacing);
-    lanes::Weave weave(lanes);
+    lanes::LinkedLanes linked(lanes);
     std::uint32_t start = surface::kNone;
     for (std::uint32_t l = 0; l < lanes.size(); ++l)
         if (made.level[l] == 0 && (start == surface::kNone || lanes.length(l) > lanes.length(start))) start = l;
-    std::vector<std::uint32_t> merged;
     if (start != surface::kNone) {
         const lanes::Ladder ladder = lanes::spiral_ladder(lanes, start, 2 * std::sqrt(o.least_radius * o.spacing * by));
-        if (ladder.lanes() >= static_cast<std::size_t>(by) + 1) {
-            lanes::shift(weave, lanes, ladder, by);
-            merged = ladder.lane;
-        }
+        if (ladder.lanes() >= static_cast<std::size_t>(by) + 1) lanes::shift(linked, lanes, ladder, by);
         out.facts.push_back({"", "seam-lanes", static_cast<double>(ladder.lanes()), ""});
         if (ladder.lanes()) out.facts.push_back({"", "seam-length", shortest(lanes, ladder), "mm"});
     }
-    if (merged.empty() && start != surface::kNone) merged = {start};
-    lanes::exchange_lanes(weave, lanes, merged, o.least_radius);
-    for (auto& path : weave.curves())
+    lanes::exchange_lanes(linked, lanes, o.least_radius);
+    for (auto& path : linked.curves())
         out.strokes.push_back({{{gentle(s, path.line, o.least_radius, o.spacing), false}}});
     if (out.strokes.empty())
         throw Error(Exit::failure, "cannot lay rings: none is closed; make other triangles by geodesic --remesh");

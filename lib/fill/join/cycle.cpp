@@ -2,8 +2,8 @@
 
 #include "fill/join/double_spiral.hpp"
 #include "fill/join/ring_graph.hpp"
-#include "geom/disjoint_sets.hpp"
 #include "polygon/segments.hpp"
+#include "weave/join.hpp"
 
 #include <algorithm>
 
@@ -19,11 +19,11 @@ constexpr double kAlike = 3; // largest ratio of the lengths of two facing windo
 
 // Two rings facing each other at one place.
 struct Candidate {
-    std::uint32_t ring, other;
-    double s;      // on `ring`
-    Vec2 across;   // unit, towards the other ring
-    double bead;   // mm, the narrower bead of the two
-    double faults; // mm off the ideal place
+    std::uint32_t a, b; // rings
+    double s;           // on a
+    Vec2 across;        // unit, towards b
+    double bead;        // mm, the narrower bead of the two
+    double faults;      // mm off the ideal place
 };
 
 // One exchange: both rings lose their window, two links join the four ends.
@@ -51,7 +51,7 @@ class Joiner {
   public:
     Joiner(const rings::Rings& rings, double width, const Loops& outline, const Hanging& hung)
         : graph_(rings, 1.5 * width), outline_(polygon::segments(outline)), outline_grid_(outline_, 1.5 * width),
-          width_(width), groups_(graph_.size()), splices_(graph_), hung_(&hung) {
+          width_(width), splices_(graph_), groups_(splices_.groups()), hung_(&hung) {
         for (std::uint32_t r = 1; r < graph_.size(); ++r) // open lines never join each other
             if (graph_.open(r)) groups_.unite(r - 1, r);
         if (!hung) return;
@@ -83,7 +83,12 @@ class Joiner {
     // Adds exchanges at a few places of each ring, or at all of them; for each width in `halves`, in order.
     void link(bool all, std::initializer_list<double> halves) {
         const auto found = candidates(all);
-        for (const double half : halves) accept(found, half);
+        for (const double half : halves)
+            weave::join(groups_, found, [&](const Candidate& c) {
+                Bridge b;
+                const double window = half * c.bead;
+                if (make(c, window, b) && fits(b, window)) splices_.add(b.splice(2 * window));
+            });
     }
 
     // Adds double spirals wherever three or more rings that are still apart run side by side. Goes from the outside in,
@@ -94,10 +99,7 @@ class Joiner {
             if (wound[r] || runs_over_air(r)) continue;
             const auto splice = best_spiral(r);
             if (!splice) continue;
-            for (const Window& w : splice->windows) {
-                groups_.unite(r, w.ring);
-                wound[w.ring] = 1;
-            }
+            for (const weave::Window& w : splice->windows) wound[w.curve] = 1;
             splices_.add(*splice);
         }
     }
@@ -185,39 +187,27 @@ class Joiner {
         return static_cast<std::uint32_t>(std::max_element(count.begin(), count.end()) - count.begin());
     }
 
-    void accept(const std::vector<Candidate>& found, double half) {
-        for (const Candidate& c : found) {
-            if (groups_.sets() <= 1) return;
-            if (groups_.root(c.ring) == groups_.root(c.other)) continue;
-            Bridge b;
-            const double window = half * c.bead;
-            if (!make(c, window, b) || !fits(b, window)) continue;
-            splices_.add(b.splice(2 * window));
-            groups_.unite(c.ring, c.other);
-        }
-    }
-
     // Sets the window of `half` on each side of the candidate's place, and the one straight across on the other ring.
     // So the two links run side by side like beads. False if there is no such window.
     bool make(const Candidate& c, double half, Bridge& b) const {
         const double s0 = c.s - half, s1 = c.s + half;
-        if (4 * half > graph_.length(c.ring)) return false;
-        const Vec2 a0 = graph_.at(c.ring, s0), a1 = graph_.at(c.ring, s1);
+        if (4 * half > graph_.length(c.a)) return false;
+        const Vec2 a0 = graph_.at(c.a, s0), a1 = graph_.at(c.a, s1);
         const auto opposite = [&](Vec2 a) {
             return graph_.first_hit(a, c.across, 0, kNeighbourReach * width_,
-                                    [&](std::uint32_t ring) { return ring == c.other; });
+                                    [&](std::uint32_t ring) { return ring == c.b; });
         };
         const auto p = opposite(a0), q = opposite(a1);
         if (!p || !q) return false;
-        const double l = graph_.length(c.other);
+        const double l = graph_.length(c.b);
         double ahead = std::fmod(q->s - p->s, l); // from p forward to q
         if (ahead < 0) ahead += l;
         b.parallel = ahead < l / 2;
         const double gone = b.parallel ? ahead : l - ahead;
         if (gone < 2 * half / kAlike || gone > 2 * half * kAlike) return false;
         const double t0 = b.parallel ? p->s : q->s;
-        b.ring[0] = c.ring;
-        b.ring[1] = c.other;
+        b.ring[0] = c.a;
+        b.ring[1] = c.b;
         b.s0[0] = s0;
         b.s1[0] = s1;
         b.s0[1] = t0;
@@ -248,9 +238,9 @@ class Joiner {
     geom::SegmentGrid outline_grid_;
     double width_;
     bool stay_inside_ = true;
-    int may_hang_ = 0;          // the largest value of hung_ at a link
-    geom::DisjointSets groups_; // of rings
+    int may_hang_ = 0; // the largest value of hung_ at a link
     Splices splices_;
+    geom::DisjointSets& groups_; // of rings
     std::optional<std::vector<std::vector<Stretch>>>
         near_; // per ring, stretches near others; set once all places are tried
     const Hanging* hung_;

@@ -209,7 +209,7 @@ class Making {
             out.windows.push_back({ring, s0, s0 + gone});
         }
         const auto rim = [&](std::size_t k, bool behind) {
-            return Rim{static_cast<std::uint32_t>(k - lo_), behind == (lane(k).sense > 0)};
+            return weave::End{static_cast<std::uint32_t>(k - lo_), behind == (lane(k).sense > 0)};
         };
         out.links.push_back({rim(lo_, false), rim(lo_ + 1, false), {}});
         for (std::size_t k = lo_ + 2; k < hi_; ++k) out.links.push_back({rim(k, false), rim(k - 2, true), {}});

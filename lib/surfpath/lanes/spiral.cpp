@@ -1,6 +1,6 @@
 #include "surfpath/lanes/spiral.hpp"
 
-#include "geom/disjoint_sets.hpp"
+#include "weave/join.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,12 +26,13 @@ constexpr double kFarthestJoined = 4; // largest distance of lanes that are join
 // Smooth step from 0 to 1 with the least greatest curvature: two parabolas.
 double eased(double t) { return t < 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t); }
 
-LaneEnd first_rung(std::uint32_t opening, double sense) { return {opening, sense < 0}; }
-LaneEnd last_rung(std::uint32_t opening, double sense) { return {opening, sense > 0}; }
+weave::End first_rung(std::uint32_t window, double sense) { return {window, sense < 0}; }
+weave::End last_rung(std::uint32_t window, double sense) { return {window, sense > 0}; }
 
-std::uint32_t cut(Weave& weave, const Ladder& r, std::size_t k) {
+// The window of lane number k between the first and the last rung.
+weave::Window window(const LinkedLanes& linked, const Ladder& r, std::size_t k) {
     const double a = r.arcs.front()[k], b = r.arcs.back()[k];
-    return r.sense[k] > 0 ? weave.cut(r.lane[k], a, b) : weave.cut(r.lane[k], b, a);
+    return r.sense[k] > 0 ? linked.window(r.lane[k], a, b) : linked.window(r.lane[k], b, a);
 }
 
 // The link from lane u0 to lane u1, between rungs v0 and v1.
@@ -147,31 +148,31 @@ static Line along_ridge(const Lanes& lanes, std::uint32_t lane, double arc, doub
     return surface::curve::threaded(lanes.surface(), out);
 }
 
-void shift(Weave& weave, const Lanes& lanes, const Ladder& r, int by) {
+void shift(LinkedLanes& linked, const Lanes& lanes, const Ladder& r, int by) {
     const std::size_t n = r.lanes(), s = static_cast<std::size_t>(by);
     std::vector<std::uint32_t> opening;
-    for (std::size_t k = 0; k < n; ++k) opening.push_back(cut(weave, r, k));
+    for (std::size_t k = 0; k < n; ++k) opening.push_back(linked.cut(window(linked, r, k)));
     for (std::size_t k = 0; k + s < n; ++k)
-        weave.link(first_rung(opening[k], r.sense[k]), last_rung(opening[k + s], r.sense[k + s]),
-                   drawn(lanes, r, change(r, static_cast<double>(k), static_cast<double>(k + s), 0, r.last())));
+        linked.link(first_rung(opening[k], r.sense[k]), last_rung(opening[k + s], r.sense[k + s]),
+                    drawn(lanes, r, change(r, static_cast<double>(k), static_cast<double>(k + s), 0, r.last())));
     const double half = r.last() / 2, end = r.last();
-    weave.tail(last_rung(opening[0], r.sense[0]), drawn(lanes, r, straight(0, end, by == 1 ? half : 0.4 * end)));
+    linked.tail(last_rung(opening[0], r.sense[0]), drawn(lanes, r, straight(0, end, by == 1 ? half : 0.4 * end)));
     const auto inner = static_cast<double>(n - 1);
     if (by == 1) {
         Line end_line = along_ridge(lanes, r.lane[n - 1], r.arcs[0][n - 1], r.sense[n - 1]);
         if (end_line.size() < 2) end_line = drawn(lanes, r, straight(inner, 0, half));
-        weave.tail(first_rung(opening[n - 1], r.sense[n - 1]), std::move(end_line));
+        linked.tail(first_rung(opening[n - 1], r.sense[n - 1]), std::move(end_line));
         return;
     }
-    weave.tail(last_rung(opening[1], r.sense[1]), drawn(lanes, r, straight(1, end, 0.8 * end)));
+    linked.tail(last_rung(opening[1], r.sense[1]), drawn(lanes, r, straight(1, end, 0.8 * end)));
     std::vector<Vec2> turn;
     const double deep = 0.5 * lanes.spacing() / r.step;
     for (int i = 0; i <= 24; ++i) {
         const double a = std::numbers::pi * i / 24;
         turn.push_back({inner - 0.5 - 0.5 * std::cos(a), deep * std::sin(a)});
     }
-    weave.link(first_rung(opening[n - 2], r.sense[n - 2]), first_rung(opening[n - 1], r.sense[n - 1]),
-               drawn(lanes, r, turn));
+    linked.link(first_rung(opening[n - 2], r.sense[n - 2]), first_rung(opening[n - 1], r.sense[n - 1]),
+                drawn(lanes, r, turn));
 }
 
 namespace {
@@ -186,27 +187,26 @@ struct ExchangeSite {
 
 class LaneExchanger {
   public:
-    LaneExchanger(Weave& weave, const Lanes& lanes, const std::vector<std::uint32_t>& merged, double radius)
-        : weave_(weave), lanes_(lanes), radius_(radius), sets_(lanes.size()), apart_(lanes.size()) {
-        for (const auto l : merged) unite(l, merged[0]);
-    }
+    LaneExchanger(LinkedLanes& linked, const Lanes& lanes, double radius)
+        : linked_(linked), lanes_(lanes), radius_(radius) {}
 
     void run() {
         find_sites();
-        const auto all = [&](const auto& join) {
-            for (const ExchangeSite& s : sites_)
-                if (apart_ > 1 && find(s.a) != find(s.b) && join(s)) unite(s.a, s.b);
-        };
-        for (const double share : {1.0, 0.5, 0.2}) all([&](const ExchangeSite& s) { return join(s, share * radius_); });
-        for (const double part : {0.15, 0.05}) all([&](const ExchangeSite& s) { return turn_back(s, part); });
-        if (apart_ == 1) return;
+        for (const double share : {1.0, 0.5, 0.2})
+            weave::join(linked_.groups(), sites_, [&](const ExchangeSite& s) { join(s, share * radius_); });
+        turns_back();
+        if (linked_.groups().sets() == 1) return;
         nearby_sites();
-        for (const double part : {0.15, 0.05}) all([&](const ExchangeSite& s) { return turn_back(s, part); });
+        turns_back();
     }
 
   private:
-    std::uint32_t find(std::uint32_t l) { return sets_.root(l); }
-    void unite(std::uint32_t a, std::uint32_t b) { apart_ -= sets_.unite(a, b) ? 1 : 0; }
+    std::uint32_t find(std::uint32_t l) { return linked_.groups().root(l); }
+
+    void turns_back() {
+        for (const double part : {0.15, 0.05})
+            weave::join(linked_.groups(), sites_, [&](const ExchangeSite& s) { turn_back(s, part); });
+    }
 
     void find_sites() {
         sites_across(
@@ -257,69 +257,59 @@ class LaneExchanger {
     }
 
     // Without room for an exchange of lanes side by side: each lane turns back into the other at two places.
-    bool turn_back(const ExchangeSite& s, double part) {
+    void turn_back(const ExchangeSite& s, double part) {
         const double d = lanes_.spacing(), half = part * d;
         double there = s.over;
         if (there < 0) {
             const auto over = lanes_.across(s.a, s.arc, s.side, std::max(1.7, s.gap / d + 0.7));
-            if (!over || over->lane != s.b) return false;
+            if (!over || over->lane != s.b) return;
             there = over->arc;
         }
         const double sense = dot(lanes_.tangent(s.a, s.arc), lanes_.tangent(s.b, there)) > 0 ? 1 : -1;
-        for (const auto& [lane, arc] : {std::pair{s.a, s.arc}, std::pair{s.b, there}})
-            if (!weave_.free(lane, arc - half, arc + half, half)) return false;
-        Line links[2];
-        for (const int k : {0, 1}) {
+        const weave::Window a{s.a, s.arc - half, s.arc + half}, b{s.b, there - half, there + half};
+        if (!linked_.free(a, half) || !linked_.free(b, half)) return;
+        std::array<Line, 2> links;
+        for (const std::size_t k : {0U, 1U}) {
             const double end = k == 0 ? -half : half;
             links[k] = surface::curve::join(lanes_.surface(), lanes_.at(s.a, s.arc + end),
                                             lanes_.at(s.b, there + end * sense));
-            if (!surface::curve::leads(lanes_.surface(), links[k])) return false;
+            if (!surface::curve::leads(lanes_.surface(), links[k])) return;
         }
-        const std::uint32_t a = weave_.cut(s.a, s.arc - half, s.arc + half);
-        const std::uint32_t b = weave_.cut(s.b, there - half, there + half);
-        for (const int k : {0, 1}) weave_.link({a, k == 1}, {b, (k == 1) == (sense > 0)}, std::move(links[k]));
-        return true;
+        linked_.exchange(a, b, sense > 0, std::move(links));
     }
 
-    bool join(const ExchangeSite& s, double radius) {
+    // Exchanges lanes that run side by side, with turns of the radius.
+    void join(const ExchangeSite& s, double radius) {
         const double long_ = 2.1 * std::sqrt(radius * s.gap), d = lanes_.spacing();
         const auto n = static_cast<std::size_t>(std::max(4.0, std::ceil(long_ / (0.25 * d))));
         const double step = long_ / static_cast<double>(n);
-        if (long_ > 0.7 * std::min(lanes_.length(s.a), lanes_.length(s.b))) return false;
+        if (long_ > 0.7 * std::min(lanes_.length(s.a), lanes_.length(s.b))) return;
         std::vector<Rung> rungs;
         for (std::size_t i = 0; i <= n; ++i) {
             const double arc = s.arc + step * (static_cast<double>(i) - static_cast<double>(n) / 2);
             rungs.push_back(rung(lanes_, s.a, arc, s.side, std::max(1.7, s.gap / d + 0.7), 2));
-            if (rungs[i].places.size() < 2 || rungs[i].places[1].lane != s.b) return false;
-            if (i > 0 && !follows(lanes_, rungs[i - 1], rungs[i], step)) return false;
+            if (rungs[i].places.size() < 2 || rungs[i].places[1].lane != s.b) return;
+            if (i > 0 && !follows(lanes_, rungs[i - 1], rungs[i], step)) return;
         }
         const Ladder r = ladder(rungs, step);
-        for (std::size_t k = 0; k < 2; ++k) {
-            const double a = r.arcs.front()[k], b = r.arcs.back()[k];
-            if (!(r.sense[k] > 0 ? weave_.free(r.lane[k], a, b, kMargin * d)
-                                 : weave_.free(r.lane[k], b, a, kMargin * d)))
-                return false;
-        }
-        const std::uint32_t w[2] = {cut(weave_, r, 0), cut(weave_, r, 1)};
-        weave_.link(first_rung(w[0], r.sense[0]), last_rung(w[1], r.sense[1]),
-                    drawn(lanes_, r, change(r, 0, 1, 0, r.last())));
-        weave_.link(first_rung(w[1], r.sense[1]), last_rung(w[0], r.sense[0]),
-                    drawn(lanes_, r, change(r, 1, 0, 0, r.last())));
-        return true;
+        const weave::Window a = window(linked_, r, 0), b = window(linked_, r, 1);
+        if (!linked_.free(a, kMargin * d) || !linked_.free(b, kMargin * d)) return;
+        const std::uint32_t w[2] = {linked_.cut(a), linked_.cut(b)};
+        for (const std::size_t k : {0U, 1U})
+            linked_.link(first_rung(w[k], r.sense[k]), last_rung(w[1 - k], r.sense[1 - k]),
+                         drawn(lanes_, r, change(r, k == 0 ? 0 : 1, k == 0 ? 1 : 0, 0, r.last())));
     }
 
-    Weave& weave_;
+    LinkedLanes& linked_;
     const Lanes& lanes_;
     double radius_;
-    geom::DisjointSets sets_;
-    std::size_t apart_;
     std::vector<ExchangeSite> sites_;
 };
 
 } // namespace
 
-void exchange_lanes(Weave& weave, const Lanes& lanes, const std::vector<std::uint32_t>& merged, double radius) {
-    LaneExchanger(weave, lanes, merged, radius).run();
+void exchange_lanes(LinkedLanes& linked, const Lanes& lanes, double radius) {
+    LaneExchanger(linked, lanes, radius).run();
 }
 
 } // namespace filum::surfpath::lanes

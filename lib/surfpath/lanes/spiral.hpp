@@ -1,8 +1,8 @@
 // Connects lanes: all of them into a spiral, where each leads to the next; others by exchanges, two at a time.
 #pragma once
 
+#include "surfpath/lanes/linked_lanes.hpp"
 #include "surfpath/lanes/rungs.hpp"
-#include "surfpath/lanes/weave.hpp"
 
 namespace filum::surfpath::lanes {
 
@@ -13,10 +13,10 @@ Ladder spiral_ladder(const Lanes& lanes, std::uint32_t start, double least);
 // Leads each lane to the one `by` (1 or 2) further on, between the first and the last rung. By 1: a spiral from the
 // first lane to the last. By 2: a double spiral whose two arms meet in a turn at the inner end, so that both ends of
 // the curve lie on the first lanes.
-void shift(Weave& weave, const Lanes& lanes, const Ladder& rungs, int by);
+void shift(LinkedLanes& linked, const Lanes& lanes, const Ladder& rungs, int by);
 
 // Joins the remaining curves where possible, two lanes at a time, by exchanges where these run side by side, with
-// turns of `radius` mm where there is room. `merged`: lanes that are already joined.
-void exchange_lanes(Weave& weave, const Lanes& lanes, const std::vector<std::uint32_t>& merged, double radius);
+// turns of `radius` mm where there is room.
+void exchange_lanes(LinkedLanes& linked, const Lanes& lanes, double radius);
 
 } // namespace filum::surfpath::lanes

@@ -1,12 +1,12 @@
 #include "surfpath/rows/exchange.hpp"
 
-#include "geom/disjoint_sets.hpp"
 #include "geom/polyline.hpp"
 #include "geom/segment.hpp"
-#include "surfpath/lanes/weave.hpp"
+#include "surfpath/lanes/linked_lanes.hpp"
 #include "surfpath/rows/beads.hpp"
 #include "surfpath/rows/swath.hpp"
 #include "surfpath/rows/turn.hpp"
+#include "weave/join.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,41 +55,39 @@ class LineExchanger {
   public:
     LineExchanger(const Surface& s, const std::vector<Line>& lines, std::span<const char> keep,
                   const ExchangeOptions& o)
-        : s_(s), given_(lines), d_(o.spacing), ends_(o.ends), lanes_(s, closed(lines), o.spacing), weave_(lanes_),
-          sets_(lines.size()), normals_(surface::curve::vertex_normals(s)), anchored_(lines.size(), 0),
+        : s_(s), given_(lines), d_(o.spacing), ends_(o.ends), lanes_(s, closed(lines), o.spacing), linked_(lanes_),
+          normals_(surface::curve::vertex_normals(s)), anchored_(lines.size(), 0),
           swath_(o.spacing, kSwathHalf * o.spacing), rest_(swath_), beads_(s, lines, lanes_, kBeadGrain * o.spacing) {
         for (std::uint32_t l = 0; l < lines.size(); ++l) {
             anchored_[l] = keep[l] != 0 || !lines[l].closed ? 1 : 0;
-            if (!lines[l].closed) weave_.cut(l, beads_.length(l), 0);
+            if (!lines[l].closed) linked_.cut(linked_.window(l, beads_.length(l), 0));
         }
     }
 
     ExchangeResult run() {
         ExchangeResult out;
         propose();
-        while (!queue_.empty()) {
-            LineExchange e = queue_.top();
-            queue_.pop();
-            if (!open(e)) continue;
-            const Surroundings view = surroundings(lanes_.at(e.a, e.at_a));
+        const auto again = [&](LineExchange& e) {
+            if (!open(e)) return weave::Verdict::never;
             const bool sure = e.judged;
             const double before = e.waste;
-            judge(view, e, kCuts, kSlips);
+            judge(surroundings(lanes_.at(e.a, e.at_a)), e, kCuts, kSlips);
             e.judged = true;
-            if (!sure || e.waste > before + kSameWaste) { // an exchange made since may be in the way
-                propose(e);
-            } else if (take(view, e)) {
-                ++out.count;
-                out.waste += e.waste;
-            }
-        }
+            if (sure && e.waste <= before + kSameWaste) return weave::Verdict::join;
+            return worth_it(e) ? weave::Verdict::later : weave::Verdict::never; // one made since may be in the way
+        };
+        weave::join_cheapest(queue_, again, [&](const LineExchange& e) {
+            if (!take(surroundings(lanes_.at(e.a, e.at_a)), e)) return;
+            ++out.count;
+            out.waste += e.waste;
+        });
         return out;
     }
 
     // The lines that result; those that were taken into another one are empty.
     [[nodiscard]] std::vector<Line> lines() {
         std::vector<Line> out = given_;
-        for (auto& path : weave_.curves()) {
+        for (auto& path : linked_.curves()) {
             if (path.lanes.size() < 2) continue;
             std::uint32_t host = path.lanes[0];
             for (const std::uint32_t l : path.lanes) {
@@ -114,7 +112,7 @@ class LineExchanger {
 
     // Whether the two lines can still be joined.
     [[nodiscard]] bool open(const LineExchange& e) {
-        const auto a = sets_.root(e.a), b = sets_.root(e.b);
+        const auto a = linked_.groups().root(e.a), b = linked_.groups().root(e.b);
         return a != b && (anchored_[a] == 0 || anchored_[b] == 0);
     }
 
@@ -135,14 +133,13 @@ class LineExchanger {
             if (all.size() > kMostTried) all.resize(kMostTried);
             for (LineExchange& e : all) {
                 judge(surroundings(lanes_.at(e.a, e.at_a)), e, std::span(&kFirstCut, 1), std::span(kSlips, 1));
-                propose(e);
+                if (worth_it(e)) queue_.push(e);
             }
         }
     }
 
-    void propose(const LineExchange& e) {
-        if (e.waste < kCrossingWastes * d_ * d_) queue_.push(e);
-    }
+    // Whether it wastes less than a pair of crossing shifts.
+    [[nodiscard]] bool worth_it(const LineExchange& e) const { return e.waste < kCrossingWastes * d_ * d_; }
 
     // One exchange for every line beside this place, rated by the additional length only.
     [[nodiscard]] std::vector<LineExchange> candidates(std::uint32_t a, double way) const {
@@ -275,19 +272,18 @@ class LineExchanger {
         const TurnPair t = turns(view.chart, e);
         if (crosses(view, e, t)) return false;
         const double a0 = e.at_a - e.cut_a, a1 = e.at_a + e.cut_a, b0 = e.at_b - e.cut_b, b1 = e.at_b + e.cut_b;
-        const auto there = on_surface(view.chart, t.there, lanes_.at(e.a, a0), lanes_.at(e.b, t.same ? b0 : b1));
-        const auto back = on_surface(view.chart, t.back, lanes_.at(e.b, t.same ? b1 : b0), lanes_.at(e.a, a1));
+        auto there = on_surface(view.chart, t.there, lanes_.at(e.a, a0), lanes_.at(e.b, t.same ? b0 : b1));
+        auto back = on_surface(view.chart, t.back, lanes_.at(e.b, t.same ? b1 : b0), lanes_.at(e.a, a1));
         if (there.size() < 2 || back.size() < 2) return false;
-        const auto a = weave_.cut(e.a, a0, a1), b = weave_.cut(e.b, b0, b1);
-        weave_.link({a, false}, {b, !t.same}, there);
-        weave_.link({b, t.same}, {a, true}, back);
         beads_.cut(e.a, e.at_a, e.cut_a);
         beads_.cut(e.b, e.at_b, e.cut_b);
         beads_.add(there);
         beads_.add(back);
-        const bool anchored = anchored_[sets_.root(e.a)] != 0 || anchored_[sets_.root(e.b)] != 0;
-        sets_.unite(e.a, e.b);
-        char& root = anchored_[sets_.root(e.a)];
+        auto& groups = linked_.groups();
+        const bool anchored = anchored_[groups.root(e.a)] != 0 || anchored_[groups.root(e.b)] != 0;
+        surface::curve::reverse(back);
+        linked_.exchange({e.a, a0, a1}, {e.b, b0, b1}, t.same, {std::move(there), std::move(back)});
+        char& root = anchored_[groups.root(e.a)];
         if (anchored && root == 0) root = 2;
         return true;
     }
@@ -313,10 +309,10 @@ class LineExchanger {
     const std::vector<Line>& given_;
     double d_, ends_;
     lanes::Lanes lanes_;
-    lanes::Weave weave_;
-    geom::DisjointSets sets_;
+    lanes::LinkedLanes linked_;
     std::vector<Vec3> normals_;
-    std::vector<char> anchored_; // per set, at its root: 1 if the line only takes in others, 2 if one of the set does
+    std::vector<char>
+        anchored_; // per group, at its root: 1 if the line only takes in others, 2 if one of the group does
     Swath swath_, rest_;
     double covered_ = 0; // mm2 of the swath before the exchange
     BeadMap beads_;

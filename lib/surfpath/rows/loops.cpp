@@ -170,11 +170,11 @@ void spiral(const Surface& s, Rows& rows, const LoopOptions& o) {
         if (surface::curve::length(lines.front()) > surface::curve::length(lines.back()))
             for (const std::size_t i : which) rows.rows[i].level *= -1;
         const lanes::Lanes lanes(s, lines, o.spacing);
-        lanes::Weave weave(lanes);
+        lanes::LinkedLanes linked(lanes);
         const lanes::Ladder ladder = spiral_over(lanes, o);
         if (ladder.lanes() < lines.size()) continue;
-        lanes::shift(weave, lanes, ladder, 1);
-        auto curves = weave.curves();
+        lanes::shift(linked, lanes, ladder, 1);
+        auto curves = linked.curves();
         if (curves.size() != 1 || curves[0].closed) continue;
         rows.rows[which[0]].line = std::move(curves[0].line);
         for (std::size_t i = 1; i < which.size(); ++i) rows.rows[which[i]].line.places.clear();
