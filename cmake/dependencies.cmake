@@ -55,10 +55,10 @@ set(FILUM_USES_baselines_kipping2022 Eigen3::Eigen)
 set(FILUM_USES_stream filum_proto)
 set(FILUM_USES_wire filum_proto)
 set(FILUM_HIDES_plate PkgConfig::polyclipping PkgConfig::nlopt)
-set_source_files_properties(${CMAKE_SOURCE_DIR}/lib/plate/nest.cpp PROPERTIES
+set_source_files_properties(${CMAKE_SOURCE_DIR}/lib/planar/plate/nest.cpp PROPERTIES
     COMPILE_OPTIONS "-std=c++17;-DBOOST_ALLOW_DEPRECATED_HEADERS")
 # The file that replaces functions of libm; a compiler that knows those functions would call them in it.
-set_source_files_properties(${CMAKE_SOURCE_DIR}/lib/base/libm.cpp PROPERTIES
+set_source_files_properties(${CMAKE_SOURCE_DIR}/lib/foundation/base/libm.cpp PROPERTIES
     COMPILE_OPTIONS "-fno-builtin" SKIP_UNITY_BUILD_INCLUSION ON)
 set(FILUM_USES_report ZLIB::ZLIB)
 set(FILUM_USES_render ${EMBREE_LIBRARY} PNG::PNG)

@@ -1,6 +1,6 @@
-# lib/LAYERS and cmds/*.cpp are the only lists: a folder named there becomes a library, a file here a command.  What the
+# lib/LAYERS and cmds/*.cpp are the only lists: a room named there becomes a library, a file here a command.  What the
 # command's help says about it stands in the Markdown page beside its source.
-# The library of lib/a/b is filum_a_b.
+# The library of the room a/b is filum_a_b, in whichever wing of lib/ it is; each wing is a folder of includes.
 
 # Folders of which each program takes what it needs: compiled as one file they would bring all they stand on, such as
 # CGAL to every program that reads a stream.
@@ -8,14 +8,22 @@ set(FILUM_APART baselines/sun2019 mesh plate surface)
 
 function(filum_libraries)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/lib/LAYERS)
-    file(STRINGS ${CMAKE_SOURCE_DIR}/lib/LAYERS lines REGEX "^[a-z]")
+    file(STRINGS ${CMAKE_SOURCE_DIR}/lib/LAYERS lines REGEX "^[a-z[]")
+    string(REPLACE "[" "wing " lines "${lines}") # a list does not end within brackets
+    string(REPLACE "]" "" lines "${lines}")
+    set(wings)
     foreach(line IN LISTS lines)
+        if(line MATCHES "^wing ([a-z]+)")
+            set(wing ${CMAKE_MATCH_1})
+            list(APPEND wings ${CMAKE_SOURCE_DIR}/lib/${wing})
+            continue()
+        endif()
         string(REGEX MATCH "^([a-z0-9/]+): *(.*)$" _ "${line}")
         set(folder ${CMAKE_MATCH_1})
         string(REPLACE "/" "_" name ${folder})
         string(REPLACE "/" "_" below "${CMAKE_MATCH_2}")
         string(REGEX REPLACE " +" ";" below "${below}")
-        file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/lib/${folder}/*.cpp)
+        file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/lib/${wing}/${folder}/*.cpp)
         if(sources)
             add_library(filum_${name} STATIC ${sources})
             set(scope PUBLIC)
@@ -29,7 +37,7 @@ function(filum_libraries)
             add_library(filum_${name} INTERFACE)
             set(scope INTERFACE)
         endif()
-        target_include_directories(filum_${name} ${scope} ${CMAKE_SOURCE_DIR}/lib)
+        target_include_directories(filum_${name} ${scope} ${wings})
         if(FILUM_HIDES_${name})
             target_link_libraries(filum_${name} PRIVATE ${FILUM_HIDES_${name}})
         endif()

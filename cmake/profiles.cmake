@@ -1,10 +1,10 @@
 # Machine profiles and robot models: copied beside the executables so that the build tree finds them as an installed tree
 # does.
-file(GLOB profiles CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/lib/machine/profiles/*.toml)
-file(GLOB robots CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/lib/machine/robots/*.toml)
+file(GLOB profiles CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/lib/motion/machine/profiles/*.toml)
+file(GLOB robots CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/lib/motion/machine/robots/*.toml)
 set(copies)
 foreach(profile IN LISTS profiles robots)
-    file(RELATIVE_PATH name ${CMAKE_SOURCE_DIR}/lib/machine ${profile})
+    file(RELATIVE_PATH name ${CMAKE_SOURCE_DIR}/lib/motion/machine ${profile})
     set(copy ${CMAKE_BINARY_DIR}/share/filum/${name})
     add_custom_command(
         OUTPUT ${copy}

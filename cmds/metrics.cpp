@@ -3,7 +3,7 @@
 // writes: text
 // memory: the toolpath at 20 bytes per segment, and the outlines; with --surface the model and its windows
 #include "app/metrics/metrics.hpp"
-#include "metrics/figures/meanings.hpp"
+#include "figures/meanings.hpp"
 
 namespace {
 
@@ -80,7 +80,7 @@ cli::Spec spec(app::metrics::Options& all) {
               "part.toolpath; metrics --surface part.surface part.toolpath",
               "how well a path covers a curved surface, and how sharply it bends"}},
         .see_also = {"fill", "link3d", "surfpath", "stressfield", "render"},
-        .pages = {{"keys", metrics::figures::meanings_page}}};
+        .pages = {{"keys", figures::meanings_page}}};
 }
 
 } // namespace

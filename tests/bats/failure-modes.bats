@@ -1,6 +1,6 @@
 # Where the recipe of the 2019 paper fails, and the default does not, as `metrics` sees it: F9 and F11 to F13.  That the
 # baseline violates the property is asserted, too: it is what the mode is.  The others are GoogleTests (FailureModes) in
-# tests/lib/fill and tests/lib/link3d.
+# tests/lib/planar/fill and tests/lib/planar/link3d.
 
 load common
 

@@ -64,9 +64,7 @@ int main(int argc, char** argv) {
     const auto found = collision::check(scene, {}, walk.growth.moves, options, threads);
     std::printf("%zu moves: trees %.2f s, check %.2f s, %zu collide\n", walk.growth.moves.size(), built, now() - built,
                 found.moves);
-    std::fputs(
-        metrics::figures::text(collision::summary({walk.growth.moves, found, options}), metrics::figures::Format::table)
-            .c_str(),
-        stdout);
+    std::fputs(figures::text(collision::summary({walk.growth.moves, found, options}), figures::Format::table).c_str(),
+               stdout);
     return 0;
 }

@@ -1,0 +1,41 @@
+// What every figure of every report is called by programs and by people, in which unit, and what it says.
+#pragma once
+
+#include "figures/figures.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace filum::figures {
+
+// A key is short, in lower case, and ends with its unit; it never changes its meaning.  '*' in key, group and name
+// stands for what the figure is of: a tool, a load case, a range of widths.
+struct Meaning {
+    std::string_view key, group, name, unit;
+    int decimals;
+    std::string_view says; // the definition
+};
+
+std::span<const Meaning> planar_meanings();  // metrics, of layers
+std::span<const Meaning> surface_meanings(); // metrics --surface
+std::span<const Meaning> head_meanings();    // collide
+std::span<const Meaning> job_meanings();     // postproc --job
+
+// Appends the figure of that key, `of` in the place of '*'; std::logic_error if `meanings` lack it.
+void tell(Figures& out, std::span<const Meaning> meanings, std::string_view key, decltype(Figure::value) value,
+          std::string_view of = {});
+
+// Heading and name that tables have for a key of `metrics`; both empty for any other.  Of a path on a surface its own.
+struct Spoken {
+    std::string group, name;
+};
+Spoken spoken(std::string_view key, bool on_surface);
+
+// Text as part of a key: lower case, with '_' for everything except letters, digits and points.
+std::string key_text(std::string_view text);
+
+// docs/metrics.md.
+std::string meanings_page();
+
+} // namespace filum::figures

@@ -1,0 +1,47 @@
+// The build items of a 3MF: which plate of a slicer's project they are on, and how they stand on the bed. Private to
+// lib/shapes/mesh.
+#pragma once
+
+#include "geom/vec.hpp"
+#include "mesh/project.hpp"
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace filum::mesh {
+
+// Chooses the items of one plate of a project.
+class Plates {
+  public:
+    // `plate` is counted from 1.  A project that lists no plates has one.
+    Plates(const std::vector<Plate>& plates, int plate);
+
+    // True if the next build item, an instance of `object`, is on the plate.  Call it once per item, in file order.
+    bool wanted(const std::string& object);
+    // Call it after all items.  Returns why the plate cannot be printed, or "" if it can.
+    [[nodiscard]] std::string fault() const;
+    // Adds notes on the other plates, and on items that are on no plate.
+    void tell(Notes& notes) const;
+
+  private:
+    const std::vector<Plate>& plates_;
+    std::size_t plate_; // from 0
+    std::map<std::string, int> instances_;
+    std::vector<std::size_t> items_; // number of items on each plate
+    std::size_t nowhere_ = 0;        // items that are on no plate
+};
+
+// How far each item must go down (mm; negative: up) so that each group of items stands on the bed. Items whose boxes
+// overlap, seen from above, form a group and move together, as they may be an assembly. All values are 0 if every group
+// has the same lowest z: then the whole is placed later. Items without triangles have empty boxes.
+std::vector<double> heights_to_lose(std::span<const geom::Box3> boxes, Notes& notes);
+
+// If the item in `box` reaches below the bed (z = 0), adds a negative body that cuts that part away, as slicers do.
+void cut_below_bed(const geom::Box3& box, std::uint32_t item, File& to);
+
+// Copies some triangles of a mesh, and the vertices that they use, into a new mesh.
+Mesh part_of(const Mesh& mesh, std::span<const Triangle> triangles);
+
+} // namespace filum::mesh
