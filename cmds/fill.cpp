@@ -3,7 +3,6 @@
 // writes: Paths
 // memory: one region per thread, and outlines filled before, up to 32 MB
 #include "base/density.hpp"
-#include "baselines/sun2019/spiral.hpp"
 #include "cli/command.hpp"
 #include "fill/reuse.hpp"
 #include "hollow/hollow.hpp"
@@ -24,16 +23,13 @@ constexpr const char* kMinRadius =
 
 struct Options {
     fill::Options how;
-    std::vector<double> pore_size;                                          // mm; none: as --spacing says
-    enum class Method : std::uint8_t { cyc, sun2019 } method = Method::cyc; // of the spiral
-    baselines::sun2019::SpiralOptions sun2019;
+    std::vector<double> pore_size; // mm; none: as --spacing says
 };
 
 std::vector<cli::Group> groups() {
-    return {{"the spiral", {"method", "min-width", "thin", "min-radius"}},
+    return {{"the spiral", {"min-width", "thin", "min-radius"}},
             {"rows and rings", {"angles", "rings"}},
-            {"scaffold", {"spacing", "pore-size", "stagger"}},
-            {"the spiral of the 2019 paper", {"threshold", "start-shift"}}};
+            {"scaffold", {"spacing", "pore-size", "stagger"}}};
 }
 
 std::vector<cli::Option> options(Options& all) {
@@ -41,15 +37,14 @@ std::vector<cli::Option> options(Options& all) {
     fill::Options& o = all.how;
     return {
         Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatternNames),
-        Option{"method", &all.method, "", "how to build a spiral"}.one_of({"cyc", "sun2019"}).when("pattern=spiral"),
         Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.within(0.01, 100).same_as({"regions.bead-width"}),
         Option{"min-width", &o.min_width, "MM",
                "a note reports narrower beads of a spiral; 0: a quarter of --bead-width"}
             .within(0, 100)
-            .when("pattern=spiral !method=sun2019")
+            .when("pattern=spiral")
             .a_limit(),
-        Option{"thin", &o.thin, "", kThin}.one_of(fill::kThinNames).when("pattern=spiral !method=sun2019").a_limit(),
-        Option{"min-radius", &o.min_radius, "MM", kMinRadius}.within(0, 1000).when("pattern=spiral !method=sun2019"),
+        Option{"thin", &o.thin, "", kThin}.one_of(fill::kThinNames).when("pattern=spiral").a_limit(),
+        Option{"min-radius", &o.min_radius, "MM", kMinRadius}.within(0, 1000).when("pattern=spiral"),
         Option{"angles", &o.angles_deg, "DEG,...",
                "angles of straight rows from the x axis, repeated layer by layer; none: 0, or 0,90 for a scaffold"}
             .within(-360, 360)
@@ -68,15 +63,7 @@ std::vector<cli::Option> options(Options& all) {
         Option{"rings", &o.rings, "N",
                "rings along the outline before straight rows, or most rings of contour; -1: the usual number"}
             .within(-1, 1e6)
-            .when("!pattern=spiral|zigzag"),
-        Option{"threshold", &all.sun2019.threshold, "WIDTHS", "contours within this distance are adjacent"}
-            .within(1, 4)
-            .when("method=sun2019")
-            .a_limit(),
-        Option{"start-shift", &all.sun2019.start_shift, "MM",
-               "how far the start moves along the outer contour from layer to layer"}
-            .within(0, 1e6)
-            .when("method=sun2019")};
+            .when("!pattern=spiral|zigzag")};
 }
 
 cli::Spec spec(Options& all) {
@@ -113,10 +100,7 @@ void run(const Options& o, const cli::Io& io) {
         };
         return cli::scan_stage(io, stream::Payload::regions, stream::Payload::paths, work);
     }
-    baselines::sun2019::SpiralOptions paper = o.sun2019;
-    paper.offset = options.bead_width;
-    const bool as_paper = options.pattern == fill::Pattern::spiral && o.method == Options::Method::sun2019;
-    fill::Reuse filled = as_paper ? baselines::sun2019::filler(paper) : fill::Reuse(options);
+    fill::Reuse filled(options);
     std::atomic<bool> any_hollow = false;
     cli::map_stage(io, stream::Payload::regions, stream::Payload::paths, [&](stream::RawFrame frame, Notes& notes) {
         const polygon::Region region = region_of(frame, options);
@@ -125,7 +109,7 @@ void run(const Options& o, const cli::Io& io) {
             return std::vector{wire::frame(hollow::fill(region, {.bead_width = options.bead_width}, notes))};
         return std::vector{wire::frame(filled(region, notes))};
     });
-    for (const char* name : {"pattern", "method", "min-width", "thin", "min-radius", "angles", "rings"})
+    for (const char* name : {"pattern", "min-width", "thin", "min-radius", "angles", "rings"})
         if (any_hollow) io.idle(name, "regions with walls and areas of their own are filled by lanes and as these say");
 }
 

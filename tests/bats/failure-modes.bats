@@ -28,11 +28,11 @@ END
 # figure NAME: its value in figures.tsv
 figure() { awk -F '\t' -v name="$1" '$1 == name {print $2}' figures.tsv; }
 
-# chain MESH SEQUENCE FILL LINK: regions, then the stages with those options, and figures.tsv of the result
+# chain MESH SEQUENCE FILL LINK: regions, then these stages with their options, and figures.tsv of the result
 chain() {
     slice "$1" | regions >all.regions
     # shellcheck disable=SC2086
-    sequence --quiet $2 all.regions | fill $3 | link3d $4 | metrics --format tsv --regions all.regions >figures.tsv
+    $2 --quiet all.regions | $3 | $4 | metrics --format tsv --regions all.regions >figures.tsv
 }
 
 # F9: in a sharp corner each contour leaves a void beside the next one, and links turn round where they overlap both.
@@ -40,13 +40,13 @@ chain() {
 # bar the share of sharp turns is at most half the baseline's.
 @test "F9: voids, overlaps and sharp turns" {
     wrong() { awk -v c="$(figure coverage)" -v o="$(figure overfill)" 'BEGIN { print 1 - c + o }'; }
-    chain wedge.stl "" "--method sun2019" "--links sun2019"
+    chain wedge.stl "sequence" "fill-sun2019" "link3d-sun2019"
     awk -v w="$(wrong)" 'BEGIN { exit !(w > 0.08) }'
-    chain wedge.stl "" "" ""
+    chain wedge.stl "sequence" "fill" "link3d"
     awk -v w="$(wrong)" 'BEGIN { exit !(w < 0.045) }'
-    chain bar.stl "" "--method sun2019" "--links sun2019"
+    chain bar.stl "sequence" "fill-sun2019" "link3d-sun2019"
     baseline=$(figure sharp_turn_share)
-    chain bar.stl "" "" ""
+    chain bar.stl "sequence" "fill" "link3d"
     echo "sharp turns: $baseline, by default $(figure sharp_turn_share)"
     awk -v b="$baseline" -v d="$(figure sharp_turn_share)" 'BEGIN { exit !(b > 0.004 && 2 * d <= b) }'
 }
@@ -56,14 +56,14 @@ chain() {
 # Property: no layer of a bar begins within three bead widths of where the one below begins, and no bead is crossed; ten
 # layers, nine pairs.
 @test "F11: the main axis puts all starts on one line" {
-    chain bar.stl "" "--method sun2019" "--links sun2019"
+    chain bar.stl "sequence" "fill-sun2019" "link3d-sun2019"
     [ "$(figure seam_pairs)" = 9 ]
     [ "$(figure seams_near)" = 9 ]
-    chain bar.stl "" "--method sun2019 --start-shift 10" "--links sun2019 --start-shift 10"
+    chain bar.stl "sequence" "fill-sun2019 --start-shift 10" "link3d-sun2019 --start-shift 10"
     [ "$(figure seams_near)" = 0 ]
     [ "$(figure crossings)" -ge 9 ]
-    for scheme in alternate golden random; do
-        chain bar.stl "" "" "--interlace $scheme"
+    for scheme in alternate golden; do
+        chain bar.stl "sequence" "fill" "link3d --interlace $scheme"
         [ "$(figure crossings)" = 0 ]
         [ "$(figure seam_pairs)" = 9 ]
         [ "$(figure seams_near)" = 0 ]
@@ -76,24 +76,24 @@ chain() {
 # Property: as many strokes as the proven lower bound, and a quarter of those of the baseline at most.
 @test "F12: layer by layer, every island of every layer is a stroke" {
     slice towers.stl | regions >all.regions
-    strokes() { sequence "$@" --report all.regions 2>&1 >out.sequence | sed -n "s/^sequence: $fact //p"; }
+    strokes() { "$1" --report all.regions 2>&1 >out.sequence | sed -n "s/^$1: $fact //p"; }
     fact=planned-strokes
-    baseline=$(strokes --order sun2019)
-    default=$(strokes)
+    baseline=$(strokes sequence-sun2019)
+    default=$(strokes sequence)
     [ "$baseline" = 61 ]
     [ "$default" = 4 ]
     fact=lower-bound
-    [ "$(strokes)" = "$default" ]
+    [ "$(strokes sequence)" = "$default" ]
 }
 
 # F13: connectors outside the box of all, by no rule but that, pass through the part they leave.
 # Property: no two moves of a layer cross, connectors included, and how many connectors there are is told.
 @test "F13: connectors cut through the parts" {
-    chain towers.stl "--order sun2019" "" "--links sun2019"
+    chain towers.stl "sequence-sun2019" "fill" "link3d-sun2019"
     [ "$(figure joins_connector)" = 60 ]
     [ "$(figure crossings)" -ge 60 ]
     for connect in break outside; do
-        chain towers.stl "" "" "--connect $connect"
+        chain towers.stl "sequence" "fill" "link3d --connect $connect"
         [ "$(figure crossings)" = 0 ]
         [ "$(figure joins_connector)" = "$(figure said.link3d.connectors)" ]
         [ "$(figure strokes)" -le 4 ]

@@ -23,7 +23,7 @@ setup() {
 
 @test "a spiral has fewer than half the sharp turns of sun2019" {
     fill part.regions > ours.paths
-    fill --method sun2019 part.regions > theirs.paths 2> /dev/null
+    fill-sun2019 part.regions > theirs.paths 2> /dev/null
     metrics ours.paths | awk '/sharp-turn share/ { print $NF }' > ours
     metrics theirs.paths | awk '/sharp-turn share/ { print $NF }' > theirs
     awk 'NR == FNR { ours = $1; next } { exit !(ours < $1 / 2) }' ours theirs

@@ -273,8 +273,8 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
 @test "an option that does nothing in any stage is refused by the stage that has it" {
     expect 2 filum print part.stl --spacing 1.2
     [[ $err == *"fill: cannot use --spacing: it does nothing without --pattern scaffold"* ]]
-    expect 0 filum print part.stl --start-shift 1 --method sun2019 --dry-run
-    [[ $out == *"fill --start-shift=1"* && $out != *"link3d --start-shift"* ]]
+    expect 0 filum print part.stl --stage fill=fill-sun2019 --start-shift 1 --dry-run
+    [[ $out == *"fill-sun2019 --start-shift=1"* && $out != *"link3d --start-shift"* ]]
 }
 
 @test "control codes of names and files are shown, not sent" {

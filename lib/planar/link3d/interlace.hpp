@@ -10,7 +10,6 @@ enum class Interlace : std::uint8_t {
     none,      // each layer begins where the one below it ended
     alternate, // two places in turn
     golden,    // spread by the golden section, so that no place repeats
-    random,
 };
 
 // Least distance between the starts of neighbouring layers, in bead widths: three, with room for layers of different
@@ -18,9 +17,7 @@ enum class Interlace : std::uint8_t {
 inline constexpr double kApart = 3.2;
 
 // The distance along the curve from the column's home to the start of a layer, in bead widths: at most 12. The offsets
-// of neighbouring layers differ by more than kApart, except with `none`, which gives 0. `before` is the offset of the
-// layer below. `alternate` and `golden` depend only on `layer`; `random` depends on `before` and `state`, and changes
-// `state`.
-double start_offset(Interlace scheme, std::uint32_t layer, double before, std::uint64_t& state);
+// of neighbouring layers differ by more than kApart, except with `none`, which gives 0.
+double start_offset(Interlace scheme, std::uint32_t layer);
 
 } // namespace filum::link3d

@@ -45,7 +45,6 @@ struct Options {
     Seam seam = Seam::nearest;
     geom::Vec2 seam_at{}; // mm, for Seam::place
     Interlace interlace = Interlace::none;
-    std::int64_t seed = 1;           // for Interlace::random, >= 0
     bool alternate_direction = true; // odd layers run in reverse order of their points
     Lift lift = Lift::plain;
     machine::Head head = {}; // must not touch printed material

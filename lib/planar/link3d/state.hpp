@@ -57,12 +57,11 @@ struct Before {
 struct Column {
     Vec2 home;                // where it began
     double offset = 0;        // bead widths, from `home` to the layer's start
-    std::uint64_t random = 0; // state of the generator of `offset`
     std::optional<Turn> turn; // turn of a helix below the front region
 };
 
 struct State {
-    explicit State(const Options& how) : options(how) { column.random = static_cast<std::uint64_t>(how.seed); }
+    explicit State(const Options& how) : options(how) {}
 
     Options options;
     std::deque<Waiting> window; // the front one is printed next; at most look_ahead + 1

@@ -151,10 +151,16 @@ std::vector<Command> commands_of(const Request& request, const std::vector<Stage
     return out;
 }
 
-std::string pipeline(const std::vector<Command>& commands, const std::vector<Stage>& stages) {
+// A program as it is typed: a stage of Filum by its name, another program by its file.
+std::string typed(const std::string& program) {
+    const std::filesystem::path file = program;
+    return file.parent_path() == stage_folder() ? file.filename().string() : shell_word(program);
+}
+
+std::string pipeline(const std::vector<Command>& commands) {
     std::string line;
     for (std::size_t i = 0; i < commands.size(); ++i) {
-        line += (i > 0 ? " | " : "") + stages[i].name;
+        line += (i > 0 ? " | " : "") + typed(commands[i].front());
         for (std::size_t w = 1; w < commands[i].size(); ++w) line += " " + shell_word(commands[i][w]);
     }
     return line + "\n";
@@ -162,14 +168,13 @@ std::string pipeline(const std::vector<Command>& commands, const std::vector<Sta
 
 // The text of the pipeline.  If a slicer's printer is the machine, its temporary profile gets another name,
 // SlicerMachine::kShownName, and the command that makes that file comes first.
-std::string shown_pipeline(std::vector<Command> commands, const std::vector<Stage>& stages,
-                           const SlicerMachine* machine) {
-    if (machine == nullptr) return pipeline(commands, stages);
+std::string shown_pipeline(std::vector<Command> commands, const SlicerMachine* machine) {
+    if (machine == nullptr) return pipeline(commands);
     for (Command& command : commands)
         for (std::string& word : command)
             if (word.ends_with("=" + machine->path()))
                 word.replace(word.size() - machine->path().size(), std::string::npos, SlicerMachine::kShownName);
-    return machine->command() + pipeline(commands, stages);
+    return machine->command() + pipeline(commands);
 }
 
 // Reports the settings of files that are not used; first those without which a print can go wrong.
@@ -289,7 +294,7 @@ int print_part(const std::vector<std::string>& typed) {
     if (ours.machine != nullptr && !request.inputs.empty()) ours.machine->name_input(request.inputs.front());
     check_profiles(request, stages);
     std::vector<Command> commands = commands_of(request, stages);
-    if (request.dry_run) return tell(shown_pipeline(commands, stages, ours.machine.get()));
+    if (request.dry_run) return tell(shown_pipeline(commands, ours.machine.get()));
     if (request.output == "-" && ::isatty(STDOUT_FILENO) != 0)
         throw Error(Exit::usage,
                     "cannot write machine code to a terminal; add -o FILE, as in -o part.gcode, or pipe it on");

@@ -134,7 +134,9 @@ Stage ask(const std::string& name) {
 }
 
 Stage foreign(const Stage& stage, const std::string& file) {
-    const std::string found = file.find('/') != std::string::npos ? file : on_path(file);
+    const std::string found = file.find('/') != std::string::npos ? file
+                              : is_stage(file)                    ? stage_program(file)
+                                                                  : on_path(file);
     if (!is_program(found))
         throw Error(Exit::usage, "cannot use '" + file + "' as the stage '" + stage.name +
                                      "': it is no program; name its file, as ./mine, and make it executable");

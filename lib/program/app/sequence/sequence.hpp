@@ -1,0 +1,21 @@
+// What every order of regions shares: reads all regions, orders them, and writes them with their strokes.
+#pragma once
+
+#include "cli/command.hpp"
+#include "machine/head.hpp"
+#include "sequence/sequence.hpp"
+
+namespace filum::app::sequence {
+
+struct Work {
+    filum::sequence::Options how; // `how.head` is that of `head`
+    machine::HeadChoice head;
+    std::string pause_at; // machine::parse_pauses; empty: no pause
+    std::string ends;     // file for a table with the end of every stroke; empty: none
+    bool report = false;  // print the facts
+};
+
+// Reads Regions and writes them in their order. Throws Error as machine::head, parse_pauses and the streams do.
+void run(const Work& work, const cli::Io& io);
+
+} // namespace filum::app::sequence
