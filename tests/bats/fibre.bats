@@ -166,7 +166,7 @@ setup() {
     gzip -dc "$FILUM_SOURCE/examples/surfaces/pipe-tee.off.gz" | geodesic > tee.surface
     run surfpath --notes all hybrid tee.surface -o tee.toolpath
     [ "$status" -eq 0 ]
-    [[ $output == *"1 closed surface was opened along a seam ("*" mm); at "* ]]
+    [[ $output == *"1 closed surface was opened along a slit ("*" mm); at "* ]]
     [ "$(metrics --surface tee.surface --format tsv tee.toolpath | awk '$1 == "cuts" { print $2 }')" = 0 ]
     run surfpath hybrid --method kipping2022 plate.surface -o none
     [ "$status" -eq 2 ]

@@ -79,9 +79,9 @@ Plan of_component(const surface::Sheet& sheet, const Options& options) {
         for (const std::uint32_t t : small.parent) on_small.beyond.push_back(options.beyond[t]);
     Notes opened;
     if (has_rings(options)) {
-        const surface::Sources seam = slits(small.sheet, opened);
+        const surface::Sources slit = slits(small.sheet, opened);
         auto& to = small.sheet.sources.segments;
-        to.insert(to.end(), seam.segments.begin(), seam.segments.end());
+        to.insert(to.end(), slit.segments.begin(), slit.segments.end());
     }
     Plan out = lines(small.sheet, on_small);
     out.notes.insert(out.notes.end(), opened.begin(), opened.end());
