@@ -46,8 +46,8 @@ void name(std::vector<surface::Sheet>& patches, const std::vector<std::string>& 
         p.name = letters(letter++);
     }
     if (used < names.size())
-        throw Error(Exit::usage,
-                    "cannot use --names: there are more names than patches, the first is '" + names[used] + "'");
+        throw Error(Exit::usage, "cannot use --names: there are more names than patches without one, the first is '" +
+                                     names[used] + "'; leave it out");
     std::set<std::string> seen;
     for (const auto& p : patches)
         if (!seen.insert(p.name).second)
