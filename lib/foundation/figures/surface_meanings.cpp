@@ -6,13 +6,13 @@ namespace {
 
 constexpr Meaning kSurface[] = {
     {"chains", "continuity", "chains", "", 0,
-     "stretches of path without a travel, and without a span that begins elsewhere than the one before ended"},
-    {"cuts", "continuity", "cuts", "", 0, "chains - 1"},
+     "fibres: stretches of path without a travel, and without a span that begins elsewhere than the one before ended"},
+    {"cuts", "continuity", "cuts", "", 0, "fibres - 1"},
     {"cuts_per_1000_mm2", "continuity", "cuts per 1000 mm2", "", 2, "cuts divided by the surface's area times plies"},
-    {"fibre_least_mm", "continuity", "shortest fibre", "mm", 2, "length of the shortest chain"},
-    {"fibre_p10_mm", "continuity", "fibre p10", "mm", 2, "a tenth of the chains is shorter"},
-    {"fibre_p50_mm", "continuity", "fibre p50", "mm", 2, "half of the chains is shorter"},
-    {"fibre_mm", "continuity", "fibre", "mm", 1, "length of all chains"},
+    {"fibre_least_mm", "continuity", "shortest fibre", "mm", 2, "length of the shortest fibre"},
+    {"fibre_p10_mm", "continuity", "fibre p10", "mm", 2, "a tenth of the fibres is shorter"},
+    {"fibre_p50_mm", "continuity", "fibre p50", "mm", 2, "half of the fibres is shorter"},
+    {"fibre_mm", "continuity", "fibre", "mm", 1, "length of all fibres"},
     {"travel_mm", "continuity", "travel", "mm", 1, "length of travels, and straight across jumps"},
     {"unmarked_jumps", "continuity", "unmarked jumps", "", 0,
      "places where a span begins elsewhere than the one before ended; absent if there are none"},
@@ -21,7 +21,7 @@ constexpr Meaning kSurface[] = {
      "parallel"},
 
     {"paper_angle_deg", "curvature", "paper: mean of the top 1 % of angles at d", "deg", 2,
-     "Kipping et al. 4.1.2: chains resampled every d; mean of the greatest hundredth of the angles between steps"},
+     "Kipping et al. 4.1.2: fibres resampled every d; mean of the greatest hundredth of the angles between steps"},
     {"paper_angle_step_deg", "curvature", "paper: mean of the top 1 % of angles at the step", "deg", 2,
      "the same, resampled every --step"},
     {"step_mm", "curvature", "step", "mm", 4, "--step, by default d / 4"},
