@@ -15,7 +15,7 @@ struct Limits {
     double radius_min = -std::numeric_limits<double>::infinity(); // mm, of a polar machine's x
 };
 
-// What it costs to lift the tool at a pose in order to change the configuration there.
+// The cost of lifting the tool at a pose in order to change the configuration there, in ascending order.
 enum class Lifting : std::uint8_t {
     air,  // nothing: the tool is off the part anyway
     join, // a break where there is no bead
@@ -27,21 +27,27 @@ struct Stop {
     std::size_t pose = 0;
     int configuration = 0; // index of the two solutions of inverse()
     double turn = 0;       // rad, not wrapped
-    bool lifted = false;   // the same pose as the stop before in another configuration; the tool was lifted in between
+    // True if the stop before has the same pose in another configuration, and the tool lifts between the two.
+    bool lifted = false;
 };
 
 struct Configurations {
-    std::vector<Stop> stops; // at each pose one, or more with lifts between; as far as `stuck`
-    std::size_t stuck = 0;   // first pose that cannot be reached, or as many as poses
+    std::vector<Stop> stops; // one per pose before `stuck`, or several with lifts between them
+    std::size_t stuck = 0;   // the first pose that cannot be reached; the number of poses if all can
 };
 
-// Those of fewest breaks; of those with their breaks at the best places (joins, beads, tight turns); of those of
-// least travel of both rotary axes (ties: the first configuration, the lowest turn, the earliest lift).  Dynamic
-// programme over configurations and whole turns.  A tilt may be out of its limits by `lean` rad.  The tool does not go
-// from one to the other where its axis would swing off on the way by more than `lean` and the change of the poses'
-// axes, but in the air. `lifting`: per pose, or empty: no lifts, from the air.  Where the first pose is in the air they
-// may begin with any whole turn.  First without the turn's limits, whole turns then added to keep them; if none do,
-// with them.
+// Chooses a configuration and whole turns for every pose of a stroke, by dynamic programming. Breaks count first: the
+// choice has the fewest, then those at the best places (joins, then beads, then tight turns). The travel of both
+// rotary axes counts last. Ties: the first configuration, the lowest turn, the earliest lift.
+//
+// A tilt may exceed its limits by `lean` rad. Between two poses the tool axis may swing off the poses' axes by at most
+// `lean` and the angle between these; in the air it may swing farther.
+//
+// `lifting` has an entry per pose. If it is empty, the tool never lifts and comes from the air. A stroke that comes
+// from the air may begin with any number of whole turns.
+//
+// The search ignores the limits of the turn axis at first, and then adds whole turns to keep them. If no number of
+// whole turns does, it searches again within the limits.
 Configurations configurations(const Chain& chain, std::span<const Pose> poses, const Joints& before, double lean,
                               const Limits& limits, std::span<const Lifting> lifting);
 

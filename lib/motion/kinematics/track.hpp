@@ -1,4 +1,4 @@
-// The way of the axes along a whole stroke.
+// The joints of a machine with rotary axes along a whole stroke.
 #pragma once
 
 #include "kinematics/configurations.hpp"
@@ -11,27 +11,29 @@ namespace filum::kinematics {
 
 // A stretch of a stroke without a lift.
 struct Piece {
-    std::size_t first = 0;      // pose; the piece before ends at the same one
+    std::size_t first = 0;      // index of its first pose, which is also the last one of the stretch before
     std::vector<Joints> joints; // one per pose
 };
 
 struct Track {
     std::vector<Piece> pieces;
-    double off = 0;         // rad: the most that a tool axis is off its pose's
-    std::size_t off_at = 0; // which
-    double clipped = 0;     // rad: the most of it that keeps a tilt within its limits
-    std::size_t clipped_at = 0;
-    // The first pose that cannot be reached within the limits, and why; as many as poses if there is none.
-    std::size_t stuck = 0;
-    std::string why;
+    double off = 0;             // rad: the largest angle between a tool axis and the axis of its pose
+    std::size_t off_at = 0;     // its pose
+    double clipped = 0;         // rad: the most by which a tilt was reduced to its limit
+    std::size_t clipped_at = 0; // its pose
+    std::size_t stuck = 0;      // the first pose that cannot be reached within the limits; the number of poses if none
+    std::string why;            // the reason
 };
 
-// Joints for `poses`, in their order, beginning near `before` (of the stroke before), along the route of fewest lifts
-// and least travel (see route), the turn axis not wrapped.  Where the tool is nearly upright the turn is nearly free:
-// it is pulled taut there within `tolerance` rad of tool axis, so that it does not spin round, and fades to the true
-// one at eight times the tolerance.  A tilt beyond its limits by no more than the tolerance stays at the limit.
-// Positions are always kept.  Of a polar machine the turn is the tip's, and the axis only as near as one tilt allows:
-// the tolerance is not kept there.
+// The joints at `poses`, in their order, from near `before`, the joints at the end of the stroke before. Configurations
+// and whole turns are those of configurations(); the turn axis is not wrapped. Positions are always kept.
+//
+// While the tool is nearly upright, its axis hardly depends on the turn. There the turn changes as little as possible
+// while the tool axis stays within `tolerance` rad, so the table does not spin. Up to eight times the tolerance the
+// turn fades to its exact value. A tilt that exceeds its limit by the tolerance at most stays at the limit.
+//
+// On a polar machine the place of the tip determines the turn, and one tilt brings the tool axis as near as it can.
+// The tolerance does not hold there.
 Track track(const Chain& chain, std::span<const Pose> poses, const Joints& before, double tolerance,
             const Limits& limits = {}, std::span<const Lifting> lifting = {});
 
