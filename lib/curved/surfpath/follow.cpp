@@ -20,17 +20,6 @@ constexpr double kAcross = 10; // spacings: longest way from row to row across o
 constexpr double kEasedTo = 1.15;
 constexpr double kGive = 0.1; // spacings: how far easing may move a line; more would cut off the turns of pairs
 
-field::DirectionMix sources(const surface::Sheet& sheet, field::DirectionMix given) {
-    if (!given.only(nullptr)) return given;
-    const bool stressed = std::any_of(sheet.fields.begin(), sheet.fields.end(), [](const surface::Field& f) {
-        return f.name.starts_with("stress.") && f.name.ends_with(".d1");
-    });
-    const bool has_direction = std::any_of(sheet.fields.begin(), sheet.fields.end(),
-                                           [](const surface::Field& f) { return f.name == kDirection; });
-    (has_direction ? given.given : stressed ? given.stress : given.angle) = 1;
-    return given;
-}
-
 // Every line becomes a stroke of its own.
 std::vector<Stroke> separate_strokes(std::vector<Line> lines) {
     std::vector<plan::EndPoints> ends;
@@ -62,6 +51,19 @@ void ease(const Surface& s, std::vector<Line>& lines, double radius, double spac
 
 } // namespace
 
+field::DirectionMix directions_followed(const surface::Sheet& sheet, const Options& options) {
+    if (options.algorithm == Algorithm::hybrid) return {.rings = 1};
+    field::DirectionMix out = options.follow;
+    if (!out.only(nullptr)) return out;
+    const bool stressed = std::any_of(sheet.fields.begin(), sheet.fields.end(), [](const surface::Field& f) {
+        return f.name.starts_with("stress.") && f.name.ends_with(".d1");
+    });
+    const bool has_direction = std::any_of(sheet.fields.begin(), sheet.fields.end(),
+                                           [](const surface::Field& f) { return f.name == kDirection; });
+    (has_direction ? out.given : stressed ? out.stress : out.angle) = 1;
+    return out;
+}
+
 bool keeps_angle(const Options& o) {
     return o.keep == Priority::angle || (o.keep == Priority::usual && o.follow.only(&field::DirectionMix::angle));
 }
@@ -73,7 +75,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
     const bool covers = o.algorithm == Algorithm::hybrid;
     const double radius = covers ? o.spacing / 2 : o.least_radius;
     const auto cells = surface::directions::cells(s);
-    const auto prescribed = field::prescribed(sheet, cells, sources(sheet, o.follow));
+    const auto prescribed = field::prescribed(sheet, cells, directions_followed(sheet, o));
     const auto directions = field::smooth(s, cells, prescribed, kSmoothed * o.spacing, radius);
     field::StripeOptions striping{o.spacing, o.shift, keeps_angle(o) ? field::kKeepAngle : field::kKeepSpacing};
     striping.apart = o.births_apart;

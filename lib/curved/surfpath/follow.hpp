@@ -9,6 +9,10 @@ namespace filum::surfpath {
 // Whether lines keep to the angle rather than to the spacing, where they cannot keep to both.
 bool keeps_angle(const Options& options);
 
+// The directions that lines follow: rings for hybrid, otherwise those of `options.follow`. If nothing is set there: the
+// sheet's field of directions, else its stress, else the angle.
+field::DirectionMix directions_followed(const surface::Sheet& sheet, const Options& options);
+
 // Lines along the directions that `options.follow` selects (field/directions.hpp). The directions are smoothed until
 // lines bend no tighter than the least radius; stripes (field/stripes.hpp) place the lines one spacing apart. Where
 // directions diverge, two new lines begin together, joined by a hairpin. Closed lines become spirals or are joined to

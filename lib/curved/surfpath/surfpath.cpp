@@ -11,6 +11,7 @@
 #include "surfpath/geo_fiso.hpp"
 #include "surfpath/geo_spiral.hpp"
 #include "surfpath/ortheo.hpp"
+#include "surfpath/plan/canonical.hpp"
 #include "surfpath/plan/declare.hpp"
 #include "surfpath/plan/ground.hpp"
 #include "surfpath/plan/refined.hpp"
@@ -28,6 +29,8 @@ namespace {
 constexpr double kLongest = 2;        // spacings: longest side of the triangles on which lines are traced
 constexpr double kLongestStriped = 1; // spacings: of those for stripes that keep the spacing
 constexpr double kLongestTrue = 0.5;  // spacings: of those for stripes that keep the angle, whose error is proportional
+// spacings: cells of the grid that surfaces are moved to for lines of field; a power of two (plan/canonical.hpp)
+constexpr double kGrid = 1.0 / 1024;
 constexpr double kBeside = 0.5; // mm: path on either side of a tight turn that is declared with it, at least; however
                                 // long the stretch over which curvature is measured, the excess lies within
 
@@ -67,11 +70,13 @@ std::vector<surface::Field> directions(const surface::Sheet& sheet) {
     return out;
 }
 
-Plan of_component(const surface::Sheet& sheet, const Options& options) {
-    const bool by_field = options.algorithm == Algorithm::field || options.algorithm == Algorithm::hybrid;
-    const double longest = !by_field ? kLongest : keeps_angle(options) ? kLongestTrue : kLongestStriped;
+bool by_field(const Options& o) { return o.algorithm == Algorithm::field || o.algorithm == Algorithm::hybrid; }
+
+// The plan on the sheet as it is.
+Plan as_given(const surface::Sheet& sheet, const Options& options) {
+    const double longest = !by_field(options) ? kLongest : keeps_angle(options) ? kLongestTrue : kLongestStriped;
     plan::RefinedSheet small = plan::refined(sheet, longest * options.spacing);
-    if (by_field)
+    if (by_field(options))
         small.sheet.fields = surface::curve::transferred(sheet.surface, directions(sheet), small.sheet.surface);
     Options on_small = options;
     on_small.beyond.clear();
@@ -86,6 +91,25 @@ Plan of_component(const surface::Sheet& sheet, const Options& options) {
     Plan out = lines(small.sheet, on_small);
     out.notes.insert(out.notes.end(), opened.begin(), opened.end());
     plan::to_parents(out, small);
+    return out;
+}
+
+// The plan on a sheet without what rounding and the choice of axes add, moved to the given one. Lines of field need
+// this: on symmetric surfaces many places and turns are equally good, and the last bit would choose.
+Plan on_canonical(const surface::Sheet& given, const Options& options) {
+    const auto& to = options.follow.reference;
+    const bool by_angle = directions_followed(given, options).angle > 0;
+    const auto canonical = plan::canonical(given, kGrid * options.spacing, by_angle ? to : Vec3{});
+    Options o = options;
+    if (by_angle) o.follow.reference = canonical.direction;
+    for (Vec3& p : o.births_apart) p = canonical.frame.into(p - canonical.frame.centre);
+    Plan out = as_given(canonical.sheet, o);
+    plan::from_canonical(out, canonical, given);
+    return out;
+}
+
+Plan of_component(const surface::Sheet& sheet, const Options& options) {
+    Plan out = by_field(options) ? on_canonical(sheet, options) : as_given(sheet, options);
     plan::keep_to_surface(sheet.surface, out);
     return out;
 }
