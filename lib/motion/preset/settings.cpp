@@ -89,7 +89,7 @@ std::vector<std::string> comma_items(std::string_view text) {
     return out;
 }
 
-// Guesses the type of a setting that is not in keys.tsv from its values.
+// Guesses the type of a setting without a type in settings.tsv from its values.
 Key looks_like(std::string_view name, const std::vector<std::string>& values) {
     Key out;
     out.name = name;

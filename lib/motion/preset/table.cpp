@@ -6,14 +6,25 @@
 #include <array>
 #include <utility>
 
-// The assembler embeds the file between two labels.  The build defines FILUM_PRESET_KEYS.
-__asm__(".section .rodata\n.global filum_preset_keys\nfilum_preset_keys:\n.incbin \"" FILUM_PRESET_KEYS
-        "\"\n.global filum_preset_keys_end\nfilum_preset_keys_end:\n.byte 0\n.previous\n");
-extern "C" const char filum_preset_keys[], filum_preset_keys_end[];
+// The assembler embeds the file FILUM_SETTINGS, which the build names, between two labels.
+__asm__(".section .rodata\n.global filum_settings\nfilum_settings:\n.incbin \"" FILUM_SETTINGS
+        "\"\n.global filum_settings_end\nfilum_settings_end:\n.byte 0\n.previous\n");
+extern "C" const char filum_settings[], filum_settings_end[];
 
 namespace filum::preset {
 
 namespace {
+
+// The columns of the table.
+enum Column : std::uint8_t { at_key, at_slicers, at_type, at_of, at_usual, at_use, at_target, at_reading, at_why };
+
+using Cells = std::vector<std::vector<std::string_view>>;
+
+const Cells& cells() {
+    static const Cells all =
+        table_rows(std::string_view(filum_settings, static_cast<std::size_t>(filum_settings_end - filum_settings)));
+    return all;
+}
 
 // Sets the type of a key.  "floats" is a list of "float".
 void set_type(std::string_view word, Key& to) {
@@ -31,22 +42,55 @@ void set_type(std::string_view word, Key& to) {
         if (name == word) to.type = type;
 }
 
-std::vector<Key> read() {
+Use use_of(std::string_view word) {
+    return word == "used" ? Use::used : word == "none" ? Use::none : word == "harm" ? Use::harm : Use::later;
+}
+
+std::vector<SettingRow> read_rows() {
+    std::vector<SettingRow> out;
+    for (const auto& row : cells())
+        out.push_back({.key = row.at(at_key),
+                       .slicers = row.at(at_slicers),
+                       .of = row.at(at_of),
+                       .usual = row.at(at_usual),
+                       .use = use_of(row.at(at_use)),
+                       .target = row.at(at_target),
+                       .reading = row.at(at_reading),
+                       .why = row.at(at_why)});
+    return out;
+}
+
+// A key has one type in all slicers; its default is that of PrusaSlicer.
+std::vector<Key> read_keys() {
     std::vector<Key> out;
-    const std::string_view all(filum_preset_keys, static_cast<std::size_t>(filum_preset_keys_end - filum_preset_keys));
-    for (const auto& row : table_rows(all)) {
-        Key key{.name = row.at(0), .type = Type::text, .list = false, .of = row.at(2), .usual = row.at(3)};
-        set_type(row[1], key);
+    for (std::size_t i = 0; i < cells().size(); ++i) {
+        const std::string_view type = cells()[i][at_type];
+        if (type.empty()) continue;
+        const SettingRow& row = setting_rows()[i];
+        Key key{.name = row.key, .type = Type::text, .list = false, .of = row.of, .usual = {}};
+        if (is_for(row, "prusa")) key.usual = row.usual;
+        set_type(type, key);
         out.push_back(key);
     }
     std::ranges::sort(out, {}, &Key::name);
     return out;
 }
 
+// Whether a key matches the pattern; each * in it stands for any text.
+bool fits(std::string_view key, std::string_view pattern) {
+    const auto star = pattern.find('*');
+    if (star == std::string_view::npos) return key == pattern;
+    if (!key.starts_with(pattern.substr(0, star))) return false;
+    const std::string_view rest = pattern.substr(star + 1);
+    for (std::size_t i = star; i <= key.size(); ++i)
+        if (fits(key.substr(i), rest)) return true;
+    return false;
+}
+
 } // namespace
 
 const std::vector<Key>& keys() {
-    static const std::vector<Key> all = read();
+    static const std::vector<Key> all = read_keys();
     return all;
 }
 
@@ -54,6 +98,24 @@ const Key* key_of(std::string_view name) {
     const auto& all = keys();
     const auto found = std::ranges::lower_bound(all, name, {}, &Key::name);
     return found != all.end() && found->name == name ? &*found : nullptr;
+}
+
+const std::vector<SettingRow>& setting_rows() {
+    static const std::vector<SettingRow> all = read_rows();
+    return all;
+}
+
+bool is_for(const SettingRow& row, std::string_view slicer) {
+    if (row.slicers == "*") return true;
+    for (std::string_view list = row.slicers; !list.empty();)
+        if (cut(list, ',') == slicer) return true;
+    return false;
+}
+
+SettingRow row_of(std::string_view key, std::string_view slicer) {
+    for (const SettingRow& row : setting_rows())
+        if (fits(key, row.key) && is_for(row, slicer)) return row;
+    return {};
 }
 
 } // namespace filum::preset

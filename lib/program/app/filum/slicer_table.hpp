@@ -1,30 +1,19 @@
-// The table of slicers' settings, settings.tsv.  The build embeds it in the program.
+// The rows of the table of settings for one slicer.
 #pragma once
 
 #include "app/filum/slicer_file.hpp"
+#include "preset/table.hpp"
 
 #include <string_view>
 #include <vector>
 
 namespace filum::app::filum {
 
-enum class Use : std::uint8_t {
-    used,
-    none,   // the setting has no meaning in Filum
-    later,  // the setting has a meaning, but Filum does not use it yet
-    harm,   // as `later`, and a print without the setting can go wrong
-    unknown // the table has no row for the setting
-};
+using preset::SettingRow;
+using preset::Use;
 
-// One row of the table; a cell with '-' is empty here.
-struct SettingRow {
-    Use use = Use::unknown;
-    std::string_view target;  // Filum's option, or a key of the machine profile
-    std::string_view reading; // how the value is converted; see slicer_settings.cpp
-    std::string_view of;      // the key that a percentage refers to
-    std::string_view usual;   // the slicer's default
-    std::string_view why;     // why the setting is not used
-};
+// The word for a slicer in the table: "prusa", "orca", "unknown", ...
+std::string_view table_word(Slicer slicer);
 
 // The default values of the slicer, for keys that its presets may lack.
 std::vector<SlicerSetting> defaults_of(Slicer slicer);
