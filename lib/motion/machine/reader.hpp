@@ -62,4 +62,9 @@ class Document {
     std::unique_ptr<State> state_;
 };
 
+inline constexpr double kInf = std::numeric_limits<double>::infinity();
+
+// A positive number not above `max`.
+inline Document::Range above_zero(double max) { return {0, max, true}; }
+
 } // namespace filum::machine
