@@ -31,7 +31,7 @@ cm3() { sed -n 's/^; filament used \[cm3\] = //p' "$1"; }
 }
 
 @test "settings are shown in their groups, each key of PrusaSlicer in one" {
-    printf 'perimeters = 3\nstart_gcode = G28\\nG1 Z5\npost_process = mine\nwipe = 1\nnotes = mine\nnew_key = 1\n' > x.ini
+    printf 'perimeters = 3\nstart_gcode = G28\\nG1 Z5\npost_process = mine\nbrim_separation = 1\nnotes = mine\nnew_key = 1\n' > x.ini
     run filum settings x.ini
     [ "$status" -eq 0 ]
     [[ "$output" == *"used (2)"*"--walls=3"*"go wrong (1)"*"post_process"*"not used yet (1)"*"not known (1)"*"meaning here (1)"* ]]

@@ -35,6 +35,7 @@ constexpr Meaning kJob[] = {
     {"tool.*.travel_mm", "tool *", "travel", "mm", 1, "length of travels, with lifts and approaches"},
     {"tool.*.material_mm3", "tool *", "material", "mm3", 2, "volume times the profile's flow"},
     {"tool.*.mass_g", "tool *", "mass", "g", 3, "volume times the density of the profile; absent if it has none"},
+    {"tool.*.cost", "tool *", "cost", "", 2, "mass times the price of the material, extrusion.cost of the profile"},
     {"tool.*.print_time_s", "tool *", "print time", "s", 1, "time with material"},
     {"tool.*.travel_time_s", "tool *", "travel time", "s", 1, "time of its travels"},
     {"job.strokes", "job", "strokes", "", 0, "the sum over all tools"},
@@ -44,6 +45,8 @@ constexpr Meaning kJob[] = {
     {"job.travel_mm", "job", "travel", "mm", 1, "the sum over all tools"},
     {"job.material_mm3", "job", "material", "mm3", 2, "the sum over all tools"},
     {"job.mass_g", "job", "mass", "g", 3, "the sum over all tools"},
+    {"job.cost", "job", "cost", "", 2,
+     "mass times the price of the material, extrusion.cost of the profile, in its money"},
     {"job.print_time_s", "job", "print time", "s", 1, "the sum over all tools"},
     {"job.travel_time_s", "job", "travel time", "s", 1, "the sum over all tools"},
 };

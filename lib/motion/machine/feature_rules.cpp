@@ -14,6 +14,11 @@ void read_features(Document& doc, Controller controller, double most_acceleratio
     }
     doc.text("features.set_acceleration", rules.set_acceleration);
     doc.text("features.set_fan", rules.set_fan);
+    const char* first_layer = "features.first_layer_acceleration";
+    doc.number(first_layer, rules.first_layer_acceleration, {0, most_acceleration});
+    rules.accelerates = rules.first_layer_acceleration > 0;
+    if (rules.accelerates && rules.set_acceleration.empty())
+        doc.fail(first_layer, "features.set_acceleration must say by which code, with {acceleration}");
     for (std::size_t f = 1; f < toolpath::kFeatures; ++f) {
         std::string name = toolpath::kFeatureNames[f];
         std::replace(name.begin(), name.end(), '-', '_');

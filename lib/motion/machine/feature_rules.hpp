@@ -19,8 +19,13 @@ struct FeatureRules {
     // Codes with {acceleration} and {fan_speed} that change them; required if a rule has such a value.
     std::string set_acceleration, set_fan;
     bool accelerates = false, blows = false; // a rule has an acceleration, a fan speed
+    double first_layer_acceleration = 0;     // mm/s2, of all beads of the first layer; 0: as above it
 
     const FeatureRule& operator[](toolpath::Feature f) const { return of[static_cast<std::size_t>(f)]; }
+    // The acceleration of a bead, mm/s2; 0: motion.acceleration.
+    [[nodiscard]] double acceleration(toolpath::Feature f, std::uint32_t layer) const {
+        return layer == 0 && first_layer_acceleration > 0 ? first_layer_acceleration : (*this)[f].acceleration;
+    }
 };
 
 } // namespace filum::machine

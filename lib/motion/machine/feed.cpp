@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace filum::machine {
 
@@ -30,12 +32,22 @@ Laid laid(const toolpath::Span& span, std::size_t i) {
     return {span.role, span.layer, geom::distance(a, b), std::abs(b.z - a.z), toolpath::volume(span, i), span.feature};
 }
 
-double bead_feed(const Profile& p, const Laid& move) {
+namespace {
+
+bool fills_area(toolpath::Feature f) {
+    using toolpath::Feature;
+    return f == Feature::infill || f == Feature::solid || f == Feature::bottom || f == Feature::top;
+}
+
+// The feed without the pace of its layer.
+double full_feed(const Profile& p, const Laid& move) {
     double v = role_feed(p.feeds, move.role);
     const double own = p.feeds.feature[static_cast<std::size_t>(move.feature)];
     if (toolpath::fills(move.role) && own > 0) v = own;
-    if (move.layer == 0) v = std::min(v, p.feeds.first_layer);
-    if (move.layer < p.pace.size()) v *= p.pace[move.layer];
+    if (move.layer == 0) {
+        const bool infill = p.feeds.first_layer_infill > 0 && fills_area(move.feature);
+        v = std::min(v, infill ? p.feeds.first_layer_infill : p.feeds.first_layer);
+    }
     if (!(move.length > 0)) return v;
     const double section = move.volume / move.length * p.extrusion.flow;
     const double most = std::min(section > 0 ? p.limits.flow / section : v,
@@ -44,18 +56,48 @@ double bead_feed(const Profile& p, const Laid& move) {
     return most >= 1 ? std::floor(most) : most;
 }
 
+// The share of its feeds that a layer keeps.  Feeds at their least do not become lower, so the others keep less:
+// least = sum(length / (share * full)) over those above their least + sum(length / least) over the rest.
+double share_kept(const std::map<LayerTimes::Feed, double>& lengths, double least) {
+    std::vector<std::pair<double, LayerTimes::Feed>> by_room; // share of the full feed at which the least is reached
+    double free = 0, held = 0;                                // s at full feeds; s of beads at their least
+    for (const auto& [feed, length] : lengths) {
+        free += length / feed.full;
+        by_room.emplace_back(feed.least / feed.full, feed);
+    }
+    if (!(free > 0) || free >= least) return 1;
+    std::ranges::sort(by_room, std::greater<>());
+    for (const auto& [room, feed] : by_room) {
+        const double share = held < least ? free / (least - held) : 0;
+        if (share >= room && share > 0) return share;
+        free -= lengths.at(feed) / feed.full;
+        held += lengths.at(feed) / feed.least;
+    }
+    return 0; // all beads are at their least feeds
+}
+
+} // namespace
+
+double bead_feed(const Profile& p, const Laid& move) {
+    const double v = full_feed(p, move);
+    if (move.layer >= p.pace.size()) return v;
+    return std::max(v * p.pace[move.layer], std::min(v, p.limits.least_feed));
+}
+
 void LayerTimes::add(const Profile& profile, const toolpath::Span& span) {
     if (!toolpath::extrudes(span.role) || profile.fibre.lays(span.tool)) return;
-    if (span.layer >= seconds.size()) seconds.resize(span.layer + 1, 0);
+    if (span.layer >= layers.size()) layers.resize(span.layer + 1);
+    const Profile& own = of_tool(profile, span.tool);
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
         const Laid move = laid(span, i);
-        if (move.length > 0) seconds[span.layer] += move.length / bead_feed(of_tool(profile, span.tool), move);
+        const double full = full_feed(own, move);
+        if (move.length > 0) layers[span.layer][{full, std::min(full, own.limits.least_feed)}] += move.length;
     }
 }
 
 std::vector<double> pace(const LayerTimes& times, double least) {
     std::vector<double> out;
-    for (const double seconds : times.seconds) out.push_back(seconds > 0 ? std::min(1.0, seconds / least) : 1.0);
+    for (const auto& lengths : times.layers) out.push_back(share_kept(lengths, least));
     return out;
 }
 

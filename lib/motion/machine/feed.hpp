@@ -4,6 +4,8 @@
 #include "machine/profile.hpp"
 #include "toolpath/path.hpp"
 
+#include <compare>
+#include <map>
 #include <vector>
 
 namespace filum::machine {
@@ -19,17 +21,23 @@ struct Laid {
 Laid laid(const toolpath::Span& span, std::size_t i); // of the segment i -> i + 1
 
 // The feed of a move, mm/s.  It is that of the feature if the move fills and the feature has a feed, else that of the
-// role.  It is at most feeds.first_layer on layer 0.  The layer's pace lowers it, then limits.flow and
-// motion.max_speed_z; a feed that these two limits lower is a whole number if it is 1 or more.
+// role.  It is at most feeds.first_layer on layer 0, and at most feeds.first_layer_infill there if the move fills an
+// area.  limits.flow and motion.max_speed_z lower it; a feed that these two limits lower is a whole number if it is 1
+// or more.  Last, the layer's pace lowers it, but not below limits.least_feed.
 double bead_feed(const Profile& profile, const Laid& move);
 
-// The time that the beads of each layer take at their feeds, without travels and fibre, s.
+// The lengths of the beads of each layer by their feeds, without travels and fibre.
 struct LayerTimes {
-    std::vector<double> seconds;
+    struct Feed {
+        double full = 0, least = 0; // mm/s: without a pace, and the least that a pace makes of it
+        auto operator<=>(const Feed&) const = default;
+    };
+    std::vector<std::map<Feed, double>> layers; // mm
     void add(const Profile& profile, const toolpath::Span& span);
 };
 
-// The share of its feeds that each layer keeps, so that it takes at least `least` seconds; 1 for a layer without beads.
+// The share of its feeds that each layer keeps, so that it takes at least `least` seconds, as far as the least feeds
+// allow; 1 for a layer without beads.
 std::vector<double> pace(const LayerTimes& times, double least);
 
 // The feed of a move that lays fibre, mm/s: `feed`, lowered only to keep motion.max_speed_z.

@@ -101,6 +101,7 @@ void read_feeds(Document& doc, Profile& p) {
         feed(std::string("feeds.") + key_of(toolpath::kFeatureNames[f]), p.feeds.feature[f], m.max_speed,
              "motion.max_speed");
     feed("feeds.first_layer", p.feeds.first_layer, m.max_speed, "motion.max_speed");
+    feed("feeds.first_layer_infill", p.feeds.first_layer_infill, m.max_speed, "motion.max_speed");
     feed("feeds.lift", p.feeds.lift, m.max_speed, "motion.max_speed");
     feed("feeds.jog", p.feeds.jog, m.max_speed, "motion.max_speed");
     feed("feeds.connector", p.feeds.connector, m.max_speed, "motion.max_speed");

@@ -46,6 +46,7 @@ struct Extrusion {
     double nozzle = 0;                    // mm, diameter of the nozzle's hole; 0: unknown
     double flow = 1;                      // factor on all material
     double density = 0;                   // g/cm3; 0: unknown
+    double cost = 0;                      // of 1 kg, in the user's money; 0: unknown
     std::string on, off;                  // codes before the first and after the last move of a stroke; "": none
     std::string on_trigger, off_trigger;  // RAPID: triggers instead, which do not stop the robot
     [[nodiscard]] double per_mm3() const; // extruder units for one mm3 of bead
@@ -56,12 +57,14 @@ struct Limits {
     double narrowest = 0, widest = std::numeric_limits<double>::infinity(); // mm, bead widths of the nozzle
     double flow = std::numeric_limits<double>::infinity();                  // mm3/s; feeds are lowered to keep it
     double layer_time = 0;                                                  // s per layer, at least; feeds are lowered
+    double least_feed = 0;                                                  // mm/s: layer_time lowers no feed below it
     double turn_outside = std::numeric_limits<double>::infinity(); // mm that paths may turn beyond a part's rims
 };
 
 // Speeds of the nozzle, mm/s.
 struct Feeds {
     double bead = 50, first_layer = 25, lift = 25, jog = 50, connector = 20, travel = 150, z = 10;
+    double first_layer_infill = 0; // of infill and solid areas of the first layer; 0: as first_layer
     std::array<double, toolpath::kFeatures> feature{}; // by feature; 0: as bead
 };
 
@@ -72,9 +75,12 @@ struct Travel {
     double lift = 0.6;         // mm that travels are above everything printed so far
     double retract = 0.8;      // extruder units taken back; 0: none
     double retract_speed = 35; // extruder units per s
+    double prime_speed = 0;    // extruder units per s when the material comes back; 0: as retract_speed
     double retract_acceleration = std::numeric_limits<double>::infinity(); // extruder units per s2
     double extra = 0;                                                      // extruder units added when printing goes on
-    double min_length = 0;                  // mm; a shorter travel keeps its height and does not retract
+    double wipe = 0;        // mm: way back over the bead during a retraction; 0: the nozzle stands still
+    double before_wipe = 0; // share of the retraction before the wipe
+    double min_length = 0;  // mm; a shorter travel keeps its height and does not retract
     std::string retract_codes, prime_codes; // for retraction by the firmware: G10, G11
 };
 

@@ -24,6 +24,7 @@ void read_extrusion(Document& doc, Extrusion& e) {
     doc.number("extrusion.nozzle", e.nozzle, {0, 200});
     doc.number("extrusion.flow", e.flow, above_zero(100));
     doc.number("extrusion.density", e.density, {0, 100});
+    doc.number("extrusion.cost", e.cost, {0, 1e9});
     doc.text("extrusion.on", e.on);
     doc.text("extrusion.off", e.off);
     doc.text("extrusion.on_trigger", e.on_trigger);
@@ -38,6 +39,7 @@ void read_limits(Document& doc, Limits& l) {
     doc.number("limits.section", l.section, above_zero(kInf));
     doc.number("limits.flow", l.flow, above_zero(kInf));
     doc.number("limits.layer_time", l.layer_time, {0, 1e5});
+    doc.number("limits.least_feed", l.least_feed, {0, 1e5});
     doc.number("limits.turn_outside", l.turn_outside, {0, kInf});
     doc.pair("limits.width", l.narrowest, l.widest, {0, kInf});
     if (l.narrowest >= l.widest) doc.fail("limits.width", "the first number must be below the second");
@@ -48,8 +50,11 @@ void read_travel(Document& doc, Travel& t) {
     doc.number("travel.above", t.above, {0, 1e5});
     doc.number("travel.retract", t.retract, {0, 1000});
     doc.number("travel.retract_speed", t.retract_speed, {0.001, 1e5});
+    doc.number("travel.prime_speed", t.prime_speed, {0, 1e5});
     doc.number("travel.retract_acceleration", t.retract_acceleration, above_zero(kInf));
     doc.number("travel.extra", t.extra, {0, 1000});
+    doc.number("travel.wipe", t.wipe, {0, 100});
+    doc.number("travel.before_wipe", t.before_wipe, {0, 1});
     doc.number("travel.min_length", t.min_length, {0, 1e5});
     doc.text("travel.retract_codes", t.retract_codes);
     doc.text("travel.prime_codes", t.prime_codes);

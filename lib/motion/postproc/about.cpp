@@ -119,6 +119,8 @@ void totals(const machine::Profile& profile, const FirstPass& s, std::vector<std
         lines.push_back(" plunger travel [mm] = " + fixed_text(material.units, 4));
     lines.push_back(std::string(filament ? " filament used" : " material") +
                     " [cm3] = " + fixed_text(material.volume / 1000, 3));
+    if (const double money = cost(profile, s); money > 0)
+        lines.push_back(" total filament cost = " + fixed_text(money, 2));
     lines.push_back(" layers = " + std::to_string(s.layers) + ", strokes = " + std::to_string(s.strokes));
     std::string path = " path [mm] = " + fixed_text(s.path_len, 1);
     const std::pair<Role, const char*> roles[] = {
@@ -168,6 +170,7 @@ std::string material(const machine::Profile& profile, const FirstPass& s) {
         out += ", " + fixed_text(used.units / 1000, 2) + " m of filament";
     if (profile.extrusion.density > 0)
         out += ", " + fixed_text(used.volume / 1000 * profile.extrusion.density, 2) + " g";
+    if (const double money = cost(profile, s); money > 0) out += ", material for " + fixed_text(money, 2);
     double fibre = 0;
     for (const auto& [number, tool] : s.tools) fibre += tool.fibre_len;
     if (fibre > 0) out += ", " + fixed_text(fibre / 1000, 2) + " m of fibre";

@@ -15,8 +15,8 @@ void Program::feature_codes(const Step& step) {
         code(codes);
     };
     const double usual = profile_->motion.acceleration;
-    if (rules.accelerates)
-        set(acceleration_, rule.acceleration > 0 ? rule.acceleration : usual, "acceleration", rules.set_acceleration);
+    const double own = rules.acceleration(step.feature, step.layer);
+    if (rules.accelerates) set(acceleration_, own > 0 ? own : usual, "acceleration", rules.set_acceleration);
     const machine::Cooling& cooling = profile_->cooling;
     if (cooling.active() && rule.fan < 0) {
         const double speed = step.feature == Feature::bridge ? cooling.bridge_speed(step.layer, layer_seconds_)

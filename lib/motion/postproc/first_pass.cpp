@@ -103,7 +103,7 @@ void Surveyor::spend_move(const Step& step, const Vec3& d) {
     machine::PlannedMove m{.step = d,
                            .feed = step.feed,
                            .extruding = step.act == Act::extrude,
-                           .acceleration = profile_->features[step.feature].acceleration};
+                           .acceleration = profile_->features.acceleration(step.feature, step.layer)};
     m.extruded = fibre ? step.fed : step.volume * profile_->extrusion.per_mm3();
     if (step.sweep != 0) {
         m.sweep = step.sweep;
@@ -191,10 +191,11 @@ void Surveyor::add(std::span<const Step> steps) {
             open_ = false;
             break;
         case Act::retract:
-            clock_.pause(machine::stop_to_stop(t.retract, t.retract_speed, t.retract_acceleration));
+            clock_.pause(retract_seconds(*profile_, step.tool));
             break;
         case Act::prime:
-            clock_.pause(machine::stop_to_stop(t.retract + t.extra, t.retract_speed, t.retract_acceleration));
+            clock_.pause(machine::stop_to_stop(t.retract + t.extra, t.prime_speed > 0 ? t.prime_speed : t.retract_speed,
+                                               t.retract_acceleration));
             break;
         case Act::tool:
             spend();

@@ -17,6 +17,8 @@ struct Sum {
     ToolTotals totals;
     double volume = 0, mass = 0; // mm3 with the flow factor, g
     bool weighed = true;         // the density of every material is known
+    double cost = 0;             // in the user's money
+    bool priced = true;          // the price of every material is known
 };
 
 Sum of_tool(const machine::Profile& p, std::uint32_t number, const ToolTotals& t) {
@@ -28,12 +30,14 @@ Sum of_tool(const machine::Profile& p, std::uint32_t number, const ToolTotals& t
             t,
             volume,
             volume / 1000 * density,
-            density > 0 || volume == 0};
+            density > 0 || volume == 0,
+            volume / 1e6 * density * e.cost,
+            (density > 0 && e.cost > 0 && !t.fibre) || volume == 0};
 }
 
 std::vector<Sum> sums(const machine::Profile& profile, const FirstPass& first_pass) {
     std::vector<Sum> out;
-    Sum all{{}, "job", {}, 0, 0, true};
+    Sum all{{}, "job", {}};
     for (const auto& [number, totals] : first_pass.tools) {
         out.push_back(of_tool(profile, number, totals));
         const Sum& s = out.back();
@@ -49,6 +53,8 @@ std::vector<Sum> sums(const machine::Profile& profile, const FirstPass& first_pa
         all.volume += s.volume;
         all.mass += s.mass;
         all.weighed = all.weighed && s.weighed;
+        all.cost += s.cost;
+        all.priced = all.priced && s.priced;
     }
     out.push_back(all);
     return out;
@@ -72,11 +78,17 @@ figures::Figures job(const machine::Profile& profile, const FirstPass& first_pas
         tell("travel_mm", t.travel_len);
         tell("material_mm3", s.volume);
         if (s.weighed) tell("mass_g", s.mass);
+        if (s.priced && s.cost > 0) tell("cost", s.cost);
         tell("print_time_s", t.print_seconds);
         tell("travel_time_s", t.travel_seconds);
         for (std::size_t k = first; k < out.size(); ++k) out[k].group = s.name;
     }
     return out;
+}
+
+double cost(const machine::Profile& profile, const FirstPass& first_pass) {
+    const Sum all = sums(profile, first_pass).back();
+    return all.priced ? all.cost : 0;
 }
 
 std::vector<std::string> job_lines(const machine::Profile& profile, const FirstPass& first_pass) {

@@ -15,6 +15,9 @@ namespace filum::postproc {
 // profile has the density.  Printing and travel have their times, each with its pauses; codes of templates count 0 s.
 figures::Figures job(const machine::Profile& profile, const FirstPass& first_pass);
 
+// The price of the material of the whole job, in the user's money; 0 if the price of a material is not known.
+double cost(const machine::Profile& profile, const FirstPass& first_pass);
+
 // The same figures as comment lines.  Empty if the totals tell everything: one tool, and no fibre.
 std::vector<std::string> job_lines(const machine::Profile& profile, const FirstPass& first_pass);
 

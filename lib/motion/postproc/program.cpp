@@ -291,7 +291,15 @@ void Program::move(const Step& step) {
         feature_codes(step);
         laid_ += feeds(step);
         bead_comments(step);
+        const auto from = at_;
         if (!bead_words(step, to)) return; // too short: its material goes into the next move
+        if (wipes(*profile_, own().travel)) {
+            const auto place = [](const auto& p) { return Vec3{double(p[0]), double(p[1]), double(p[2])}; };
+            if (step.sweep == 0)
+                wipe_path_.add(place(from), place(at_), own().travel.wipe * xyz_scale_);
+            else
+                wipe_path_.clear(); // the way back over an arc is not known
+        }
         if (counts()) material(due());
     }
     if (rotary)
@@ -316,16 +324,44 @@ void Program::close(const Step& step) {
 
 void Program::retract() {
     const auto& t = own().travel;
-    if (t.retract_codes.empty())
-        extruder_only(-units(t.retract, e_scale_), t.retract_speed);
-    else
-        code(t.retract_codes);
+    if (!t.retract_codes.empty()) return code(t.retract_codes);
+    const std::int64_t all = units(t.retract, e_scale_);
+    extruder_only(wipe(all) - all, t.retract_speed);
+}
+
+// Goes back over the last bead and takes material back meanwhile.  `all`: extruder units of the whole retraction.
+// Returns the units that were taken back.
+std::int64_t Program::wipe(std::int64_t all) {
+    const auto& t = own().travel;
+    if (!wipes(*profile_, t)) return 0;
+    const std::int64_t first = units(t.retract * t.before_wipe, e_scale_);
+    extruder_only(-first, t.retract_speed);
+    const auto places = wipe_path_.back(t.wipe * xyz_scale_);
+    const auto step = [&](std::size_t i) {
+        const Vec3 from = i > 0 ? places[i - 1] : Vec3{double(at_[0]), double(at_[1]), double(at_[2])};
+        return geom::distance(from, places[i]);
+    };
+    std::vector<double> ways; // up to each place
+    for (std::size_t i = 0; i < places.size(); ++i) ways.push_back((i > 0 ? ways.back() : 0) + step(i));
+    std::int64_t taken = first;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const std::array<std::int64_t, 5> to{units(places[i].x, 1), units(places[i].y, 1), at_[2], at_[3], at_[4]};
+        if (!words(to, "G1")) continue;
+        const std::int64_t due = first + units(static_cast<double>(all - first) * ways[i] / ways.back(), 1);
+        material(taken - due);
+        taken = due;
+        feed(wipe_feed(t, own().feeds, ways.back() / xyz_scale_));
+        end_line();
+    }
+    wipe_path_.clear();
+    return taken;
 }
 
 void Program::prime() {
     const auto& t = own().travel;
     if (!t.prime_codes.empty()) return code(t.prime_codes);
-    extruder_only(units(t.retract, e_scale_) + units(t.extra, e_scale_), t.retract_speed);
+    const double speed = t.prime_speed > 0 ? t.prime_speed : t.retract_speed;
+    extruder_only(units(t.retract, e_scale_) + units(t.extra, e_scale_), speed);
 }
 
 void Program::cut() {

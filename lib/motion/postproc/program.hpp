@@ -2,6 +2,7 @@
 #pragma once
 
 #include "postproc/preset_job.hpp"
+#include "postproc/wipe.hpp"
 #include "postproc/writer.hpp"
 
 #include <string>
@@ -41,6 +42,7 @@ class Program final : public Writer {
     std::int64_t due();
     void material(std::int64_t units);
     void extruder_only(std::int64_t units, double speed);
+    std::int64_t wipe(std::int64_t all);
     void feed(double mm_per_s);
     void feed(const Step& step, double way);
     void feed_units(double value);
@@ -57,6 +59,7 @@ class Program final : public Writer {
     double xyz_scale_, degrees_scale_, e_scale_, f_scale_;
     std::array<std::int64_t, 5> at_; // x, y, z, tilt, turn as last written; units of the last decimal
     std::int64_t f_ = -1;            // F word as last written, in units of its last decimal; -1: unknown
+    WipePath wipe_path_;             // in units of the last decimal
     double tilt_ = 0, turn_ = 0;     // rad, of the last step
     Vec3 stood_;                     // mm: the axes of the last step
     double laid_ = 0;                // extruder units of all beads so far, exact

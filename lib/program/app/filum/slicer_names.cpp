@@ -109,7 +109,7 @@ void leave_out_codes(SlicerWishes& all, const machine::Profile& machine) {
                                   "' has no " + key);
     };
     drop(machine.features.set_fan, "--set=cooling.", "", "features.set_fan", "the fan's speeds");
-    drop(machine.features.set_acceleration, "--set=features.", ".acceleration", "features.set_acceleration",
+    drop(machine.features.set_acceleration, "--set=features.", "acceleration", "features.set_acceleration",
          "accelerations by role");
 }
 
@@ -175,6 +175,25 @@ bool use_settings(const SlicerFile& file, const std::optional<machine::Profile>&
     return all.supports;
 }
 
+// Removes the options of supports if nothing is supported, as they would be errors then.  That happens if a slicer
+// makes supports only at bodies and painted faces that ask for them, and there are none.
+void leave_out_supports(const std::vector<std::string>& typed, Translated& out) {
+    const auto supports = [](const std::string& word) {
+        return word == "--support" || word.starts_with("--support=") || word.starts_with("--support-in") ||
+               word.starts_with("--raft");
+    };
+    if (std::ranges::any_of(typed, supports) || std::ranges::any_of(out.words, supports)) return;
+    const auto count = std::erase_if(out.words, [](const std::string& word) {
+        for (const char* option :
+             {"--support-angle=", "--support-on=", "--support-spacing=", "--interface=", "--beside="})
+            if (word.starts_with(option)) return true;
+        return false;
+    });
+    if (count > 0)
+        out.remarks.emplace_back("no supports: the settings want them only at bodies and faces that ask for them, and "
+                                 "there are none; add --support");
+}
+
 // Adds the settings of the printer and of all files, then the bodies in projects.  `words`: those that the user typed.
 void load(const PrinterNames& printer, const std::vector<std::string>& files, const std::vector<std::string>& words,
           const std::vector<Stage>& stages, Translated& out) {
@@ -195,6 +214,7 @@ void load(const PrinterNames& printer, const std::vector<std::string>& files, co
         supports = use_settings(file, machine, stages, out) || supports;
     for (const std::string& file : files)
         load_bodies(file, std::ranges::find(words, file) != words.end(), supports, stages, out);
+    leave_out_supports(words, out);
 }
 
 // The member of `names` for an option that names a printer, a print profile or a filament; null for other options.

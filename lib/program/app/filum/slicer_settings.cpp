@@ -45,8 +45,9 @@ class Reader {
         }
         if (row.reading == "celsius") return celsius(key, row);
         if (row.reading == "acceleration") return accelerations(key, row);
-        if (row.reading == "flow") // 0 means no limit
-            return {set(row.target, values_.number(key) > 0 ? values_.number(key) : kNoFlowLimit)};
+        if (row.reading == "first_acceleration") // 0 means that of the beads' kinds
+            return values_.number(key) > 0 ? Words{set(row.target, acceleration(key, row))} : Words{};
+        if (row.reading == "flow") return {set(row.target, most_flow())};
         if (row.reading == "supported")
             return supports() && !values_.percent(key) && values_.number(key) > 0
                        ? Words{option(row.target, values_.number(key))}
@@ -92,6 +93,14 @@ class Reader {
         return mm_s > 0 ? Words{set(row.target, mm_s)} : Words{};
     }
 
+    // The lower one of the limits of the print and of the filament, mm3/s; 0 of a setting means no limit.
+    [[nodiscard]] double most_flow() const {
+        double out = kNoFlowLimit;
+        for (const char* key : {"max_volumetric_speed", "filament_max_volumetric_speed"})
+            if (const double own = values_.number_or(key, 0); own > 0) out = std::min(out, own);
+        return out;
+    }
+
     Words celsius(const std::string& key, const SettingRow& row) {
         if (values_.number(key) > 0) return {set(row.target, values_.number(key))};
         remarks_.push_back(key +
@@ -121,6 +130,7 @@ class Reader {
         if (row.target == "cooling")
             return first_of(key, {"max_fan_speed", "fan_max_speed", "min_fan_speed", "fan_min_speed"}) ? cooling()
                                                                                                        : Words{};
+        if (row.target == "wipe") return key.ends_with("wipe") && !key.ends_with("before_wipe") ? wipe() : Words{};
         if (row.target == "vase") return values_.number(key) != 0 ? Words{"--vase"} : Words{};
         if (row.target == "skirt") return key == "skirt_distance" ? skirt() : Words{};
         if (row.target == "shrinkage")
@@ -178,6 +188,24 @@ class Reader {
         remarks_.push_back("no brim: brim_type is " + (type.empty() ? "auto_brim, the slicer's default," : type) +
                            " and Filum makes outer ones; add --brim");
         return {};
+    }
+
+    // The length of a wipe.  PrusaSlicer wipes at four fifths of the travel speed while 95 % of what is left of the
+    // retraction is taken back; OrcaSlicer and Bambu Studio have a key for the length.
+    Words wipe() const {
+        const auto of = [&](const char* name, double otherwise) {
+            const std::string own = "filament_" + std::string(name);
+            return values_.number_or(values_.text(own).empty() ? name : own, otherwise);
+        };
+        if (of("wipe", 0) == 0) return {};
+        const double before = std::clamp(of("retract_before_wipe", 0) / 100, 0.0, 1.0);
+        double mm = of("wipe_distance", 1);
+        if (!values_.of_orca()) {
+            const double speed = of("retract_speed", 40);
+            const double seconds = speed > 0 ? 0.95 * (1 - before) * of("retract_length", 2) / speed : 0;
+            mm = std::round(seconds * 0.8 * values_.number_or("travel_speed", 130) * 1e3) / 1e3;
+        }
+        return mm > 0 ? Words{set("travel.wipe", mm), set("travel.before_wipe", before)} : Words{};
     }
 
     // The fan speed, which depends on the time of a layer, and the least time of a layer.  The rules are those of
