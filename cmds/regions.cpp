@@ -51,6 +51,7 @@ void run(const regions::Options& options, const cli::Io& io) {
         [&](const auto& emit, Notes& notes) {
             emit_all(stack.end(notes), emit);
             regions::check_part(box, options.bead_width, notes);
+            if (const auto gaps = regions::note(stack.gaps())) notes.push_back(*gaps);
             if (const auto said = regions::note(stack.air())) notes.push_back(*said);
         });
 }

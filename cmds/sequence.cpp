@@ -35,6 +35,10 @@ cli::Spec spec(Options& o) {
                          "steps of the search, about 3 ms per million; 10s: steps for about 10 s"}
                  .when("order=columns")
                  .a_limit(),
+             cli::Option{"tool-changes", &o.work.how.first, "WHEN",
+                         "with several tools: reduces the changes of the tool second, after the strokes, or first"}
+                 .one_of({"second", "first"})
+                 .a_limit(),
              cli::Option{"report", &o.work.report, "", "prints strokes and bounds on standard error"}.not_a_setting(),
              cli::Option{"pause-at", &o.work.pause_at, "LAYER|Zmm,...",
                          "prints everything below a layer (12, counted from 0) or a height (2.4mm) before it begins "

@@ -103,36 +103,45 @@ cli::Spec spec(app::slice::Options& o) {
     for (Option& option : leaving_out(o)) options.push_back(std::move(option));
     for (Option& option : placing(o.place)) options.push_back(std::move(option));
     for (Option& option : cli::step_options(o.step)) options.push_back(std::move(option));
+    options.push_back(
+        Option{"body", &o.body, "FILE:tool=N",
+               "a body of the part that another tool prints, as core.stl:tool=1 or "
+               "core.stl:tool=1,width=0.6; several times for several; later ones are cut from earlier ones"}
+            .repeated()
+            .not_a_setting());
     options.push_back(Option{"machine", &o.machine, "NAME|FILE",
                              "machine profile; a part larger than its bed is refused, and several parts are placed on "
                              "its bed (default: marlin's)"}
                           .not_a_setting());
     for (Option& option : app::slice::plate_options(o)) options.push_back(std::move(option));
-    return {.name = "slice",
-            .synopsis = "cut a mesh into layers of closed contours",
-            .description = cli::kDescription,
-            .in = cli::file("mesh file"),
-            .out = cli::writes(stream::Payload::layers),
-            .memory = "the model, and all contours with --hole-compensation",
-            .options = std::move(options),
-            .groups = {{"heights of layers", {"adaptive", "min-layer-height", "max-layer-height", "cusp"}},
-                       {"mending", {"close-gaps", "close-openings", "hairline"}},
-                       {"sizes", {"elephant-foot", "xy-compensation", "hole-compensation", "shrinkage"}},
-                       {"a part of the print", {"cut-below", "cut-above", "from-layer"}},
-                       {"the file, and where the part stands",
-                        {"unit", "deflection", "deflection-angle", "scale", "rotate", "translate", "center", "on-bed",
-                         "no-on-bed"}},
-                       {"several parts", {"plate", "copies", "wells", "grid", "pitch", "in-wells", "apart"}}},
-            .examples = {{"slice part.stl > part.layers", "the layers of a part, 0.2 mm each"},
-                         {"slice --layer-height 0.3 --rotate 0,0,45 --center 110,110 part.stl > part.layers",
-                          "thicker layers of a part that is turned and put on the middle of the bed"},
-                         {"slice part.stl --copies 4 --machine klipper > part.layers",
-                          "four of it on the bed of a machine"},
-                         {"slice --adaptive --max-layer-height 0.3 < part.stl > part.layers",
-                          "thin layers on gentle slopes, thick ones on steep walls; from standard input"}},
-            .see_also = {"regions", "peek"},
-            .arguments = "[INPUT...]",
-            .many_inputs = true};
+    return {
+        .name = "slice",
+        .synopsis = "cut a mesh into layers of closed contours",
+        .description = cli::kDescription,
+        .in = cli::file("mesh file"),
+        .out = cli::writes(stream::Payload::layers),
+        .memory = "the model, and all contours with --hole-compensation",
+        .options = std::move(options),
+        .groups = {{"heights of layers", {"adaptive", "min-layer-height", "max-layer-height", "cusp"}},
+                   {"mending", {"close-gaps", "close-openings", "hairline"}},
+                   {"sizes", {"elephant-foot", "xy-compensation", "hole-compensation", "shrinkage"}},
+                   {"a part of the print", {"cut-below", "cut-above", "from-layer"}},
+                   {"the file, and where the part stands",
+                    {"unit", "deflection", "deflection-angle", "scale", "rotate", "translate", "center", "on-bed",
+                     "no-on-bed"}},
+                   {"several bodies", {"body"}},
+                   {"several parts", {"plate", "copies", "wells", "grid", "pitch", "in-wells", "apart"}}},
+        .examples = {{"slice part.stl > part.layers", "the layers of a part, 0.2 mm each"},
+                     {"slice --layer-height 0.3 --rotate 0,0,45 --center 110,110 part.stl > part.layers",
+                      "thicker layers of a part that is turned and put on the middle of the bed"},
+                     {"slice part.stl --copies 4 --machine klipper > part.layers",
+                      "four of it on the bed of a machine"},
+                     {"slice --body part.stl --body part.stl:tool=1 > part.layers", "two bodies, printed by two tools"},
+                     {"slice --adaptive --max-layer-height 0.3 < part.stl > part.layers",
+                      "thin layers on gentle slopes, thick ones on steep walls; from standard input"}},
+        .see_also = {"regions", "peek"},
+        .arguments = "[INPUT...]",
+        .many_inputs = true};
 }
 
 } // namespace

@@ -102,6 +102,8 @@ class Layer:
     height: mm, thickness
     plane: mm, where the model was cut
     contours: Loops
+    body, tool: numbers of the body and of its tool; with several bodies a layer comes once for each
+    width: mm, of its beads; 0: as the options of the stages say
     """
 
     message = planar_pb2.Layer
@@ -110,6 +112,9 @@ class Layer:
     height: float = 0.0
     plane: float = 0.0
     contours: Loops = dataclasses.field(default_factory=Loops)
+    body: int = 0
+    tool: int = 0
+    width: float = 0.0
 
 
 @dataclasses.dataclass(eq=False)
@@ -171,6 +176,8 @@ class Region:
     areas: list of Area, set by `skins`: what is in none is solid
     walls: rings along the whole outline; 0: none are told apart, and it is solid all through
     purpose: RegionClass
+    body, tool: numbers of the body (the lowest of several that became one region) and of its tool
+    width: mm, of its beads; 0: as the options of the stages say
     brim: id of the brim about it that its stroke may begin with, -1 if there is none; set by `supports`
     """
 
@@ -191,6 +198,9 @@ class Region:
     walls: int = 0
     purpose: int = RegionClass.PART
     brim: int = -1
+    body: int = 0
+    tool: int = 0
+    width: float = 0.0
 
     def filled(self, curves):
         """The Paths that fill this region by `curves` (list of Curve).  What no bead reaches is taken for the area
@@ -287,6 +297,8 @@ class Paths:
     curves: list = listed()
     unplaced: float = 0.0
     stacked: list = listed()
+    body: int = 0
+    tool: int = 0
 
 
 @dataclasses.dataclass(eq=False)
@@ -318,6 +330,7 @@ class Span:
     tool: int = 0
     retraction: int = Retraction.BY_MACHINE
     feature: int = Feature.UNTOLD
+    body: int = 0
 
     @property
     def points(self):

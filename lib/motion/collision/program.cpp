@@ -24,16 +24,10 @@ constexpr int kChordHalvings = 16; // most halvings of a move
 
 using Axes = machine::AxisNumbers;
 
-Heads heads(const machine::Profile& profile) {
-    Heads out = profile.head;
-    for (const auto& [tool, own] : profile.own) out.own.emplace(tool, own->head);
-    return out;
-}
-
 class Reader {
   public:
     Reader(const std::string& name, const machine::Profile& profile, const ProgramOptions& options)
-        : name_(name), p_(profile), o_(options), growth_(heads(profile)), tools_(machine::tool_lines(profile)),
+        : name_(name), p_(profile), o_(options), growth_(machine::heads(profile)), tools_(machine::tool_lines(profile)),
           width_(options.width), height_(options.height) {
         lose_place();
         if (p_.axes.start) stand(*p_.axes.start);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geom/vec.hpp"
-#include "machine/head.hpp"
+#include "machine/heads.hpp"
 
 #include <array>
 #include <cstdint>
@@ -16,17 +16,7 @@ using geom::Vec3;
 enum class HeadPiece : std::uint8_t { nozzle, carriage, gantry };
 inline constexpr std::array<const char*, 3> kPieceNames{"nozzle", "carriage", "gantry"};
 
-// The heads of a machine's tools: a common one, and others for some tools.
-struct Heads {
-    machine::Head common;
-    std::map<std::uint32_t, machine::Head> own;
-    Heads() = default;
-    Heads(const machine::Head& head) : common(head) {} // NOLINT: a head is the head of all tools
-    [[nodiscard]] const machine::Head& of(std::uint32_t tool) const {
-        const auto found = own.find(tool);
-        return found == own.end() ? common : found->second;
-    }
-};
+using machine::Heads;
 
 // Position and orientation of the tool in the part's frame.
 struct Stance {

@@ -39,6 +39,7 @@ void lengths(Document& doc, Fibre& f) {
 
 void read_tools(Document& doc, Tools& t) {
     doc.text("tools.change", t.change);
+    doc.number("tools.raised", t.raised, {0, 1e4});
     doc.whole("tools.first", t.first, 0, 1000);
 }
 

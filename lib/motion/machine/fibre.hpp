@@ -11,6 +11,7 @@ class Document;
 
 struct Tools {
     std::string change; // codes when another tool takes over; "": there is no other
+    double raised = 0;  // mm that the tips of idle tools on the carriage are above their tips in use
     int first = 0;      // {tool_no} of the toolpath's tool 0, which is in use after the start template
 };
 

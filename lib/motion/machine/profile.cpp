@@ -233,6 +233,10 @@ void read_own_tool(Document& doc, const std::string& name, Profile& p) {
     std::array<double, 3> offset{};
     doc.list("offset", offset, {-1e4, 1e4});
     p.offset = {offset[0], offset[1], offset[2]};
+    std::array<double, 3> mount = offset;
+    doc.list("mount", mount, {-1e4, 1e4});
+    p.mount = {mount[0], mount[1], mount[2]};
+    p.mounted = doc.has("mount") || p.offset != geom::Vec3{};
     const auto& a = p.axes;
     if (p.offset != geom::Vec3{} && a.active() && a.numbers == Numbers::tip)
         doc.fail("offset", "the controller knows the tip: give the offset to its tool table");

@@ -175,6 +175,9 @@ struct Profile {
     // Only of a tool with a section of its own, [tool.N].
     std::string change; // codes when this tool takes over; "": tools.change
     geom::Vec3 offset;  // mm, from tool 0's tip to this tool's; unknown to the controller
+    // The tool hangs on the carriage of tool 0, so its tip moves along while it is idle: mm from tool 0's tip.
+    bool mounted = false;
+    geom::Vec3 mount;
     // The whole profile for each tool with a section of its own; see of_tool.
     std::map<std::uint32_t, std::shared_ptr<const Profile>> own;
 };

@@ -6,7 +6,7 @@
 
 namespace filum::fill {
 
-// Copies id, layer, z, height, area, stroke and join from `region` to `paths`. The curves stay as they are.
+// Copies id, layer, z, height, area, stroke, join, body and tool from `region` to `paths`. The curves stay as they are.
 inline void identify(toolpath::RegionPaths& paths, const polygon::Region& region) {
     paths.region = region.id;
     paths.layer = region.layer;
@@ -15,6 +15,8 @@ inline void identify(toolpath::RegionPaths& paths, const polygon::Region& region
     paths.area = region.area;
     paths.stroke = region.stroke;
     paths.join = region.join;
+    paths.body = region.body;
+    paths.tool = region.tool;
 }
 
 } // namespace filum::fill

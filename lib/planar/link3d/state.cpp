@@ -65,7 +65,10 @@ std::vector<Curve> as_printed(const State& state, std::uint32_t c, const Bead& b
 
 Span span(const State& state, Role role) {
     const auto& r = state.region().paths;
-    return {role, state.stroke, r.layer, r.region, {}, {}, {}};
+    Span out{role, state.stroke, r.layer, r.region, {}, {}, {}};
+    out.tool = r.tool;
+    out.body = r.body;
+    return out;
 }
 
 void put(State& state, Span span) {

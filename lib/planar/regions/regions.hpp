@@ -33,6 +33,7 @@ struct Ground {
 std::vector<polygon::Region> regions(const polygon::Layer& layer, const Options& options, Notes& notes);
 
 // Sets how the regions of a layer lie on those below (none on the bed), and adds their overhang to `air`.
+// Precondition: all regions have the same tool; see lay_bodies_on().
 void lay_on(std::span<polygon::Region> regions, const Ground& below, const Options& options, Air& air);
 
 } // namespace filum::regions

@@ -1,7 +1,7 @@
 // The regions of a stack of layers, several layers at a time.
 #pragma once
 
-#include "regions/regions.hpp"
+#include "regions/bodies.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -13,11 +13,12 @@ namespace filum::regions {
 class Stack {
   public:
     Stack(const Options& options, int threads) : options_(options), threads_(threads) {}
-    // Adds a layer. Returns the regions of all layers that are done, in their order, with ids counted from the first;
-    // none until a batch is full.
+    // Adds a layer, or one more body of the last one (with its index). Returns the regions of all layers that are done,
+    // in their order, with ids counted from the first; none until a batch is full.
     std::vector<polygon::Region> add(polygon::Layer layer, Notes& notes);
     std::vector<polygon::Region> end(Notes& notes); // returns the regions of the remaining layers
     [[nodiscard]] const Air& air() const { return air_; }
+    [[nodiscard]] const Gaps& gaps() const { return gaps_; } // between bodies
 
   private:
     std::vector<polygon::Region> done(Notes& notes);
@@ -25,11 +26,12 @@ class Stack {
 
     Options options_;
     int threads_;
-    std::vector<polygon::Layer> waiting_;
-    std::vector<polygon::Region> below_; // of the last layer that is done
-    std::int64_t last_ = -2;             // its index
+    std::vector<std::vector<polygon::Layer>> waiting_; // per layer, its bodies
+    std::vector<polygon::Region> below_;               // of the last layer that is done
+    std::int64_t last_ = -2;                           // its index
     std::uint32_t next_id_ = 0;
     Air air_;
+    Gaps gaps_;
 };
 
 } // namespace filum::regions

@@ -3,6 +3,7 @@
 #include "geom/nearest_points.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace filum::sequence {
 
@@ -70,6 +71,92 @@ Order arranged(const Graph& g, Order order) {
         if (ready.empty()) break;
     }
     return cost(g, out) < cost(g, order) ? out : order;
+}
+
+namespace {
+
+// The strokes of an order as `by_tools` prints them.
+struct ToolOrder {
+    const Graph& g;
+    const Order& order;
+    const Strokes& s;
+    const StrokePrecedence& p;
+    std::vector<Index> tools;   // ascending
+    std::vector<Index> changes; // per stroke: the most changes of the tool on a way of precedences from it
+
+    // The index of the stroke's tool among `tools`.
+    [[nodiscard]] Index tool(Index stroke) const {
+        const Index number = g.node[order[s.first[stroke]]].tool;
+        return static_cast<Index>(std::lower_bound(tools.begin(), tools.end(), number) - tools.begin());
+    }
+
+    // Strokes are numbered as in `order`, which keeps the precedences, so later ones have higher numbers.
+    void count_changes() {
+        const auto n = static_cast<Index>(p.waiting.size());
+        changes.assign(n, 0);
+        for (Index i = n; i-- > 0;)
+            for (const Index j : p.after[i])
+                changes[i] = std::max(changes[i], changes[j] + (tool(i) != tool(j) ? 1 : 0));
+    }
+
+    // Of the ready strokes the one from which most changes follow has the tool that comes next. Ties: the lower number.
+    [[nodiscard]] Index next_tool(const std::vector<std::set<Index>>& ready) const {
+        Index best = kNone;
+        for (const auto& set : ready)
+            for (const Index i : set)
+                if (best == kNone || changes[i] > changes[best] || (changes[i] == changes[best] && i < best)) best = i;
+        return tool(best);
+    }
+
+    // The order that begins with the tool `now`.
+    [[nodiscard]] Order from(Index now) const {
+        std::vector<Index> waiting = p.waiting;
+        std::vector<std::set<Index>> ready(tools.size());
+        std::vector<geom::Vec2> start;
+        for (Index i = 0; i < waiting.size(); ++i) start.push_back(g.node[order[s.first[i]]].centre);
+        std::vector<geom::NearestPoints<geom::Vec2>> near(tools.size(), geom::NearestPoints<geom::Vec2>(start));
+        const auto put = [&](Index i) {
+            ready[tool(i)].insert(i);
+            near[tool(i)].insert(i);
+        };
+        for (Index i = 0; i < waiting.size(); ++i)
+            if (waiting[i] == 0) put(i);
+        Order out;
+        while (out.size() < order.size()) {
+            if (ready[now].empty()) now = next_tool(ready);
+            const Index i = out.empty() ? *ready[now].begin() : *near[now].nearest(g.node[out.back()].centre);
+            ready[now].erase(i);
+            near[now].remove(i);
+            out.insert(out.end(), order.begin() + s.first[i], order.begin() + s.first[i + 1]);
+            for (const Index j : p.after[i])
+                if (--waiting[j] == 0) put(j);
+        }
+        return out;
+    }
+};
+
+} // namespace
+
+Order by_tools(const Graph& g, Order order) {
+    std::vector<Index> all = tools(g);
+    if (all.size() < 2) return arranged(g, std::move(order));
+    const Strokes s = strokes_of(g, order);
+    const StrokePrecedence p = precedence(g, s);
+    ToolOrder t{g, order, s, p, std::move(all), {}};
+    t.count_changes();
+    Order best;
+    Cost least;
+    for (Index first = 0; first < t.tools.size(); ++first) {
+        bool ready = false;
+        for (Index i = 0; i < p.waiting.size(); ++i) ready = ready || (p.waiting[i] == 0 && t.tool(i) == first);
+        if (!ready) continue;
+        Order out = t.from(first);
+        const Cost c = cost(g, out);
+        if (!best.empty() && !(c < least)) continue;
+        best = std::move(out);
+        least = c;
+    }
+    return least < cost(g, order) ? best : order;
 }
 
 } // namespace filum::sequence

@@ -15,7 +15,7 @@ std::vector<Pair> brims(std::span<const polygon::Region> regions) {
             throw Error(Exit::bad_input, "cannot sequence region '" + std::to_string(r.id) +
                                              "': its brim is not a region of the same layer");
         const bool taken = std::any_of(out.begin(), out.end(), [&](const Pair& p) { return p.first == r.brim; });
-        if (!taken && r.below.empty()) out.emplace_back(static_cast<Index>(brim), r.id);
+        if (!taken && r.below.empty() && regions[brim].tool == r.tool) out.emplace_back(static_cast<Index>(brim), r.id);
     }
     return out;
 }

@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kSweeps = 8;    // most sweeps up and down, if they still separate nodes
 constexpr int kSetApart = 16; // nodes per part that are individualised
-constexpr std::uint64_t kLink = 0x9e3779b97f4a7c15U, kPrecedence = 0xc2b2ae3d27d4eb4fU, kChosen = 0x165667b19e3779f9U;
+constexpr std::uint64_t kLink = 0x9e3779b97f4a7c15U, kPrecedence = 0xc2b2ae3d27d4eb4fU, kChosen = 0x165667b19e3779f9U,
+                        kTool = 0xd6e8feb86659fd93U;
 
 // Colours that distinguish nodes by the colours of their neighbours, and by the neighbour in the same column.
 struct Colours {
@@ -22,7 +23,7 @@ struct Colours {
     std::vector<std::uint64_t> of;
 
     Colours(const Graph& graph, std::span<const Index> columns) : g(graph), column(columns), of(graph.size()) {
-        for (Index v = 0; v < g.size(); ++v) of[v] = mixed(g.node[v].layer + kLink);
+        for (Index v = 0; v < g.size(); ++v) of[v] = mixed(g.node[v].layer + kLink + kTool * g.node[v].tool);
     }
     [[nodiscard]] std::uint64_t sum(Index v, std::span<const Index> others, std::uint64_t kind) const {
         std::uint64_t sum = 0;

@@ -1,6 +1,7 @@
 #include "sequence/climb.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -22,6 +23,7 @@ struct Progress {
     std::vector<Index> since;                 // number of strokes printed when a region became ready
     std::set<Start> starts;                   // of the regions that are ready
     std::vector<Start> start;                 // by region
+    std::map<Index, std::set<Start>> of_tool; // the same by tool
     std::vector<std::vector<Index>> blocking; // starts whose stroke ends waiting for this region
     Index strokes = 0;
     Order order;
@@ -31,6 +33,11 @@ struct Progress {
     [[nodiscard]] Index next(Index u) const;
     void look(Index s);
     void go(Index s);
+    void forget(Index v) {
+        starts.erase(start[v]);
+        of_tool[g.node[v].tool].erase(start[v]);
+    }
+    [[nodiscard]] Index best(KeepTool keep);
 };
 
 Progress::Progress(const Graph& graph, StartRule c)
@@ -84,6 +91,7 @@ void Progress::look(Index s) {
                                                            : -std::int64_t{since[s]};
     start[s] = {blocker != kNone, first, s};
     starts.insert(start[s]);
+    of_tool[g.node[s].tool].insert(start[s]);
     if (blocker != kNone) blocking[blocker].push_back(s);
 }
 
@@ -94,7 +102,7 @@ void Progress::go(Index s) {
     ++strokes;
     std::vector<Index> again;
     for (std::size_t i = mark; i < order.size(); ++i) {
-        starts.erase(start[order[i]]);
+        forget(order[i]);
         again.insert(again.end(), blocking[order[i]].begin(), blocking[order[i]].end());
         for (const Index w : g.after[order[i]])
             if (waiting[w] == 0 && printed[w] == 0 && since[w] == 0) {
@@ -106,16 +114,26 @@ void Progress::go(Index s) {
     again.erase(std::unique(again.begin(), again.end()), again.end());
     for (const Index v : again) {
         if (printed[v] != 0) continue;
-        starts.erase(start[v]);
+        forget(v);
         look(v);
     }
 }
 
+// The start of the next stroke.
+Index Progress::best(KeepTool keep) {
+    if (keep != KeepTool::never && !order.empty()) {
+        const auto& same = of_tool[g.node[order.back()].tool];
+        if (!same.empty() && (keep == KeepTool::always || !std::get<bool>(*same.begin())))
+            return std::get<Index>(*same.begin());
+    }
+    return std::get<Index>(*starts.begin());
+}
+
 } // namespace
 
-Order climb(const Graph& g, StartRule rule) {
+Order climb(const Graph& g, StartRule rule, KeepTool keep) {
     Progress s(g, rule);
-    while (!s.starts.empty()) s.go(std::get<Index>(*s.starts.begin()));
+    while (!s.starts.empty()) s.go(s.best(keep));
     return std::move(s.order);
 }
 

@@ -1,5 +1,7 @@
 #include "sequence/collision.hpp"
 
+#include "base/error.hpp"
+#include "base/number.hpp"
 #include "geom/bvh.hpp"
 #include "sequence/drift.hpp"
 
@@ -31,6 +33,8 @@ struct PairSearch {
     const Columns& columns;
     const std::vector<Outline>& outlines;
     const machine::Head& head;
+    geom::Vec3 shift;                     // mm, from the tip in use to the tip of this head
+    const std::vector<Outline>& over;     // the outlines, shifted: where this tip is while a region is printed
     std::vector<std::vector<Box2>> block; // per column, one per kBlock regions
     std::vector<Box2> box;                // per column
     std::vector<Drift> drifts;            // per column
@@ -40,7 +44,15 @@ struct PairSearch {
     std::vector<Pair> found;
 
     [[nodiscard]] const Box2& box_of(Index v) const { return outlines[v].box[0]; }
-    [[nodiscard]] Reach reach_of(Index v, Index u) const { return reach(head, g.node[u].z - g.node[v].z); }
+    [[nodiscard]] const Box2& box_over(Index v) const { return over[v].box[0]; }
+    [[nodiscard]] Box2 column_over(Index a) const { return {box[a].lo + shift.xy(), box[a].hi + shift.xy()}; }
+    // How far u rises above the tip of this head while v is printed, mm.
+    [[nodiscard]] double rise(Index v, Index u) const { return g.node[u].z - g.node[v].z - shift.z; }
+    // The extent of the head up to the top of u; none if u does not rise above its tip.
+    [[nodiscard]] Reach reach_of(Index v, Index u) const {
+        const double dz = rise(v, u);
+        return dz > 0 ? reach(head, dz) : Reach{-1, 0, 0, false};
+    }
 
     void boxes() {
         for (const auto& member : columns.member) {
@@ -96,16 +108,17 @@ struct PairSearch {
     bool touches(Index v, Index a, Index c, std::size_t k, RegionDistance& m) {
         const Index u = columns.member[c][k];
         const Reach r = reach_of(v, u);
+        if (r.radius < 0) return false;
         if (r.everywhere) return true;
         const std::size_t i = place(v, a);
         const double most = m.known ? slack(a, c, m, i, k) : 0;
         if (m.known && m.distance + most < std::max(r.radius, std::min(r.half_x, r.half_y))) return true;
         if (m.known && m.in_box && knows_box(m, r, most)) return true;
-        if (drifts[a].alone(i) || drifts[c].alone(k)) return within(outlines[v], outlines[u], r);
-        m = {true, i, k, distance(outlines[v], outlines[u]), r.half_x, r.half_y, false, false};
+        if (drifts[a].alone(i) || drifts[c].alone(k)) return within(over[v], outlines[u], r);
+        m = {true, i, k, distance(over[v], outlines[u]), r.half_x, r.half_y, false, false};
         if (r.half_x > 0 && r.half_y > 0) {
             const auto in_box = [&](double more) {
-                return within(outlines[v], outlines[u], {0, r.half_x + more, r.half_y + more, false});
+                return within(over[v], outlines[u], {0, r.half_x + more, r.half_y + more, false});
             };
             m.in_box = in_box(0);
             m.sure = m.in_box == in_box(m.in_box ? -kBoxMargin : kBoxMargin);
@@ -125,7 +138,7 @@ struct PairSearch {
         std::size_t i = layer + 1 > lowest ? layer + 1 - lowest : 0;
         if (i >= limit) return limit;
         // Below the height at which the head reaches from column to column there are no collisions.
-        const auto out_of_reach = [&](Index u) { return !may_collide(box[a], box[c], reach_of(v, u)); };
+        const auto out_of_reach = [&](Index u) { return !may_collide(column_over(a), box[c], reach_of(v, u)); };
         i = static_cast<std::size_t>(std::partition_point(member.begin() + static_cast<long>(i),
                                                           member.begin() + static_cast<long>(limit), out_of_reach) -
                                      member.begin());
@@ -134,12 +147,12 @@ struct PairSearch {
             if (i == limit) break;
             if (i % kBlock == 0) {
                 const std::size_t last = std::min(member.size(), i + kBlock) - 1;
-                if (!may_collide(box_of(v), block[c][i / kBlock], reach_of(v, member[last]))) {
+                if (!may_collide(box_over(v), block[c][i / kBlock], reach_of(v, member[last]))) {
                     i = last;
                     continue;
                 }
             }
-            if (may_collide(box_of(v), box_of(member[i]), reach_of(v, member[i])) && touches(v, a, c, i, m)) return i;
+            if (may_collide(box_over(v), box_of(member[i]), reach_of(v, member[i])) && touches(v, a, c, i, m)) return i;
         }
         return std::min(i, limit);
     }
@@ -155,19 +168,19 @@ struct PairSearch {
 
     // The columns that the head can touch while it prints column a, ascending.
     [[nodiscard]] std::vector<Index> others(Index a) const {
-        const double lowest = g.node[columns.member[a][0]].z;
+        const double lowest = g.node[columns.member[a][0]].z + shift.z;
         const Reach most = reach(head, top - lowest);
         std::vector<Index> out;
         const auto ask = [&](Index c) {
             const double dz = g.node[columns.member[c].back()].z - lowest;
-            if (c != a && dz > 0 && may_collide(box[a], box[c], reach(head, dz))) out.push_back(c);
+            if (c != a && dz > 0 && may_collide(column_over(a), box[c], reach(head, dz))) out.push_back(c);
         };
         if (most.everywhere) {
             for (Index c = 0; c < columns.member.size(); ++c) ask(c);
             return out;
         }
         const double far = most.farthest();
-        const Box2& own = box[a];
+        const Box2 own = column_over(a);
         tree->visit({{own.lo.x - far, own.lo.y - far, 0}, {own.hi.x + far, own.hi.y + far, 0}}, ask);
         std::sort(out.begin(), out.end());
         return out;
@@ -197,14 +210,39 @@ struct PairSearch {
     }
 };
 
+constexpr double kLowest = 0.001; // mm, lower tips of idle tools touch the print; rounding of profiles is smaller
+
+// Appends the collisions of one head while `tool` prints.
+void add_collisions(const Graph& g, const Columns& columns, const std::vector<Outline>& outlines,
+                    const machine::Head& head, Index tool, const geom::Vec3& shift, std::vector<Pair>& out) {
+    std::vector<Outline> over;
+    if (shift.xy() != geom::Vec2{})
+        for (const Outline& o : outlines) over.push_back(shifted(o, shift.xy()));
+    PairSearch s{g, columns, outlines, head, shift, over.empty() ? outlines : over, {}, {}, {}, {}, 0, {}, {}};
+    s.boxes();
+    for (Index a = 0; a < columns.member.size(); ++a)
+        if (g.node[columns.member[a][0]].tool == tool) s.column(a);
+    out.insert(out.end(), s.found.begin(), s.found.end());
+}
+
 } // namespace
 
 std::vector<Pair> collisions(const Graph& g, const Columns& columns, const std::vector<Outline>& outlines,
-                             const machine::Head& head) {
-    PairSearch s{g, columns, outlines, head, {}, {}, {}, {}, 0, {}, {}};
-    s.boxes();
-    for (Index a = 0; a < columns.member.size(); ++a) s.column(a);
-    return std::move(s.found);
+                             const machine::Heads& heads) {
+    std::vector<Pair> out;
+    const std::vector<Index> used = tools(g);
+    for (const Index tool : used) {
+        add_collisions(g, columns, outlines, heads.of(tool), tool, {}, out);
+        for (const machine::Heads::Idle& idle : heads.beside(tool)) {
+            if (used.size() == 1) break; // only one head is mounted
+            if (idle.shift.z < -kLowest)
+                throw Error(Exit::usage, "cannot print with tool " + std::to_string(tool) + ": the tip of tool " +
+                                             std::to_string(idle.tool) + " hangs " + fixed_text(-idle.shift.z, 3) +
+                                             " mm lower while it is idle and would touch the print; set tools.raised");
+            add_collisions(g, columns, outlines, heads.of(idle.tool), tool, idle.shift, out);
+        }
+    }
+    return out;
 }
 
 } // namespace filum::sequence

@@ -1,7 +1,7 @@
 // Precedence from collisions: regions that must be printed before others because the head would touch these.
 #pragma once
 
-#include "machine/head.hpp"
+#include "machine/heads.hpp"
 #include "sequence/graph.hpp"
 #include "sequence/outline.hpp"
 
@@ -9,8 +9,10 @@ namespace filum::sequence {
 
 // Pairs (v, u) with v below u: if u is printed, the head over v touches it, so v must come first. That is the case if
 // within(u, v, reach(head, z of u - z of v)). Pairs implied by others and by support (along columns and at the foot of
-// a column) are left out: per region and other column only the lowest such u is given.
+// a column) are left out: per region and other column only the lowest such u is given. The head is that of the tool
+// that prints v. The heads of idle tools on its carriage count, too: they are beside it by Heads::Idle::shift. Throws
+// Error(usage) if the tip of an idle tool is lower than the tip in use, as it would touch what is just printed.
 std::vector<Pair> collisions(const Graph& g, const Columns& columns, const std::vector<Outline>& outlines,
-                             const machine::Head& head);
+                             const machine::Heads& heads);
 
 } // namespace filum::sequence

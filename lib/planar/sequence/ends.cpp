@@ -14,16 +14,19 @@ struct EndCauses {
     std::span<const Index> order;
     const Arcs& support;
     const std::vector<Outline>& outlines;
-    const machine::Head& head;
+    const machine::Heads& heads;
     std::vector<Index> place; // of each region in the order
 
     // Which part of the head over `lower` would touch `upper`.
     [[nodiscard]] Cause part(Index lower, Index upper, double apart) const {
+        const machine::Head& head = heads.of(g.node[lower].tool);
         const Reach r = reach(head, g.node[upper].z - g.node[lower].z);
         if (apart < head.flat_radius) return Cause::tip;
         if (apart < r.radius) return Cause::cone;
         const Reach box{0, r.half_x, r.half_y, false};
-        return within(outlines[lower], outlines[upper], box) ? Cause::carriage : Cause::gantry;
+        if (within(outlines[lower], outlines[upper], box)) return Cause::carriage;
+        const bool beside = !r.everywhere && !heads.beside(g.node[lower].tool).empty();
+        return beside ? Cause::idle : Cause::gantry;
     }
 
     [[nodiscard]] End end(Index stroke, Index u) const {
@@ -55,14 +58,14 @@ struct EndCauses {
 } // namespace
 
 std::string_view name(Cause c) {
-    constexpr std::array<std::string_view, kCauses> names{"top",  "taken",    "support", "tip",
-                                                          "cone", "carriage", "gantry",  "open"};
+    constexpr std::array<std::string_view, kCauses> names{"top",      "taken",  "support", "tip", "cone",
+                                                          "carriage", "gantry", "open",    "idle"};
     return names[static_cast<std::size_t>(c)];
 }
 
 std::vector<End> ends(const Graph& g, std::span<const Index> order, const Arcs& support,
-                      const std::vector<Outline>& outlines, const machine::Head& head) {
-    EndCauses s{g, order, support, outlines, head, std::vector<Index>(g.size())};
+                      const std::vector<Outline>& outlines, const machine::Heads& heads) {
+    EndCauses s{g, order, support, outlines, heads, std::vector<Index>(g.size())};
     for (std::size_t i = 0; i < order.size(); ++i) s.place[order[i]] = static_cast<Index>(i);
     std::vector<End> out;
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -82,7 +85,7 @@ std::string table(const Graph& g, const std::vector<End>& ends) {
     const auto region = [](Index v) { return v == kNone ? std::string("-") : std::to_string(v); };
     for (const End& e : ends) {
         const Node& n = g.node[e.region];
-        const bool head = e.cause >= Cause::tip && e.cause <= Cause::gantry;
+        const bool head = (e.cause >= Cause::tip && e.cause <= Cause::gantry) || e.cause == Cause::idle;
         out += std::to_string(e.stroke) + '\t' + region(e.region) + '\t' + std::to_string(n.layer) + '\t' +
                fixed_text(n.z, 4) + '\t' + fixed_text(n.centre.x, 3) + '\t' + fixed_text(n.centre.y, 3) + '\t' +
                std::string(name(e.cause)) + '\t' + region(e.ahead) + '\t' + region(e.awaited) + '\t' +

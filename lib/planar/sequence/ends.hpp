@@ -1,7 +1,7 @@
 // The reasons why the strokes of an order end where they do.
 #pragma once
 
-#include "machine/head.hpp"
+#include "machine/heads.hpp"
 #include "sequence/order.hpp"
 #include "sequence/outline.hpp"
 
@@ -19,8 +19,9 @@ enum class Cause : std::uint8_t {
     carriage, // the carriage would
     gantry,   // the gantry would
     open,     // none: the order continues elsewhere
+    idle,     // the head of an idle tool on the carriage would touch a region printed later
 };
-inline constexpr std::size_t kCauses = 8;
+inline constexpr std::size_t kCauses = 9;
 std::string_view name(Cause c);
 
 struct End {
@@ -35,7 +36,7 @@ struct End {
 // One per stroke, in order. `support`: the precedences of `g` that are not due to the head; `outlines` may be empty if
 // there are no others.
 std::vector<End> ends(const Graph& g, std::span<const Index> order, const Arcs& support,
-                      const std::vector<Outline>& outlines, const machine::Head& head);
+                      const std::vector<Outline>& outlines, const machine::Heads& heads);
 
 // The number of strokes per cause.
 std::vector<Index> tally(const std::vector<End>& ends);

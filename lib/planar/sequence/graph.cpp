@@ -56,12 +56,13 @@ Graph support_graph(std::span<const polygon::Region> regions) {
                 bad(r, "its layer is out of order");
             layer = g.node.back().layer + (r.layer > p.layer ? 1 : 0);
         }
-        g.node.push_back({layer, r.z, polygon::centroid(r.loops)});
+        g.node.push_back({layer, r.z, polygon::centroid(r.loops), r.tool});
         for (const auto& o : r.below) {
             if (o.below >= i || regions[o.below].layer >= r.layer)
                 bad(r, "it rests on a region that is not on a layer below");
             if (o.link && regions[o.below].layer + 1 != r.layer)
                 bad(r, "its link does not lead to a region of the layer below");
+            if (o.link && regions[o.below].tool != r.tool) bad(r, "its link leads to a region of another tool");
             if (o.link) links.emplace_back(o.below, r.id);
             if (regions[o.below].layer + 1 == r.layer) support.emplace_back(o.below, r.id);
         }
@@ -71,6 +72,14 @@ Graph support_graph(std::span<const polygon::Region> regions) {
     g.after = arcs(g.size(), std::move(support));
     g.before = reversed(g.after);
     return g;
+}
+
+std::vector<Index> tools(const Graph& g) {
+    std::vector<Index> out;
+    for (const Node& n : g.node)
+        if (const auto at = std::lower_bound(out.begin(), out.end(), n.tool); at == out.end() || *at != n.tool)
+            out.insert(at, n.tool);
+    return out;
 }
 
 std::vector<Pair> carried_from_afar(std::span<const polygon::Region> regions) {
@@ -114,9 +123,14 @@ Columns columns(const Graph& g, std::span<const std::uint64_t> colour) {
         return std::binary_search(links[u].begin(), links[u].end(), v);
     };
     std::vector<Index> below(n, kNone), above(n, kNone);
-    for (Index v = 0; v < n; ++v)
+    std::vector<Index> carrying;
+    for (Index v = 0; v < n; ++v) {
+        carrying.clear();
+        for (const Index u : g.before[v])
+            if (g.node[u].tool == g.node[v].tool) carrying.push_back(u);
         below[v] =
-            only_least(g.before[v], [&](Index u) { return std::tuple(!linked(g.up, u, v), n - depth[u], colour[u]); });
+            only_least(carrying, [&](Index u) { return std::tuple(!linked(g.up, u, v), n - depth[u], colour[u]); });
+    }
     std::vector<Index> carried;
     for (Index u = 0; u < n; ++u) {
         carried.clear();

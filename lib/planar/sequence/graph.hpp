@@ -33,17 +33,21 @@ struct Node {
     Index layer = 0;   // number of the layer among those with regions, from 0
     double z = 0;      // mm, top of the region
     geom::Vec2 centre; // of its area
+    Index tool = 0;    // number of the tool that prints it
 };
 
 // Every arc leads to a higher layer, so printing layer by layer is always possible.
 struct Graph {
     std::vector<Node> node;
-    Arcs up, down;      // links: a stroke may go directly from a region to one above it; and reversed
+    Arcs up, down;      // links: a stroke may go directly from a region to one above it of the same tool; and reversed
     Arcs after, before; // precedence by support and head; and reversed
     [[nodiscard]] Index size() const { return static_cast<Index>(node.size()); }
 };
 
-// Columns: regions of consecutive layers, each supported by the one before. They partition the regions.
+// The numbers of the tools that print the regions, ascending.
+std::vector<Index> tools(const Graph& g);
+
+// Columns: regions of consecutive layers with one tool, each supported by the one before. They partition the regions.
 struct Columns {
     std::vector<std::vector<Index>> member; // lowest first; columns by (lowest layer, first member)
     std::vector<Index> of;                  // the column of each region
@@ -52,7 +56,7 @@ struct Columns {
 // The graph of `regions` by support alone; they must come layer by layer with consecutive ids. Links as given by the
 // regions, precedence where they rest on a region of the layer below.
 // Throws Error(bad_input) if ids or layers do not ascend, if an overlap names a region that is not on a layer below,
-// or if a link leads to another layer than the next lower one.
+// or if a link leads to another layer than the next lower one or to a region of another tool.
 Graph support_graph(std::span<const polygon::Region> regions);
 
 // Pairs (below, above) of regions with a gap in between, as between a part and its support. They do not affect

@@ -15,11 +15,19 @@ bool continues(const Graph& g, Index u, Index v) {
 Cost cost(const Graph& g, std::span<const Index> order) {
     Cost c;
     for (std::size_t i = 0; i < order.size(); ++i) {
+        if (i > 0 && g.node[order[i - 1]].tool != g.node[order[i]].tool) ++c.changes;
         if (i > 0 && continues(g, order[i - 1], order[i])) continue;
         ++c.strokes;
         if (i > 0) c.travel += geom::distance(g.node[order[i - 1]].centre, g.node[order[i]].centre);
     }
     return c;
+}
+
+bool less(const Cost& a, const Cost& b, Priority first) {
+    const auto key = [&](const Cost& c) {
+        return first == Priority::strokes ? std::pair(c.strokes, c.changes) : std::pair(c.changes, c.strokes);
+    };
+    return key(a) < key(b);
 }
 
 void check(const Graph& g, std::span<const Index> order) {
@@ -51,6 +59,28 @@ struct LayerState {
         kNone; // of a first: the last region of the layer below that it continues; of a last: its layer's first
 };
 
+bool several_tools(const Graph& g, const std::vector<Index>& layer) {
+    return std::any_of(layer.begin(), layer.end(),
+                       [&](Index v) { return g.node[v].tool != g.node[layer.front()].tool; });
+}
+
+// Whether a layer that begins with `first` cannot end with `last`: it is the same region or, in a layer with several
+// tools, a region of the same tool.
+bool excludes(const Graph& g, const std::vector<Index>& layer, Index first, Index last) {
+    return first == last || (several_tools(g, layer) && g.node[first].tool == g.node[last].tool);
+}
+
+// The best first region of a layer, and the best one that a last region may have that excludes it.
+std::pair<Index, Index> best_firsts(const Graph& g, const std::vector<Index>& layer,
+                                    const std::vector<LayerState>& first) {
+    Index one = kNone, two = kNone;
+    for (const Index v : layer)
+        if (one == kNone || first[v].links > first[one].links) one = v;
+    for (const Index v : layer)
+        if (!excludes(g, layer, one, v) && (two == kNone || first[v].links > first[two].links)) two = v;
+    return {one, two};
+}
+
 // The first and the last region of every layer such that as many as possible are linked.
 std::vector<LayerEnds> layer_ends(const Graph& g, const std::vector<std::vector<Index>>& layers) {
     std::vector<LayerState> first(g.size()), last(g.size());
@@ -61,18 +91,10 @@ std::vector<LayerEnds> layer_ends(const Graph& g, const std::vector<std::vector<
             for (const Index u : g.down[v])
                 if (last[u].links + 1 > first[v].links) first[v] = {last[u].links + 1, u};
         }
-        // the two best firsts, as a last region must differ from the first unless it is alone
-        Index one = kNone, two = kNone;
-        for (const Index v : layer) {
-            if (one == kNone || first[v].links > first[one].links) {
-                two = one;
-                one = v;
-            } else if (two == kNone || first[v].links > first[two].links)
-                two = v;
-        }
+        const auto [one, two] = best_firsts(g, layer, first);
         best = kNone;
         for (const Index v : layer) {
-            const Index f = layer.size() == 1 || v != one ? one : two;
+            const Index f = layer.size() == 1 || !excludes(g, layer, one, v) ? one : two;
             last[v] = {first[f].links, f};
             if (best == kNone || last[v].links > last[best].links) best = v;
         }
@@ -85,7 +107,31 @@ std::vector<LayerEnds> layer_ends(const Graph& g, const std::vector<std::vector<
     return out;
 }
 
-// Appends the regions of a layer: the first, then always the nearest, the last one at the end.
+// Appends the regions between the first and the last one of a layer with several tools, tool by tool.
+void append_by_tool(const Graph& g, const std::vector<Index>& layer, const LayerEnds& ends, Order& out) {
+    const auto rank = [&](Index v) {
+        const Index tool = g.node[v].tool;
+        return std::pair(tool == g.node[ends.first].tool ? 0 : tool == g.node[ends.last].tool ? 2 : 1, tool);
+    };
+    std::vector<Index> rest;
+    for (const Index v : layer)
+        if (v != ends.first && v != ends.last) rest.push_back(v);
+    std::stable_sort(rest.begin(), rest.end(), [&](Index a, Index b) { return rank(a) < rank(b); });
+    for (std::size_t from = 0, to = 0; from < rest.size(); from = to) {
+        std::vector<geom::Vec2> centre;
+        for (; to < rest.size() && rank(rest[to]) == rank(rest[from]); ++to) centre.push_back(g.node[rest[to]].centre);
+        geom::NearestPoints left(centre);
+        for (std::uint32_t i = 0; i < centre.size(); ++i) left.insert(i);
+        while (!left.empty()) {
+            const std::uint32_t i = *left.nearest(g.node[out.back()].centre);
+            left.remove(i);
+            out.push_back(rest[from + i]);
+        }
+    }
+}
+
+// Appends the regions of a layer: the first, then always the nearest, the last one at the end. With several tools those
+// of the first region's tool come first and those of the last region's tool last.
 void append_nearest(const Graph& g, const std::vector<Index>& layer, const LayerEnds& ends, Order& out) {
     std::vector<geom::Vec2> centre;
     centre.reserve(layer.size());
@@ -94,10 +140,14 @@ void append_nearest(const Graph& g, const std::vector<Index>& layer, const Layer
     for (std::uint32_t i = 0; i < layer.size(); ++i)
         if (layer[i] != ends.first && layer[i] != ends.last) left.insert(i);
     out.push_back(ends.first);
-    while (!left.empty()) {
-        const std::uint32_t i = *left.nearest(g.node[out.back()].centre);
-        left.remove(i);
-        out.push_back(layer[i]);
+    if (several_tools(g, layer)) {
+        append_by_tool(g, layer, ends, out);
+    } else {
+        while (!left.empty()) {
+            const std::uint32_t i = *left.nearest(g.node[out.back()].centre);
+            left.remove(i);
+            out.push_back(layer[i]);
+        }
     }
     if (ends.last != ends.first) out.push_back(ends.last);
 }

@@ -117,6 +117,13 @@ Reach reach(const machine::Head& head, double dz) {
     return r;
 }
 
+Outline shifted(Outline o, geom::Vec2 way) {
+    for (geom::Vec2& p : o.loops.points) p = p + way;
+    for (Box2& b : o.box)
+        if (!b.empty()) b = {b.lo + way, b.hi + way};
+    return o;
+}
+
 Outline outline(polygon::Loops loops) {
     Outline o;
     o.loops = std::move(loops);

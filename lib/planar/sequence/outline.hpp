@@ -27,6 +27,8 @@ struct Outline {
     std::size_t leaves = 0;      // a power of two
 };
 Outline outline(polygon::Loops loops);
+// The outline, moved by `way`.
+Outline shifted(Outline outline, geom::Vec2 way);
 
 // Whether a point of region a and a point of region b are within `r`, so that the head over one touches the other.
 // Exact up to rounding; interiors count, so a region inside the other's outline has distance 0.

@@ -5,6 +5,7 @@
 #include "sequence/climb.hpp"
 #include "sequence/matching.hpp"
 #include "sequence/mend.hpp"
+#include "sequence/phases.hpp"
 #include "sequence/relaxation.hpp"
 #include "sequence/search.hpp"
 
@@ -24,14 +25,17 @@ struct Planner {
     Plan best;
 
     void offer(Order o) {
+        if (best.change_bound > 0) o = by_tools(g, std::move(o));
         const Cost c = cost(g, o);
-        if (best.order.empty() || c.strokes < best.cost.strokes) {
+        if (best.order.empty() || less(c, best.cost, Priority::strokes)) {
             best.order = std::move(o);
             best.cost = c;
         }
     }
     void prove(Index strokes) { best.bound = std::max(best.bound, strokes); }
-    [[nodiscard]] bool proven() const { return best.cost.strokes == best.bound; }
+    [[nodiscard]] bool proven() const {
+        return best.cost.strokes == best.bound && (best.cost.changes == best.change_bound || best.complete);
+    }
 
     // Searches of increasing width with each of the weights, until one proves its order optimal or the budget is used
     // up.
@@ -73,7 +77,7 @@ struct Planner {
     }
 
     void tighten(Relaxation& r, std::uint64_t budget) {
-        if (proven()) return;
+        if (proven() || best.cost.strokes == best.bound) return;
         const std::uint64_t before = r.work();
         best.relaxation = r.tighten(best.cost.strokes, budget);
         best.steps += r.work() - before;
@@ -88,6 +92,7 @@ Plan layer_plan(const Graph& g) {
     p.order = layer_order(g);
     p.cost = cost(g, p.order);
     p.bound = p.path_cover = path_cover(g);
+    p.change_bound = least_changes(g);
     return p;
 }
 
@@ -97,6 +102,12 @@ Plan plan_part(const Graph& g, const Columns& columns, std::uint64_t budget) {
     Planner p{g, columns, layer_plan(g)};
     for (const StartRule c : {StartRule::longest, StartRule::lowest, StartRule::latest})
         if (!p.proven()) p.offer(climb(g, c));
+    if (p.best.change_bound > 0) {
+        p.offer(p.best.order); // in the best order of tools
+        for (const KeepTool keep : {KeepTool::to_the_end, KeepTool::always})
+            for (const StartRule c : {StartRule::longest, StartRule::lowest, StartRule::latest})
+                if (!p.proven()) p.offer(climb(g, c, keep));
+    }
     if (p.proven()) return std::move(p.best);
     Relaxation r(g, columns);
     p.tighten(r, budget / 10);
@@ -109,9 +120,7 @@ Plan plan_part(const Graph& g, const Columns& columns, std::uint64_t budget) {
     return std::move(p.best);
 }
 
-} // namespace
-
-Plan plan(const Graph& g, const Columns& columns, std::uint64_t budget) {
+Plan plan_parts(const Graph& g, const Columns& columns, std::uint64_t budget) {
     auto all = parts(g, columns);
     std::stable_sort(all.begin(), all.end(),
                      [](const Part& a, const Part& b) { return a.node.size() < b.node.size(); });
@@ -137,8 +146,30 @@ Plan plan(const Graph& g, const Columns& columns, std::uint64_t budget) {
     }
     if (!relaxed) out.relaxation = 0;
     out.complete = searched && complete;
-    out.order = arranged(g, std::move(out.order));
+    out.order = by_tools(g, std::move(out.order));
     out.cost = cost(g, out.order);
+    return out;
+}
+
+} // namespace
+
+Plan plan(const Graph& g, const Columns& columns, std::uint64_t budget, Priority first) {
+    Plan out = plan_parts(g, columns, budget);
+    out.change_bound = least_changes(g);
+    if (first == Priority::strokes || out.change_bound == 0 || out.cost.changes == out.change_bound) return out;
+    const auto in_phase = [&](const Graph& of_phase, const Columns& its_columns) {
+        const std::uint64_t share = budget / g.size() * of_phase.size();
+        Plan p = plan_parts(of_phase, its_columns, share);
+        out.steps += p.steps;
+        return std::move(p.order);
+    };
+    for (Order& o : phase_orders(g, columns, in_phase)) {
+        const Cost c = cost(g, o);
+        if (!less(c, out.cost, first)) continue;
+        out.order = std::move(o);
+        out.cost = c;
+    }
+    out.complete = false;
     return out;
 }
 

@@ -19,6 +19,9 @@ struct BeamState {
     double score = 0;
     std::uint64_t hash = 0;
     Index step = kNone;
+    Index tool = kNone; // in use; kNone: the first stroke needs no change
+    Index changes = 0;  // of the tool so far
+    Index count = 0;    // printed regions
 };
 
 struct Candidate {
@@ -33,6 +36,7 @@ struct BeamSearch {
     std::span<const double> weight;
     std::size_t k;
     std::uint64_t hashed;
+    bool several;             // tools
     std::vector<Index> place; // of each region in its column
     std::uint64_t work = 0;
 
@@ -48,10 +52,12 @@ struct BeamSearch {
     bool reached_top = false; // a candidate of this state ends at a top, and is the only one that counts
 
     BeamSearch(const Graph& graph, const Columns& c, std::span<const double> w, std::uint64_t bits)
-        : g(graph), columns(c), weight(w), k(c.member.size()), hashed(bits), place(graph.size()) {
+        : g(graph), columns(c), weight(w), k(c.member.size()), hashed(bits), several(tools(graph).size() > 1),
+          place(graph.size()) {
         for (const auto& member : c.member)
             for (std::size_t i = 0; i < member.size(); ++i) place[member[i]] = static_cast<Index>(i);
         level.emplace_back();
+        if (!several) level.back().tool = g.node[0].tool;
         heights.assign(k, 0);
     }
 
@@ -82,11 +88,15 @@ struct BeamSearch {
     }
 
     void propose(const BeamState& from, Index parent) {
-        if (g.up[path.back()].empty()) {
+        const Index tool = g.node[path.front()].tool;
+        if (g.up[path.back()].empty() && tool == from.tool) {
             while (!candidates.empty() && candidates.back().parent == parent) candidates.pop_back();
             reached_top = true;
         }
         Candidate c{from, parent, static_cast<Index>(tried.size()), static_cast<Index>(path.size())};
+        if (from.tool != kNone && tool != from.tool) ++c.state.changes;
+        c.state.tool = tool;
+        c.state.count += c.count;
         for (const Index v : path) {
             c.state.score += weight[v];
             c.state.hash ^= mixed(v + kMixStep) & hashed;
@@ -111,18 +121,38 @@ struct BeamSearch {
         }
     }
 
-    [[nodiscard]] bool below_another(const std::vector<Index>& h, const std::vector<Index>& kept) const {
+    // Whether an order from state `a` changes the tool no more often than the same order from state `b`.
+    [[nodiscard]] static bool no_more_changes(const BeamState& a, const BeamState& b) {
+        return a.changes + (a.tool == b.tool ? 0 : 1) <= b.changes;
+    }
+
+    // Whether the state with the heights `h` is contained in one of the first kept ones, which changes the tool no more
+    // often.
+    [[nodiscard]] bool below_another(const BeamState& state, const std::vector<Index>& h,
+                                     const std::vector<BeamState>& next, const std::vector<Index>& kept) const {
         constexpr std::size_t kCompared = 32;
         for (std::size_t i = 0; i < std::min(kCompared, kept.size() / k); ++i)
-            if (std::equal(h.begin(), h.end(), kept.begin() + static_cast<long>(i * k), std::less_equal<>()))
+            if (no_more_changes(next[i], state) &&
+                std::equal(h.begin(), h.end(), kept.begin() + static_cast<long>(i * k), std::less_equal<>()))
                 return true;
         return false;
     }
 
+    // If everything is printed in some candidate, keeps only the one of these with the fewest changes of the tool.
+    void keep_finished() {
+        const Candidate* best = nullptr;
+        for (const Candidate& c : candidates)
+            if (c.state.count == g.size() && (best == nullptr || c.state.changes < best->state.changes)) best = &c;
+        if (best != nullptr) candidates = {Candidate(*best)};
+    }
+
     // Selects the next level from the candidates; true if none had to be dropped.
     bool select(std::size_t width) {
-        std::stable_sort(candidates.begin(), candidates.end(),
-                         [](const Candidate& a, const Candidate& b) { return a.state.score > b.state.score; });
+        std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+            return a.state.score > b.state.score ||
+                   (a.state.score == b.state.score && a.state.changes < b.state.changes);
+        });
+        if (several) keep_finished();
         std::vector<BeamState> next;
         std::vector<Index> kept;
         std::unordered_multimap<std::uint64_t, Index> seen; // hash to the index of the state in `next`, or kNone
@@ -133,12 +163,13 @@ struct BeamSearch {
             for (Index i = 0; i < c.count; ++i) now[columns.of[tried[c.first + i]]] = place[tried[c.first + i]] + 1;
             const auto alike = seen.equal_range(c.state.hash);
             const bool before = std::any_of(alike.first, alike.second, [&](const auto& s) {
-                return s.second != kNone &&
+                return s.second != kNone && no_more_changes(next[s.second], c.state) &&
                        std::equal(now.begin(), now.end(), kept.begin() + static_cast<long>(s.second * k));
             });
-            if (before || (alike.first != alike.second && below_another(now, kept))) continue; // as when it came first
+            if (before || (alike.first != alike.second && below_another(c.state, now, next, kept)))
+                continue; // as when it came first
             work += k;
-            if (below_another(now, kept)) {
+            if (below_another(c.state, now, next, kept)) {
                 seen.emplace(c.state.hash, kNone);
                 continue;
             }

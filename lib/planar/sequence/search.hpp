@@ -7,7 +7,7 @@ namespace filum::sequence {
 
 struct SearchResult {
     Order order;
-    bool optimal = false;   // no state was ever dropped: no order has fewer strokes
+    bool optimal = false;   // no state was ever dropped: no order has fewer strokes, or as few and fewer tool changes
     std::uint64_t work = 0; // precedences examined
 };
 
@@ -16,8 +16,11 @@ struct SearchResult {
 // many strokes the larger set is never worse, because:
 // - a region that is ready where a stroke ends can only begin a later stroke, so continuing costs nothing;
 // - removing a closed set from an order shortens its strokes from below and breaks none;
-// - a stroke that reaches a region without a link upwards may be chosen at once, alone: it removes a stroke from any
-//   order.
+// - a stroke that reaches a region without a link upwards may be chosen at once, alone, if it needs no change of the
+//   tool: it removes a stroke from any order.
+// With several tools a state also has the tool in use and the number of changes, and one state replaces another only if
+// no order from it changes the tool more often. Of the orders with the fewest strokes the one with the fewest changes
+// wins.
 // After every stroke the `width` states with the most printed `weight` survive; ties: the first found. Ends without an
 // order when `budget` is used up. Equal states are found by `hashed` bits of a hash and then compared; fewer bits cost
 // time and change nothing.

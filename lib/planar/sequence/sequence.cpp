@@ -38,10 +38,16 @@ Facts facts(const SequenceResult& r, const Plan& p, const Columns& c, std::size_
     add("planned-strokes", strokes, "strokes");
     add("gap", 100 * (strokes - p.bound) / strokes, "%");
     const auto counts = tally(r.ends);
+    const std::size_t several = tools(r.graph).size();
     for (std::size_t i = 0; i < kCauses; ++i)
-        add("ends-" + std::string(name(static_cast<Cause>(i))), counts[i], "strokes");
+        if (several > 1 || static_cast<Cause>(i) != Cause::idle)
+            add("ends-" + std::string(name(static_cast<Cause>(i))), counts[i], "strokes");
     add("steps", static_cast<double>(p.steps) / 1e6, "million");
     add("search-complete", p.complete ? 1 : 0, "");
+    if (several < 2) return out;
+    add("tools", static_cast<double>(several), "");
+    add("tool-changes", p.cost.changes, "");
+    add("tool-changes-bound", p.change_bound, "");
     return out;
 }
 
@@ -66,11 +72,11 @@ SequenceResult sequence(std::vector<polygon::Region> regions, const Options& opt
     if (!options.by_layers) { // layer order keeps the following precedences anyway
         for (auto& r : regions) outlines.push_back(outline(std::move(r.loops)));
         add_precedence(g, below_hanging(g, outlines));
-        hits = collisions(g, c, outlines, options.head);
+        hits = collisions(g, c, outlines, options.heads);
         hold_together(rims, hits);
         add_precedence(g, hits);
     }
-    Plan p = options.by_layers ? layer_plan(g) : plan(g, c, options.budget);
+    Plan p = options.by_layers ? layer_plan(g) : plan(g, c, options.budget, options.first);
     if (options.by_layers && options.layers) {
         p.order = options.layers(regions);
         p.cost = cost(g, p.order);
@@ -78,8 +84,10 @@ SequenceResult sequence(std::vector<polygon::Region> regions, const Options& opt
     begin_with(rims, g, p);
     check(g, p.order);
     if (p.cost.strokes < p.bound) throw Error(Exit::failure, "internal error: fewer strokes than the lower bound");
+    if (p.cost.changes < p.change_bound)
+        throw Error(Exit::failure, "internal error: fewer tool changes than the lower bound");
     add_strokes(out, p.order, regions);
-    out.ends = ends(g, p.order, support, outlines, options.head);
+    out.ends = ends(g, p.order, support, outlines, options.heads);
     out.facts = facts(out, p, c, hits.size(), rims.size());
     out.bound_by = bound_by(p);
     out.order = std::move(p.order);

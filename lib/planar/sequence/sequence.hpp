@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/fact.hpp"
-#include "machine/head.hpp"
+#include "machine/heads.hpp"
 #include "sequence/ends.hpp"
 
 #include <functional>
@@ -14,7 +14,8 @@ struct Options {
     bool by_layers = false; // strictly layer by layer
     // With by_layers: computes the order, for comparison; empty: the one with the fewest strokes.
     std::function<Order(std::span<const polygon::Region>)> layers = {};
-    machine::Head head;
+    machine::Heads heads;               // of the tools
+    Priority first = Priority::strokes; // what is reduced first in jobs with several tools
     std::uint64_t budget = 600'000'000; // steps for searches and bounds
 };
 
@@ -30,6 +31,7 @@ struct SequenceResult {
     // its order optimal; planned-strokes; gap (% of the strokes between lower-bound and planned-strokes); ends-...:
     // strokes by the cause of their end (ends.hpp); steps (millions) of search and bounds; search-complete (1 if the
     // search was exhaustive, so no order has fewer strokes).
+    // With several tools also: tools; tool-changes; tool-changes-bound: no order changes the tool less often.
     Facts facts;
     std::string bound_by; // method that proved lower-bound: path-cover, relaxation-bound or search
 };

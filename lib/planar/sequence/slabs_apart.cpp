@@ -62,6 +62,13 @@ SequenceResult sequence_apart(const std::vector<polygon::Region>& regions, const
         add_facts(part.facts, out.facts);
         out.bound_by = out.bound_by.empty() || out.bound_by == part.bound_by ? part.bound_by : "several";
     }
+    Index changes = 0;
+    for (std::size_t i = 1; i < out.order.size(); ++i)
+        changes += regions[out.order[i - 1]].tool == regions[out.order[i]].tool ? 0 : 1;
+    for (Fact& f : out.facts) {
+        if (f.name == "tools") f.value = static_cast<double>(tools(support_graph(regions)).size());
+        if (f.name == "tool-changes") f.value = changes; // also those at pauses
+    }
     // A bound that was computed for some slabs only is not a bound of the whole.
     std::erase_if(out.facts, [](const Fact& f) { return f.name == "relaxation-bound"; });
     for (Fact& f : out.facts)

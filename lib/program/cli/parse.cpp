@@ -83,9 +83,12 @@ void bind(CLI::App& app, const Option& o) {
         app.add_flag("--" + o.name, **flag, o.help);
         return;
     }
-    app.add_option_function<std::string>(
-           "--" + o.name, [o](const std::string& text) { store(o, text); }, o.help)
-        ->take_last();
+    auto* const option = app.add_option_function<std::string>(
+        "--" + o.name, [o](const std::string& text) { store(o, text); }, o.help);
+    if (o.repeats)
+        option->join(';');
+    else
+        option->take_last();
 }
 
 // The document that the argument `verb` asks for, or "". --print-... is for the build and the tests, and counts only as

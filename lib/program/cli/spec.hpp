@@ -41,6 +41,7 @@ struct Option {
     bool setting = true;                   // false for files and other values that do not belong into the history
     std::string needs = "";                // the conditions on other options under which it has an effect: see when()
     std::vector<std::string> same = {};    // settings of earlier stages, PROGRAM.NAME, that should have the same value
+    bool repeats = false;                  // of a text: given several times, all values count, with ';' between
     bool limit = false;                    // a limit: it may rightly change nothing, if the input does not reach it
 
     Option& at_least(double v) {
@@ -94,6 +95,10 @@ struct Option {
     // note.
     Option& same_as(std::vector<std::string> settings) {
         same = std::move(settings);
+        return *this;
+    }
+    Option& repeated() {
+        repeats = true;
         return *this;
     }
     Option& a_limit() {

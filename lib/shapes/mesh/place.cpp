@@ -81,6 +81,12 @@ bool within_limits(const Box3& b) {
 
 } // namespace
 
+void append(const Mesh& from, Mesh& to) {
+    const auto first = static_cast<std::uint32_t>(to.vertices.size());
+    to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
+    for (const Triangle& t : from.triangles) to.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
 void drop_unused_vertices(Mesh& mesh) {
     std::vector<std::uint32_t> to(mesh.vertices.size(), kNoVertex);
     for (const Triangle& t : mesh.triangles)

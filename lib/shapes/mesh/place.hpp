@@ -45,6 +45,9 @@ Placed place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes);
 // beyond 1e7 mm.
 void move(Mesh& mesh, const Affine& map);
 
+// Adds the vertices and triangles of `from` to `to`.
+void append(const Mesh& from, Mesh& to);
+
 // Removes vertices without a triangle.  The others keep their order.
 void drop_unused_vertices(Mesh& mesh);
 

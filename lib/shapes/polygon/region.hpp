@@ -18,6 +18,9 @@ struct Layer {
     double height = 0; // thickness, mm
     double plane = 0;  // height of the cut through the model, mm
     Loops contours;    // outer counter-clockwise, holes clockwise, simple
+    // Several bodies: the layer comes once for each body. Areas of bodies with different tools do not overlap.
+    std::uint32_t body = 0, tool = 0; // numbers of the body and of the tool that prints it
+    double width = 0;                 // mm, of its beads; 0: as the stages' options say
 };
 
 // How a region lies on one region of the layer below.
@@ -85,6 +88,9 @@ struct Region {
     // id of a brim around it, set by `supports`; -1 if none. Its beads lie beside those of the region, so one stroke
     // may print both.
     std::int64_t brim = -1;
+    // Number of its body (the lowest, if several became one region) and of the tool that prints it.
+    std::uint32_t body = 0, tool = 0;
+    double width = 0; // mm, of its beads; 0: as the stages' options say
 };
 
 // The outlines of the material, per layer from the first to the last, of all regions or of one class (`only`). Empty

@@ -79,6 +79,7 @@ struct RegionPaths {
     // link3d makes the first pass twice as wide in the lower half of the layer and the second one in the upper half:
     // the volume stays the same.
     std::vector<std::vector<Vec2>> stacked;
+    std::uint32_t body = 0, tool = 0; // numbers of the body and of the tool that prints it
 };
 
 // Fraction of a layer's height: beads with a smaller common part of their heights lie above each other without
@@ -120,6 +121,7 @@ struct Span {
     std::uint32_t tool = 0;                         // number of the machine's tool; for a travel, that of the next bead
     Retraction retraction = Retraction::by_machine; // of a travel
     Feature feature = Feature::none;                // of an extruding span
+    std::uint32_t body = 0;                         // number of the body that it belongs to
 
     [[nodiscard]] double width_at(std::size_t i) const { return width.size() == 1 ? width[0] : width[i]; }
     [[nodiscard]] double height_at(std::size_t i) const { return height.size() == 1 ? height[0] : height[i]; }

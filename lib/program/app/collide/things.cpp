@@ -59,11 +59,7 @@ machine::Profile profile_of(const std::string& name, const std::string& set, con
     return profile;
 }
 
-collision::Heads heads_of(const machine::Profile& profile) {
-    collision::Heads out = profile.head;
-    for (const auto& [tool, own] : profile.own) out.own.emplace(tool, own->head);
-    return out;
-}
+collision::Heads heads_of(const machine::Profile& profile) { return machine::heads(profile); }
 
 collision::Machine machine_of(const machine::Profile& profile) {
     return {heads_of(profile), profile.travel.lift, profile.travel.min_length, profile.axes.active()};

@@ -20,8 +20,8 @@ void report(const filum::sequence::SequenceResult& result, const cli::Io& io) {
 void run(const Work& work, const cli::Io& given) {
     cli::Io io = given;
     filum::sequence::Options how = work.how;
-    how.head = machine::head(work.head);
-    for (const auto& [name, value, changed] : machine::settings(how.head))
+    how.heads = machine::heads(work.head);
+    for (const auto& [name, value, changed] : machine::settings(how.heads.common))
         io.settings.push_back({name, value, changed});
     std::vector<stream::RawFrame> frames;
     std::vector<polygon::Region> regions;

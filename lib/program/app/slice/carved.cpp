@@ -22,12 +22,6 @@ using polygon::Loops;
 constexpr std::size_t kMostPlanes = 20000; // most planes that are searched for material
 constexpr int kHalvings = 20;              // most halvings of the step between two planes
 
-void append(const mesh::Mesh& from, mesh::Mesh& to) {
-    const auto first = static_cast<std::uint32_t>(to.vertices.size());
-    to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
-    for (const mesh::Triangle& t : from.triangles) to.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-}
-
 Loops contours(const Carved::Group& group, polygon::Layer& part, const polygon::Layer* away) {
     if (!group.cut || away == nullptr || away->contours.empty()) return std::move(part.contours);
     return polygon::subtract(part.contours, away->contours);
@@ -99,7 +93,7 @@ Carved carve(const mesh::File& file, double hairline, double step, int threads, 
     std::uint64_t bodies = 0;
     for (const mesh::Body& body : file.bodies) {
         if (body.what != mesh::Body::What::negative) continue;
-        append(body.mesh, cut[body.item].second);
+        mesh::append(body.mesh, cut[body.item].second);
         ++bodies;
     }
     mesh::Mesh rest{file.mesh.vertices, {}};

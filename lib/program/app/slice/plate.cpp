@@ -1,5 +1,6 @@
 #include "app/slice/plate.hpp"
 
+#include "app/slice/bodies.hpp"
 #include "app/slice/grid.hpp"
 #include "app/slice/sizes.hpp"
 #include "base/number.hpp"
@@ -19,25 +20,6 @@ namespace {
 
 using filum::slice::kLift;
 using filum::slice::Level;
-
-// The file's name without folder and ending.  It only has letters, digits, '-' and '_', since firmware takes no others.
-std::string label(const std::string& path) {
-    std::string name = path.substr(path.find_last_of('/') + 1);
-    const auto dot = name.find_last_of('.');
-    if (dot != 0 && dot != std::string::npos) name.resize(dot);
-    return path == "-" ? "part" : plain_word(name, "part");
-}
-
-// The scale that compensates for the shrinkage (%) of a cooling part.  Both lists hold one number or three.
-std::vector<double> enlarged(const std::vector<double>& scale, const std::vector<double>& shrinkage) {
-    if (shrinkage.size() != 1 && shrinkage.size() != 3)
-        throw Error(Exit::usage, "cannot use --shrinkage: it takes one number or three");
-    if (scale.size() != 1 && scale.size() != 3) return scale; // refused when the part is placed
-    std::vector<double> out(std::max(scale.size(), shrinkage.size()));
-    for (std::size_t k = 0; k < out.size(); ++k)
-        out[k] = scale[k % scale.size()] / (1 - shrinkage[k % shrinkage.size()] / 100);
-    return out;
-}
 
 // Cuts away the negative bodies of a placed file, and puts the rest on the bed.
 void cut_away(mesh::File& file, const Options& o, int threads, OnBed& part) {
@@ -171,7 +153,26 @@ std::vector<plate::Place> packed_places(const std::vector<OnBed>& parts, const O
 
 } // namespace
 
+// Firmware takes no other characters in names.
+std::string label(const std::string& path) {
+    std::string name = path.substr(path.find_last_of('/') + 1);
+    const auto dot = name.find_last_of('.');
+    if (dot != 0 && dot != std::string::npos) name.resize(dot);
+    return path == "-" ? "part" : plain_word(name, "part");
+}
+
+std::vector<double> enlarged(const std::vector<double>& scale, const std::vector<double>& shrinkage) {
+    if (shrinkage.size() != 1 && shrinkage.size() != 3)
+        throw Error(Exit::usage, "cannot use --shrinkage: it takes one number or three");
+    if (scale.size() != 1 && scale.size() != 3) return scale; // refused when the part is placed
+    std::vector<double> out(std::max(scale.size(), shrinkage.size()));
+    for (std::size_t k = 0; k < out.size(); ++k)
+        out[k] = scale[k % scale.size()] / (1 - shrinkage[k % shrinkage.size()] / 100);
+    return out;
+}
+
 std::vector<OnBed> read_parts(const Options& o, cli::Io& self) {
+    if (!o.body.empty()) return read_bodies(o, self);
     const auto inputs = self.inputs.empty() ? std::vector<std::string>{"-"} : self.inputs;
     const bool several = inputs.size() > 1 || o.copies > 1 || in_grid(o);
     std::vector<OnBed> out;
@@ -185,6 +186,13 @@ std::vector<OnBed> read_parts(const Options& o, cli::Io& self) {
 }
 
 std::vector<stream::Object> place_on_bed(std::vector<OnBed>& parts, const Options& o, const cli::Io& io, Notes& notes) {
+    if (!o.body.empty() && parts.size() > 1) { // the bodies of a part stay together
+        std::vector<OnBed> whole;
+        whole.push_back(joint(parts));
+        auto out = place_on_bed(whole, o, io, notes);
+        for (OnBed& part : parts) part.at = whole.front().at;
+        return out;
+    }
     if (parts.size() == 1 && parts[0].at.size() == 1 && !in_grid(o)) {
         io.idle("apart", "there is one part");
         return {};
@@ -226,12 +234,7 @@ std::vector<Level> prepare(std::vector<OnBed>& parts, const Options& o, int thre
         parts[0].sweep = filum::slice::prepare(*parts[0].part, o.slice, threads, parts[0].notes);
     } else {
         mesh::Mesh all; // used only for the levels
-        for (const OnBed& part : parts) {
-            const auto first = static_cast<std::uint32_t>(all.vertices.size());
-            const mesh::Mesh& mesh = part.part->mesh;
-            all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-            for (const auto& t : mesh.triangles) all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-        }
+        for (const OnBed& part : parts) mesh::append(part.part->mesh, all);
         const std::vector<Level> levels = filum::slice::levels(all, o.slice, notes);
         for (OnBed& part : parts) {
             const double top = part.box.hi.z;

@@ -28,7 +28,16 @@ struct OnBed {
     std::vector<double> area;          // mm2, of each layer
     std::vector<polygon::Loops> bores; // of each layer: outlines of bores that the layer leaves open
     Notes notes;                       // on the mesh, in the coordinates before copies are placed
+    // Of bodies (bodies.hpp): the tool that prints it, and the width of its beads in mm (0: as the stages say).
+    std::uint32_t tool = 0;
+    double width = 0;
 };
+
+// The name of a part on the bed: the file's name without folder and ending, of letters, digits, '-' and '_' only.
+std::string label(const std::string& path);
+
+// The scale that compensates for the shrinkage (%) of a cooling part.  Both lists hold one number or three.
+std::vector<double> enlarged(const std::vector<double>& scale, const std::vector<double>& shrinkage);
 
 // Reads and places every input, checks its size and prepares it.  The checksum of the files is added to the settings of
 // `self`.  Throws Error as the readers and checks.

@@ -1,6 +1,7 @@
 #include "app/slice/slice.hpp"
 
 #include "app/modifier/modifier.hpp"
+#include "app/slice/bodies.hpp"
 #include "app/slice/plate.hpp"
 #include "parallel/parallel.hpp"
 #include "polygon/clip.hpp"
@@ -28,7 +29,10 @@ struct Job {
     std::vector<OnBed>& parts;
     std::span<const filum::slice::Level> levels;
     Wanted wanted;
-    std::atomic<bool> holed = false; // a layer has a hole
+    std::atomic<bool> holed = false;         // a layer has a hole
+    std::vector<std::vector<double>> kept{}; // of several bodies, per body and layer: mm2 that are left of it
+
+    [[nodiscard]] bool bodies() const { return !o.body.empty() && parts.size() > 1; }
 
     // 0 for the layer on the bed, which has an elephant's foot, and 1 for layers above.  The lowest layer of a print
     // that continues another (from_layer) is not on the bed.
@@ -63,11 +67,32 @@ void find_bores(Job& job, int threads, Notes& notes) {
     }
 }
 
-// The layers of a chunk, with all parts together.
+// The contours of a layer with those of all copies, for each body.  Later bodies are cut from earlier ones; a note
+// reports what that takes.
+std::vector<polygon::Layer> body_layers(Job& job, std::size_t i, std::vector<polygon::Loops> contours, Notes& notes) {
+    const auto& level = job.levels[i];
+    const auto index = static_cast<std::uint32_t>(i - job.wanted.first);
+    std::vector<std::uint32_t> tools;
+    for (const OnBed& part : job.parts) tools.push_back(part.tool);
+    cut_by_later(contours, tools, level.height, index, notes);
+    std::vector<polygon::Layer> out;
+    for (std::size_t b = 0; b < contours.size(); ++b) {
+        job.kept[b][i] = polygon::signed_area(contours[b]);
+        if (contours[b].empty() && !(b + 1 == contours.size() && out.empty())) continue;
+        out.push_back({index, level.z - job.wanted.down, level.height, level.plane - job.wanted.down,
+                       std::move(contours[b]), static_cast<std::uint32_t>(b), job.parts[b].tool, job.parts[b].width});
+    }
+    return out;
+}
+
+// The layers of a chunk, with all parts together, or one after the other if they are bodies of one part.
 std::vector<stream::RawFrame> cut_all(Job& job, std::size_t chunk, Notes& notes) {
-    const std::size_t first = chunk * filum::slice::kChunk;
-    std::vector<polygon::Loops> contours(std::min(job.levels.size() - first, filum::slice::kChunk));
-    for (OnBed& part : job.parts) {
+    const std::size_t first = chunk * filum::slice::kChunk,
+                      n = std::min(job.levels.size() - first, filum::slice::kChunk);
+    std::vector<std::vector<polygon::Loops>> contours(job.bodies() ? job.parts.size() : 1,
+                                                      std::vector<polygon::Loops>(n));
+    for (std::size_t p = 0; p < job.parts.size(); ++p) {
+        OnBed& part = job.parts[p];
         if (chunk >= part.sweep.chunks()) continue;
         filum::slice::Cut cut = part.carved ? slice::cut(*part.carved, chunk) : filum::slice::cut(part.sweep, chunk);
         take_notes(job, part, std::move(cut.notes), notes);
@@ -82,16 +107,23 @@ std::vector<stream::RawFrame> cut_all(Job& job, std::size_t chunk, Notes& notes)
                 for (Note& note : own) note.layer = layer.index;
                 take_notes(job, part, std::move(own), notes);
             }
-            add_copies(layer.contours, part.at, contours[layer.index - first]);
+            add_copies(layer.contours, part.at, contours[job.bodies() ? p : 0][layer.index - first]);
         }
     }
     std::vector<stream::RawFrame> frames;
-    for (std::size_t i = std::max(first, job.wanted.first); i < std::min(first + contours.size(), job.wanted.last);
-         ++i) {
+    for (std::size_t i = std::max(first, job.wanted.first); i < std::min(first + n, job.wanted.last); ++i) {
+        if (job.bodies()) {
+            std::vector<polygon::Loops> each;
+            for (auto& of_body : contours) each.push_back(std::move(of_body[i - first]));
+            for (const polygon::Layer& layer : body_layers(job, i, std::move(each), notes))
+                frames.push_back(wire::frame(layer));
+            continue;
+        }
         const auto& level = job.levels[i];
         const auto index = static_cast<std::uint32_t>(i - job.wanted.first);
-        frames.push_back(wire::frame(polygon::Layer{index, level.z - job.wanted.down, level.height,
-                                                    level.plane - job.wanted.down, std::move(contours[i - first])}));
+        frames.push_back(
+            wire::frame(polygon::Layer{index, level.z - job.wanted.down, level.height, level.plane - job.wanted.down,
+                                       std::move(contours[0][i - first]), 0, job.parts[0].tool, job.parts[0].width}));
     }
     return frames;
 }
@@ -119,7 +151,10 @@ void run(const Options& o, const cli::Io& io) {
     }
     auto header = cli::header(self, stream::Payload::layers);
     header.history.back().objects = std::move(objects);
-    header.expected = job.wanted.last - job.wanted.first;
+    if (job.bodies())
+        job.kept.assign(parts.size(), std::vector<double>(levels.size(), 0));
+    else
+        header.expected = job.wanted.last - job.wanted.first;
     find_bores(job, io.threads, notes);
     const std::size_t chunks = (levels.size() + filum::slice::kChunk - 1) / filum::slice::kChunk;
     cli::source_stage(
@@ -127,6 +162,7 @@ void run(const Options& o, const cli::Io& io) {
         [&](std::size_t chunk, Notes& found) { return cut_all(job, chunk, found); },
         [&](Notes& last) {
             tell_idle(job, io);
+            if (job.bodies()) tell_hidden(parts, job.kept, levels, last);
             for (const OnBed& part : parts) {
                 if (part.carved) continue; // its mesh includes material that is cut away
                 Notes found;

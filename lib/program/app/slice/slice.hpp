@@ -24,6 +24,7 @@ struct Options {
     std::vector<double> pitch{}; // mm, distances of places in the grid
     std::int64_t wells = 0;      // number of wells of the plate that the parts are made in; 0: no plate
     std::string in_wells;        // names of wells, such as "A1,B3"; "": all
+    std::string body;            // further bodies of the part, see bodies.hpp; "": none
     std::vector<double> apart;   // mm between several parts; empty: as the shape of the head requires
 };
 

@@ -34,7 +34,7 @@ TEST(Brims, CostNoStroke) {
         const auto world = random_world(random, 12, 4, 60);
         Options o;
         o.budget = 1'000'000;
-        o.head.none = true;
+        o.heads.common.none = true;
         const auto all = with_brims(world);
         const SequenceResult plain = sequence(world, o), r = sequence(all, o);
         EXPECT_EQ(fact(r, "planned-strokes"), fact(plain, "planned-strokes"));
@@ -67,7 +67,7 @@ TEST(Brims, TheHeadHasRoomOverThem) {
         for (const auto& low : all)
             for (const auto& high : all) {
                 if (low.is != polygon::RegionClass::rim || high.z <= low.z || place[low.id] < place[high.id]) continue;
-                EXPECT_FALSE(within(outline(high.loops), outline(low.loops), reach(o.head, high.z - low.z)));
+                EXPECT_FALSE(within(outline(high.loops), outline(low.loops), reach(o.heads.common, high.z - low.z)));
             }
     }
 }

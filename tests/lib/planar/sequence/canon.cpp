@@ -112,8 +112,8 @@ TEST(Sequence, PlacesDoNotDecide) {
         const auto regions = random_world(random, 8, 4, 14);
         Options options;
         options.budget = 1'000'000;
-        options.head.carriage_x = options.head.carriage_y = 8;
-        options.head.cone_height = 0.5;
+        options.heads.common.carriage_x = options.heads.common.carriage_y = 8;
+        options.heads.common.cone_height = 0.5;
         const auto strokes = [&](const auto& place, bool mirrored) {
             auto now = regions;
             for (auto& r : now) {

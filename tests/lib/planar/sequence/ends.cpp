@@ -21,7 +21,7 @@ std::vector<polygon::Region> towers_apart(double gap) {
 TEST(Ends, NameThePartOfTheHead) {
     const auto causes = [](double gap, machine::Head head) {
         Options o;
-        o.head = head;
+        o.heads = head;
         const SequenceResult r = sequence(towers_apart(gap), o);
         EXPECT_EQ(r.ends.size(), r.stroke.back() + 1);
         EXPECT_EQ(ended(r, Cause::top), 2);
@@ -55,7 +55,7 @@ TEST(Ends, OfStrokesThatMeetOrRestOnTwo) {
     auto rest = world({{0, box(0, 0, 2, 2)}, {0, box(4, 0, 2, 2)}, {1, box(0, 0, 6, 2)}});
     rest[2].below[0].link = rest[2].below[1].link = true;
     Options none;
-    none.head.none = true;
+    none.heads.common.none = true;
     EXPECT_EQ(ended(sequence(rest, none), Cause::taken), 1);
     rest[2].below[1].link = false; // the second leg must be waited for, and leads nowhere
     const SequenceResult r = sequence(rest, none);
@@ -63,7 +63,7 @@ TEST(Ends, OfStrokesThatMeetOrRestOnTwo) {
     // by hand: the first leg, the second, the bar; the first could go on but for the second
     const Graph g = support_graph(rest);
     const std::vector<Index> order{0, 1, 2};
-    const auto by_hand = ends(g, order, g.after, {}, none.head);
+    const auto by_hand = ends(g, order, g.after, {}, none.heads);
     ASSERT_EQ(by_hand.size(), 3);
     EXPECT_EQ(by_hand[0].cause, Cause::support);
     EXPECT_EQ(by_hand[0].ahead, 2);
@@ -78,7 +78,7 @@ TEST(Ends, AreBindingInRandomWorlds) {
     for (int trial = 0; trial < 20; ++trial) {
         const auto regions = random_world(random, 40, 4, uniform(random, 3, 8));
         Options o;
-        o.head.cone_angle = 2;
+        o.heads.common.cone_angle = 2;
         o.budget = 1'000'000;
         const SequenceResult r = sequence(regions, o);
         std::vector<Index> place(regions.size());
@@ -91,7 +91,7 @@ TEST(Ends, AreBindingInRandomWorlds) {
             EXPECT_TRUE(place[e.region] < place[e.awaited] && place[e.awaited] < place[e.ahead]);
             if (e.cause < Cause::tip || e.cause > Cause::gantry) continue;
             ++by_head;
-            machine::Head larger = o.head;
+            machine::Head larger = o.heads.common;
             larger.flat_radius += 1e-3;
             larger.carriage_x += 0.1;
             larger.carriage_y += 0.1;

@@ -89,8 +89,8 @@ TEST(Hanging, EveryOrderOfRandomPartsGrowsFromBelow) {
                 SCOPED_TRACE(std::to_string(i) + (by_layers ? " by layers" : " columns") + (none ? ", no head" : ""));
                 Options o;
                 o.by_layers = by_layers;
-                o.head.none = none;
-                o.head.cone_height = uniform(random, 0.5, 8);
+                o.heads.common.none = none;
+                o.heads.common.cone_height = uniform(random, 0.5, 8);
                 o.budget = 2'000'000;
                 expect_from_below(regions, sequence(regions, o).order);
             }

@@ -237,7 +237,7 @@ TEST(Sequence, IsFeasibleAndNeverWorseThanByLayers) {
             ASSERT_NE(place[v], kNone);
             for (const auto& b : regions[v].below) EXPECT_LT(place[b.below], place[v]);
             for (std::size_t u = v + 1; u < regions.size(); ++u)
-                EXPECT_TRUE(place[v] < place[u] || !plainly_collides(regions[v], regions[u], o.head));
+                EXPECT_TRUE(place[v] < place[u] || !plainly_collides(regions[v], regions[u], o.heads.common));
         }
         std::uint32_t strokes = 0;
         for (std::size_t i = 0; i < r.order.size(); ++i) {
@@ -311,7 +311,7 @@ TEST(Sequence, MeetsItsBoundWithoutAHead) {
     for (int trial = 0; trial < 100; ++trial) {
         const auto regions = random_world(random, 30, 6, uniform(random, 2, 20));
         Options o;
-        o.head.none = true;
+        o.heads.common.none = true;
         const SequenceResult r = sequence(regions, o);
         EXPECT_EQ(fact(r, "planned-strokes"), fact(r, "lower-bound")) << trial;
         above_cover += fact(r, "planned-strokes") > fact(r, "path-cover") ? 1 : 0;

@@ -1,0 +1,211 @@
+#include "app/slice/bodies.hpp"
+
+#include "app/slice/grid.hpp"
+#include "app/slice/sizes.hpp"
+#include "base/number.hpp"
+#include "cli/step_options.hpp"
+#include "geom/hull.hpp"
+#include "polygon/clip.hpp"
+#include "stream/crc32c.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace filum::app::slice {
+
+namespace {
+
+constexpr std::uint32_t kMostTool = 1000;
+
+[[noreturn]] void refuse(const std::string& item, const std::string& why) {
+    throw Error(Exit::usage, "cannot use '" + item + "' as --body: " + why + "; it is FILE:tool=N, as core.stl:tool=1");
+}
+
+void set(const std::string& item, const std::string& setting, BodyItem& to) {
+    const auto equal = setting.find('=');
+    const std::string name = setting.substr(0, equal);
+    const std::string value = equal == std::string::npos ? "" : setting.substr(equal + 1);
+    if (value.empty()) refuse(item, "'" + setting + "' is no setting");
+    const double number = parse_number(value, "--body " + name);
+    if (name == "tool") {
+        if (!(number >= 0 && number <= kMostTool) || number != std::floor(number))
+            refuse(item, "a tool is a whole number from 0 to " + std::to_string(kMostTool));
+        to.tool = static_cast<std::uint32_t>(number);
+    } else if (name == "width") {
+        if (!(number >= 0.01 && number <= 100)) refuse(item, "a width is between 0.01 and 100 mm");
+        to.width = number;
+    } else {
+        refuse(item, "its settings are tool and width, not '" + name + "'");
+    }
+}
+
+// One item.  The last colon before a '=' divides file and settings, since names of files may hold colons.
+BodyItem body_item(const std::string& text) {
+    BodyItem out{text};
+    const auto equal = text.rfind('=');
+    const auto colon =
+        equal == std::string::npos ? std::string::npos : text.rfind(':', text.find('=', text.rfind(':')));
+    if (colon != std::string::npos) {
+        out.file = text.substr(0, colon);
+        for (std::size_t from = colon + 1; from <= text.size();) {
+            const std::size_t comma = std::min(text.find(',', from), text.size());
+            set(text, text.substr(from, comma - from), out);
+            from = comma + 1;
+        }
+    }
+    if (out.file.empty()) refuse(text, "it names no file");
+    return out;
+}
+
+// Bodies of one tool have one width: that of those that state one.  Throws Error(usage) for two different widths.
+void share_widths(std::vector<BodyItem>& items) {
+    std::map<std::uint32_t, double> width;
+    for (const BodyItem& i : items) {
+        double& own = width[i.tool];
+        if (i.width > 0 && own > 0 && i.width != own)
+            refuse(i.file, "tool " + std::to_string(i.tool) + " has beads of " + shortest_text(own) + " mm already");
+        own = std::max(own, i.width);
+    }
+    for (BodyItem& i : items) i.width = width[i.tool];
+}
+
+struct BodyMesh {
+    BodyItem item;
+    mesh::Mesh mesh;
+    Notes notes;
+};
+
+// Reads the files of the bodies.  `states_unit`: all of them state their unit.
+std::vector<BodyMesh> read(const std::vector<BodyItem>& items, const Options& o, cli::Io& self, bool& states_unit) {
+    std::vector<BodyMesh> out;
+    std::string crc;
+    std::size_t stating = 0;
+    for (const BodyItem& item : items) {
+        const mesh::Bytes bytes = mesh::load(item.file);
+        crc += (crc.empty() ? "" : ",") + stream::crc32c_text(bytes.view());
+        mesh::File file =
+            mesh::step::read(bytes.view(), mesh::spoken_name(item.file), o.step, static_cast<int>(o.plate));
+        if (is_carved(file)) refuse(item.file, "its project has negative bodies, which go with a part without --body");
+        stating += mesh::states_unit(file.kind) ? 1 : 0;
+        Notes notes = std::move(file.notes);
+        check_precision(file.mesh, notes);
+        out.push_back({item, std::move(file.mesh), std::move(notes)});
+    }
+    states_unit = stating == items.size();
+    if (stating > 0 && !states_unit && o.place.unit != "mm")
+        throw Error(Exit::usage, "cannot use --unit " + o.place.unit +
+                                     " with bodies of which only some state their unit; convert the others to mm");
+    self.settings.push_back({"input_crc32c", crc});
+    return out;
+}
+
+} // namespace
+
+std::vector<BodyItem> body_items(const std::string& text) {
+    std::vector<BodyItem> out;
+    for (std::size_t from = 0; from <= text.size();) {
+        const std::size_t end = std::min(text.find(';', from), text.size());
+        if (end > from) out.push_back(body_item(text.substr(from, end - from)));
+        from = end + 1;
+    }
+    if (out.empty()) refuse(text, "it names no file");
+    return out;
+}
+
+std::vector<OnBed> read_bodies(const Options& o, cli::Io& self) {
+    if (self.inputs.size() > 1)
+        throw Error(Exit::usage, "cannot use --body with several parts: give each body of the part by --body");
+    std::vector<BodyItem> items = body_items(o.body);
+    if (!self.inputs.empty()) items.insert(items.begin(), BodyItem{self.inputs.front()});
+    share_widths(items);
+    std::string said;
+    for (const BodyItem& i : items)
+        said += (said.empty() ? "FILE:tool=" : ";FILE:tool=") + std::to_string(i.tool) +
+                (i.width > 0 ? ",width=" + shortest_text(i.width) : "");
+    self.settings.push_back({"bodies", said, true});
+    bool states_unit = false;
+    std::vector<BodyMesh> meshes = read(items, o, self, states_unit);
+    mesh::Mesh whole;
+    for (const BodyMesh& b : meshes) mesh::append(b.mesh, whole);
+    const bool several = o.copies > 1 || in_grid(o);
+    mesh::Placement placement = o.place;
+    placement.scale = enlarged(o.place.scale, o.shrinkage);
+    if (several) {
+        placement.center.clear();
+        placement.translate = {0, 0, o.place.translate[2]};
+    }
+    Notes placed_notes;
+    const mesh::Placed placed = mesh::place(whole, placement, states_unit, placed_notes);
+    const bool unit_known = states_unit || o.place.unit != "mm" || o.place.scale != std::vector{1.0};
+    const geom::Box3 box = mesh::bounds(whole);
+    check_size(box, unit_known, placed_notes);
+    if (!o.machine.empty()) check_bed(box, o.machine);
+    meshes.front().notes.insert(meshes.front().notes.end(), placed_notes.begin(), placed_notes.end());
+    const std::size_t each = copies(o, 1);
+    std::vector<OnBed> out;
+    for (BodyMesh& b : meshes) {
+        mesh::move(b.mesh, placed.map);
+        mesh::drop_unused_vertices(b.mesh);
+        OnBed body;
+        body.name = label(b.item.file);
+        body.tool = b.item.tool;
+        body.width = b.item.width;
+        body.notes = std::move(b.notes);
+        body.placement = placed;
+        body.box = mesh::bounds(b.mesh);
+        std::vector<Vec2> flat;
+        for (const geom::Vec3& v : b.mesh.vertices) flat.push_back(v.xy());
+        if (several) body.outline = geom::convex_hull(flat);
+        body.part = std::make_unique<filum::slice::Part>(
+            filum::slice::make_part(std::move(b.mesh), body.notes, o.slice.hairline));
+        body.at.assign(each, {});
+        out.push_back(std::move(body));
+    }
+    return out;
+}
+
+OnBed joint(const std::vector<OnBed>& bodies) {
+    OnBed out;
+    out.name = bodies.front().name;
+    out.placement = bodies.front().placement;
+    out.at = bodies.front().at;
+    std::vector<Vec2> flat;
+    for (const OnBed& b : bodies) {
+        out.box.add(b.box.lo);
+        out.box.add(b.box.hi);
+        flat.insert(flat.end(), b.outline.begin(), b.outline.end());
+    }
+    if (!flat.empty()) out.outline = geom::convex_hull(flat);
+    return out;
+}
+
+void cut_by_later(std::vector<polygon::Loops>& contours, const std::vector<std::uint32_t>& tools, double height,
+                  std::uint32_t layer, Notes& notes) {
+    for (std::size_t b = contours.size(); b-- > 0;) {
+        polygon::Loops later;
+        for (std::size_t c = b + 1; c < contours.size(); ++c)
+            if (tools[c] != tools[b]) later.add(contours[c]);
+        if (contours[b].empty() || later.empty()) continue;
+        later = polygon::unite(later);
+        const polygon::Loops common = polygon::intersect(contours[b], later);
+        const double area = polygon::signed_area(common);
+        if (common.empty() || area <= 0) continue;
+        contours[b] = polygon::subtract(contours[b], later);
+        const Vec2 at = common.points.front();
+        notes.push_back(
+            {.code = NoteCode::body_overlap, .amount = area * height, .layer = layer, .x = at.x, .y = at.y});
+    }
+}
+
+void tell_hidden(const std::vector<OnBed>& bodies, const std::vector<std::vector<double>>& kept,
+                 std::span<const filum::slice::Level> levels, Notes& notes) {
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (std::any_of(kept[b].begin(), kept[b].end(), [](double area) { return area > 0; })) continue;
+        double volume = 0;
+        for (std::size_t i = 0; i < bodies[b].area.size(); ++i) volume += bodies[b].area[i] * levels[i].height;
+        notes.push_back({.code = NoteCode::body_hidden, .amount = volume, .detail = "body " + std::to_string(b)});
+    }
+}
+
+} // namespace filum::app::slice
