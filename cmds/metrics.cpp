@@ -57,7 +57,7 @@ cli::Spec spec(app::metrics::Options& all) {
              Option{"spacing", &c.spacing, "MM", "between strands on a surface, d; 0: the median bead width"}
                  .within(0, 1e4)
                  .when("surface")
-                 .same_as({"surfpath.spacing"}),
+                 .same_as({"surfpath.spacing", "surfpath-kipping2022.spacing"}),
              Option{"step", &c.step, "MM", "between samples on a surface; 0: d / 4"}
                  .zero_or_at_least(0.001)
                  .at_most(1000)

@@ -168,9 +168,8 @@ setup() {
     [ "$status" -eq 0 ]
     [[ $output == *"1 closed surface was opened along a slit ("*" mm); at "* ]]
     [ "$(metrics --surface tee.surface --format tsv tee.toolpath | awk '$1 == "cuts" { print $2 }')" = 0 ]
-    run surfpath hybrid --method kipping2022 plate.surface -o none
+    run surfpath-kipping2022 hybrid plate.surface -o none
     [ "$status" -eq 2 ]
-    [[ $output == *"--method kipping2022 has no algorithm hybrid"* ]]
 }
 
 # docs/metrics.md has a table of what surfpath says; the facts themselves carry no meaning.

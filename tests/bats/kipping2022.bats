@@ -26,14 +26,14 @@ source_of() {
         *) echo boundary ;;
     esac
 }
-baseline() { surfpath "$@" --method kipping2022; }
-facts() { peek "$1" | sed -n 's/^fact *surfpath: //p'; }
+baseline() { surfpath-kipping2022 "$@"; }
+facts() { peek "$1" | sed -n 's/^fact *surfpath-kipping2022: //p'; }
 
 @test "all six algorithms lay a path, the same bytes with any number of threads" {
     for a in fina fexa ortheo geo-fiso geo-contour geo-spiral; do
         geodesic plate.off --source "$(source_of $a)" > s
         baseline $a s --threads 1 > one
-        surfpath --algorithm $a --method kipping2022 --threads 8 < s > eight
+        surfpath-kipping2022 --algorithm $a --threads 8 < s > eight
         cmp <(peek --text one | grep -v threads) <(peek --text eight | grep -v threads)
         cmp one eight
         peek one | grep -qx 'payload       Toolpath'
@@ -62,12 +62,12 @@ facts() { peek "$1" | sed -n 's/^fact *surfpath: //p'; }
     baseline fexa s --plane 1,0,0,12.5 > t
     facts t | grep -qx 'pieces 23'
     expect 3 baseline fina s --plane 1,0,0,12.5
-    complaint surfpath
+    complaint surfpath-kipping2022
     [[ $err == *'run geodesic --source plane'* ]]
     expect 2 baseline fexa s --plane 0,0,0,1
-    complaint surfpath
+    complaint surfpath-kipping2022
     expect 2 baseline fexa s --plane 1,0,0,99
-    complaint surfpath
+    complaint surfpath-kipping2022
 }
 
 @test "what the paper leaves open can be set, and is in the history" {
@@ -90,24 +90,24 @@ facts() { peek "$1" | sed -n 's/^fact *surfpath: //p'; }
         '--n-thresh -1' '--plane 1,2,3' '--lift -1' '--resample 1e-9' '--resample 1e9'; do
         # shellcheck disable=SC2086
         expect 2 baseline geo-fiso s $o
-        complaint surfpath
+        complaint surfpath-kipping2022
     done
 }
 
 @test "the wrong input, and none" {
     geodesic plate.off > s
     expect 3 baseline geo-fiso s
-    complaint surfpath
+    complaint surfpath-kipping2022
     geodesic plate.off --source vertex:0 > s
     expect 2 baseline geo-fiso s
     expect 3 baseline ortheo s
     expect 2 baseline fina s
     expect 3 baseline geo-fiso plate.off
-    complaint surfpath
+    complaint surfpath-kipping2022
     box_stl > part.stl
     slice part.stl > layers
     expect 3 baseline geo-fiso layers
-    complaint surfpath
+    complaint surfpath-kipping2022
     geodesic part.stl --source vertex:0 > closed
     expect 3 baseline geo-contour closed
     [[ $err == *'closed surface'* ]]

@@ -121,7 +121,7 @@ Trial make(std::uint64_t seed, std::uint64_t number) {
     static const std::vector<std::string> algorithms(surfpath::kAlgorithms.begin(), surfpath::kAlgorithms.end());
     surfpath::Options& o = out.options;
     o.algorithm = *surfpath::algorithm(r.of(algorithms));
-    o.method = r.chance(0.12) ? surfpath::Method::kipping2022 : surfpath::Method::filum;
+    out.as_paper = r.chance(0.12);
     o.spacing = r.chance(0.3) ? 1 : r.in(0.6, 3);
     o.least_radius = r.chance(0.6) ? 2.4 : r.of<double>({0, 0.5, 1, 1.5, 4});
     const std::vector<std::string> turns{"none", "hairpin", "wide"};
@@ -131,9 +131,8 @@ Trial make(std::uint64_t seed, std::uint64_t number) {
     const Surface& s = out.sheet.surface;
     const Sources from = sources(s, o.algorithm, r, out.words, out.notes);
     if (!from.empty()) geodesic::measure(out.sheet, from, {}, out.notes);
-    out.words = std::string(surfpath::name(o.algorithm)) +
-                (o.method == surfpath::Method::filum ? "" : " (kipping2022)") + " spacing " + fixed_text(o.spacing, 2) +
-                " radius " + fixed_text(o.least_radius, 1) +
+    out.words = std::string(surfpath::name(o.algorithm)) + (out.as_paper ? " (kipping2022)" : "") + " spacing " +
+                fixed_text(o.spacing, 2) + " radius " + fixed_text(o.least_radius, 1) +
                 (o.algorithm == surfpath::Algorithm::ortheo ? " turns " + turn : "") + " on " + out.words + ", " +
                 std::to_string(s.triangles.size()) + " triangles, " + std::to_string(s.rims.size()) + " rims, " +
                 std::to_string(s.components) + " components";
@@ -144,7 +143,7 @@ Trial make(std::uint64_t seed, std::uint64_t number) {
 
 Outcome run(const Trial& t) {
     Outcome out;
-    const bool ours = t.options.method == surfpath::Method::filum;
+    const bool ours = !t.as_paper;
     const bool rings = ours && (t.options.algorithm == surfpath::Algorithm::geo_fiso ||
                                 t.options.algorithm == surfpath::Algorithm::geo_contour);
     const Asked asked{t.options.spacing, t.options.least_radius, ours, rings, t.sheet.sources};

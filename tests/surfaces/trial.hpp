@@ -14,6 +14,7 @@ struct Trial {
     std::string words; // what it is, for a person
     surface::Sheet sheet;
     surfpath::Options options;
+    bool as_paper = false; // by the method of the paper of 2022
     baselines::kipping2022::Options paper;
     Notes notes; // of making the surface
 };

@@ -19,8 +19,6 @@ using surface::Surface;
 using surface::curve::Line;
 using surface::curve::Place;
 
-// filum: this program's construction; kipping2022: that of the 2022 paper
-enum class Method : std::uint8_t { filum, kipping2022 };
 // Turns between lines of ortheo and field: none (lines end at rims), hairpins, or wide turns. usual: none for ortheo,
 // wide for field.
 enum class RowTurns : std::uint8_t { usual, none, hairpin, wide };
@@ -31,7 +29,6 @@ enum class Priority : std::uint8_t { usual, spacing, angle };
 
 struct Options {
     Algorithm algorithm = Algorithm::geo_fiso;
-    Method method = Method::filum;
     double spacing = 1;        // mm between neighbouring lines
     double least_radius = 2.4; // mm: radius of turns where there is room
     RowTurns turns = RowTurns::usual;

@@ -31,10 +31,4 @@ inline Group head_group() {
     return {"the print head", {"head", "flat-radius", "cone-angle", "cone-height", "carriage", "gantry-height"}};
 }
 
-// `options` followed by `more`.
-inline std::vector<Option> with(std::vector<Option> options, const std::vector<Option>& more) {
-    options.insert(options.end(), more.begin(), more.end());
-    return options;
-}
-
 } // namespace filum::cli

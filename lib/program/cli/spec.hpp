@@ -107,6 +107,12 @@ struct Option {
     }
 };
 
+// `options` followed by `more`.
+inline std::vector<Option> with(std::vector<Option> options, const std::vector<Option>& more) {
+    options.insert(options.end(), more.begin(), more.end());
+    return options;
+}
+
 // The options, each with one more condition.
 std::vector<Option> when(const std::string& condition, std::vector<Option> options);
 

@@ -30,8 +30,8 @@ surfpath::plan::Plan run(const surface::Sheet& sheet, const Options& o) {
         return geo_spiral(sheet, o);
     case Algorithm::field:
     case Algorithm::hybrid:
-        throw Error(Exit::usage, "--method kipping2022 has no algorithm " + std::string(surfpath::name(o.algorithm)) +
-                                     "; leave out --method");
+        throw Error(Exit::usage, "the paper of 2022 has no algorithm " + std::string(surfpath::name(o.algorithm)) +
+                                     "; surfpath has it");
     }
     throw std::logic_error("no such algorithm");
 }

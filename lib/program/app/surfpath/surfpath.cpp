@@ -31,20 +31,10 @@ filum::surfpath::Plan plan_sheet(const surface::Sheet& sheet, const Flange* flan
     filum::surfpath::Options asked = flange ? filum::surfpath::on_flange(*flange, o.plan) : o.plan;
     asked.algorithm = algorithm;
     asked.offset = o.laying.offset;
-    baselines::kipping2022::Options paper = o.paper;
-    paper.algorithm = algorithm;
-    paper.spacing = asked.spacing;
-    if (const auto& p = o.plane; !p.empty()) paper.plane = {{p[0], p[1], p[2]}, p[3]};
-    const bool ortheo = algorithm == Algorithm::ortheo; // the only algorithm that uses --d-iso and --min-spacing
-    for (const auto& [spacing, option] : {std::pair{asked.spacing, "--spacing"},
-                                          {ortheo ? paper.iso : 0, "--d-iso"},
-                                          {ortheo ? paper.least_spacing : 0, "--min-spacing"},
-                                          {paper.resample, "--resample"}})
-        if (spacing > 0) check_density(surface::area(sheet.surface), spacing, Exit::usage, option);
+    check_density(surface::area(sheet.surface), asked.spacing, Exit::usage, "--spacing");
     filum::surfpath::Plan out;
     const auto lines = [&] {
-        out = asked.method == filum::surfpath::Method::kipping2022 ? baselines::kipping2022::plan(sheet, paper)
-                                                                   : filum::surfpath::plan_paths(sheet, asked);
+        out = o.planner(sheet, asked);
         if (flange) filum::surfpath::thread(sheet.surface, out);
         filum::surfpath::finish(sheet.surface, out, asked);
         filum::surfpath::plan::report_cuts_bound(sheet.surface, {asked.spacing, asked.cut_length, flange == nullptr},
@@ -141,6 +131,26 @@ void tell_idle(const filum::surfpath::Algorithms& algorithms, const cli::Io& io)
 }
 
 } // namespace
+
+std::vector<cli::Option> line_options(Options& o) {
+    using cli::Option;
+    return {
+        Option{"spacing", &o.plan.spacing, "MM", "between neighbouring lines"}
+            .within(0.001, 1000)
+            .same_as({"choose.spacing"}),
+        Option{"min-radius", &o.plan.least_radius, "MM", "minimum radius of turns, where there is room"}
+            .within(0, 1e5)
+            .same_as({"choose.min-radius"}),
+        Option{"strict", &o.plan.strict, "", "no path, exit 1, if a turn must be tighter than --min-radius"}.a_limit()};
+}
+
+std::vector<cli::Option> bead_options(Options& o) {
+    using cli::Option;
+    return {Option{"layer-height", &o.laying.height, "MM", "height of the bead, along the normals"}.within(0.001, 100),
+            Option{"ply", &o.ply, "N", "number of this ply, its layer in the toolpath"}.within(0, 1e6),
+            Option{"offset", &o.laying.offset, "MM", "height of the plies below, along the normals"}.within(0, 1e4),
+            Option{"lift", &o.laying.lift, "MM", "how high the tool travels"}.within(0, 1e4).a_limit()};
+}
 
 geom::Vec3 reference(const std::string& words) {
     for (const auto& [name, axis] :

@@ -1,12 +1,16 @@
 // The whole job of `surfpath`: reads surfaces and writes a toolpath.
 #pragma once
 
-#include "baselines/kipping2022/kipping2022.hpp"
 #include "cli/command.hpp"
 #include "surfpath/patches.hpp"
 #include "surfpath/surfpath.hpp"
 
+#include <functional>
+
 namespace filum::app::surfpath {
+
+// Plans the path on one sheet, by the algorithm and the spacing of the options. Throws Error.
+using Planner = std::function<filum::surfpath::Plan(const surface::Sheet&, const filum::surfpath::Options&)>;
 
 struct Options {
     std::string algorithm = "planned"; // name of the algorithm; "planned": as each surface's frame says
@@ -17,10 +21,12 @@ struct Options {
     std::string follow, reference = "X"; // options of `field`, as the user types them
     double angle_deg = 0;
     std::int64_t ply = 0;
-    std::vector<double>
-        plane; // normal and distance (mm) of the plane beside which the paper's rows lie; empty: from the sources
-    baselines::kipping2022::Options paper;
+    Planner planner = filum::surfpath::plan_paths;
 };
+
+// The options that every method has: spacing and radius of the lines, and the bead.
+std::vector<cli::Option> line_options(Options& options);
+std::vector<cli::Option> bead_options(Options& options);
 
 // The direction that "X", "Y", "Z" or three numbers such as "1,0,0.5" give.  Throws Error(usage) for other text.
 geom::Vec3 reference(const std::string& words);

@@ -2,7 +2,7 @@
 // triangles and vertices, and the choice of axes.
 #include "surfpath/surfpath.hpp"
 
-#include "../surface/grid.hpp"
+#include "../../shapes/surface/grid.hpp"
 
 #include <gtest/gtest.h>
 
