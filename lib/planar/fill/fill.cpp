@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "fill/identify.hpp"
 #include "fill/join/crossings.hpp"
 #include "fill/rows/rectilinear.hpp"
 #include "fill/rows/zigzag.hpp"
@@ -12,6 +11,7 @@
 #include "fill/walls/wall_walk.hpp"
 #include "geom/angle.hpp"
 #include "geom/polyline.hpp"
+#include "toolpath/identify.hpp"
 
 #include <algorithm>
 
@@ -141,7 +141,7 @@ toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& no
         return fill_scaffold(r, o, before, notes);
     }
     toolpath::RegionPaths out;
-    identify(out, r);
+    toolpath::identify(out, r);
     const std::size_t first = notes.size();
     if (has_area(r, notes)) out.curves = curves_by_pattern(r, o, out.unplaced, notes);
     if (o.thin == Thin::half_height && o.pattern == Pattern::spiral) stack_thin_walls(r, o, notes, first, out);
@@ -153,7 +153,7 @@ toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& no
 
 toolpath::RegionPaths fill_by(const Lay& lay, const polygon::Region& r, Notes& notes) {
     toolpath::RegionPaths out;
-    identify(out, r);
+    toolpath::identify(out, r);
     const std::size_t first = notes.size();
     if (has_area(r, notes)) out.curves = lay(r, notes);
     place(r, notes, first, out);

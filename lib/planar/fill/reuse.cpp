@@ -1,7 +1,7 @@
 #include "fill/reuse.hpp"
 
 #include "base/mix.hpp"
-#include "fill/identify.hpp"
+#include "toolpath/identify.hpp"
 
 #include <bit>
 
@@ -69,7 +69,7 @@ toolpath::RegionPaths Reuse::operator()(const polygon::Region& region, Notes& no
     const auto filled = find(region);
     work_out(region, filled);
     toolpath::RegionPaths paths = filled->paths;
-    identify(paths, region);
+    toolpath::identify(paths, region);
     for (Note n : filled->notes) {
         n.layer = region.layer;
         notes.push_back(std::move(n));

@@ -2,7 +2,6 @@
 
 #include "base/density.hpp"
 #include "fill/finish.hpp"
-#include "fill/identify.hpp"
 #include "fill/join/attempt.hpp"
 #include "fill/join/crossings.hpp"
 #include "fill/join/cycle.hpp"
@@ -16,6 +15,7 @@
 #include "polygon/stretches.hpp"
 #include "polygon/strips.hpp"
 #include "rings/lanes.hpp"
+#include "toolpath/identify.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -282,7 +282,7 @@ void check_densities(const Region& r, double narrowest) {
 toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
     check_densities(r, widths(r, o.bead_width).narrowest);
     toolpath::RegionPaths out;
-    fill::identify(out, r);
+    toolpath::identify(out, r);
     const std::size_t first = notes.size();
     const Widths width = widths(r, o.bead_width);
     const auto hung = hanging(r, width.widest);

@@ -4,10 +4,10 @@
 #include "polygon/region.hpp"
 #include "toolpath/path.hpp"
 
-namespace filum::fill {
+namespace filum::toolpath {
 
 // Copies id, layer, z, height, area, stroke, join, body and tool from `region` to `paths`. The curves stay as they are.
-inline void identify(toolpath::RegionPaths& paths, const polygon::Region& region) {
+inline void identify(RegionPaths& paths, const polygon::Region& region) {
     paths.region = region.id;
     paths.layer = region.layer;
     paths.z = region.z;
@@ -19,4 +19,4 @@ inline void identify(toolpath::RegionPaths& paths, const polygon::Region& region
     paths.tool = region.tool;
 }
 
-} // namespace filum::fill
+} // namespace filum::toolpath
