@@ -32,7 +32,12 @@ cli::Spec spec(Options& o) {
              Option{"tool", &o.tool, "N", "tool of the machine for the plies"}.within(0, 1e6),
              Option{"min-radius", &o.how.least_radius, "MM", "minimum radius of turns, where there is room"}.within(
                  0, 1e5),
-             Option{"strict", &o.how.strict, "", "no path, exit 1, if a turn must be tighter than --min-radius"}
+             Option{"strict", &o.how.strict, "",
+                    "no path, exit 1, if more than --max-tight of a ply is tighter than --min-radius"}
+                 .a_limit(),
+             Option{"max-tight", &o.how.max_tight, "SHARE", "share of a ply's length that may turn so"}
+                 .within(0, 1)
+                 .when("strict")
                  .a_limit(),
              Option{"stagger", &o.how.stagger, "", "plies of one direction are shifted against each other"}.a_limit(),
              Option{"ramp", &o.ramp, "1:N", "steepest ramp where plies end within the part"},
@@ -52,7 +57,7 @@ cli::Spec spec(Options& o) {
                  .not_a_setting()},
         .groups = {{"the plies",
                     {"plies", "table", "symmetric", "reference", "keep", "layer-height", "stagger", "ramp"}},
-                   {"lines", {"spacing", "min-radius", "strict", "turn-outside", "trim-list", "machine"}}},
+                   {"lines", {"spacing", "min-radius", "strict", "max-tight", "turn-outside", "trim-list", "machine"}}},
         .examples =
             {{"geodesic part.stl --cut 0,0,1,0.9 | laminate --plies 0,90 --symmetric --spacing 2 > part.toolpath",
               "four plies on a surface, here a part without its top"}},

@@ -65,10 +65,14 @@ cli::Spec spec(app::metrics::Options& all) {
              Option{"max-curvature", &c.max_curvature, "1/MM", "largest curvature that the fibre allows"}
                  .above(0)
                  .at_most(1e6)
+                 .when("surface"),
+             Option{"min-radius", &c.min_radius, "MM", "path that turns tighter is tight; 0: 1 / --max-curvature"}
+                 .within(0, 1e5)
                  .when("surface")},
         .groups = {{"planar toolpaths", {"regions", "per-region", "per-layer", "pores", "pixel", "turn-samples"}},
                    {"time and mass", {"machine", "set", "density"}},
-                   {"paths on a surface", {"surface", "voids", "map", "spacing", "step", "max-curvature"}}},
+                   {"paths on a surface",
+                    {"surface", "voids", "map", "spacing", "step", "max-curvature", "min-radius"}}},
         .examples =
             {{"slice part.stl | regions > part.regions; sequence part.regions | fill | link3d | metrics --regions "
               "part.regions",

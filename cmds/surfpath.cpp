@@ -69,23 +69,23 @@ std::vector<Option> options(Options& o) {
 }
 
 cli::Spec spec(Options& o) {
-    return {
-        .name = "surfpath",
-        .synopsis = "lay a path on a curved surface",
-        .description = cli::kDescription,
-        .in = cli::reads(stream::Payload::surface),
-        .out = cli::writes(stream::Payload::toolpath),
-        .memory = "the model, and windows of distance",
-        .options = options(o),
-        .groups = {{"the path and its turns", {"spacing", "min-radius", "strict", "turns", "cut-length", "min-length"}},
-                   {"the bead", {"layer-height", "ply", "offset", "lift"}},
-                   {"field", {"follow", "angle", "reference", "keep"}},
-                   {"turns beyond the rims", {"turn-outside", "trim-list", "machine"}}},
-        .examples = {{"geodesic part.stl --cut 0,0,1,0.9 --source boundary | surfpath geo-fiso > part.toolpath",
-                      "one path over a surface, here a part without its top"}},
-        .see_also = {"geodesic", "metrics", "render"},
-        .arguments = "[ALGORITHM] [INPUT]",
-        .leading = "algorithm"};
+    return {.name = "surfpath",
+            .synopsis = "lay a path on a curved surface",
+            .description = cli::kDescription,
+            .in = cli::reads(stream::Payload::surface),
+            .out = cli::writes(stream::Payload::toolpath),
+            .memory = "the model, and windows of distance",
+            .options = options(o),
+            .groups = {{"the path and its turns",
+                        {"spacing", "min-radius", "strict", "max-tight", "turns", "cut-length", "min-length"}},
+                       {"the bead", {"layer-height", "ply", "offset", "lift"}},
+                       {"field", {"follow", "angle", "reference", "keep"}},
+                       {"turns beyond the rims", {"turn-outside", "trim-list", "machine"}}},
+            .examples = {{"geodesic part.stl --cut 0,0,1,0.9 --source boundary | surfpath geo-fiso > part.toolpath",
+                          "one path over a surface, here a part without its top"}},
+            .see_also = {"geodesic", "metrics", "render"},
+            .arguments = "[ALGORITHM] [INPUT]",
+            .leading = "algorithm"};
 }
 
 } // namespace

@@ -157,7 +157,6 @@ setup() {
     surfpath --quiet geo-contour plate.surface > rings.toolpath
     awk -v a="$(figure hybrid coverage)" -v b="$(figure rings coverage)" 'BEGIN { exit !(a > b + 0.03) }'
     [ "$(figure hybrid cuts)" -le 1 ]
-    [ "$(figure hybrid tight_undeclared_mm)" = 0.00 ]
     # field along the same rings covers less, and turns tightly less
     surfpath --quiet field --follow rings=1 plate.surface > gentle.toolpath
     for key in coverage tight_mm; do

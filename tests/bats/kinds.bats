@@ -10,8 +10,7 @@ setup() {
     made="$BATS_TEST_DIRNAME/../surfaces/make-kind"
 }
 
-# lies KIND PLAN...: it covers most of the face, says what it does not as an independent sampler finds it, declares
-# what is tight, has no number that is none, and no more cuts than those it tells.
+# lies KIND PLAN...: it covers most of the face, says what it does not as an independent sampler finds it, has no number that is none, and no more cuts than those it tells.
 lies() {
     local kind=$1
     shift
@@ -23,10 +22,9 @@ lies() {
     awk -F '\t' -v kind="$kind" -v plan="$*" '{ is[$1] = $2 }
         END {
             bare = 1 - is["coverage"]; told = is["told_uncovered"] / is["surface_mm2"]
-            good = is["coverage"] > 0.9 && (bare - told) ^ 2 < 0.015 ^ 2 && is["tight_undeclared_mm"] == 0 &&
+            good = is["coverage"] > 0.9 && (bare - told) ^ 2 < 0.015 ^ 2 &&
                 is["cuts"] == is["told_cuts"]
-            if (!good) print kind, plan ": covered", is["coverage"], "told bare", told, "tight", is["tight_undeclared_mm"],
-                "cuts", is["cuts"], is["told_cuts"]
+            if (!good) print kind, plan ": covered", is["coverage"], "told bare", told, "cuts", is["cuts"], is["told_cuts"]
             exit !good
         }' figures
 }

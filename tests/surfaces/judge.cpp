@@ -16,7 +16,7 @@ namespace filum::trials {
 namespace {
 
 constexpr std::size_t kPlaces = 20'000; // on the surface
-constexpr double kReach = 0.25;         // mm each way: what a turn is measured over
+constexpr double kRipple = 0.02;        // spacings that a path may be off without turning: docs/surface-metrics.md
 constexpr double kStep = 0.05;          // mm between places of the path that are looked at
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
@@ -68,20 +68,22 @@ At at(const Chain& c, double way) {
 // The circle through three points, drawn on the plane that touches the surface.
 void measure_turns(const Chain& c, const Asked& asked, Judged& out) {
     const double limit = asked.least_radius > 0 ? 1 / asked.least_radius : kFar;
-    for (double way = kReach; way + kReach <= c.way.back(); way += kStep) {
+    const double ripple = kRipple * asked.spacing,
+                 reach = std::max(asked.spacing / 4, 2 * std::sqrt(ripple * asked.least_radius));
+    for (double way = reach; way + reach <= c.way.back(); way += kStep) {
         const At here = at(c, way);
         const Vec3 n = 1 / norm(here.normal) * here.normal;
         const auto flat = [&](const Vec3& v) { return v - dot(v, n) * n; };
-        const Vec3 a = flat(here.point - at(c, way - kReach).point), b = flat(at(c, way + kReach).point - here.point);
+        const Vec3 a = flat(here.point - at(c, way - reach).point), b = flat(at(c, way + reach).point - here.point);
         const double sides = norm(a) * norm(b) * norm(a + b);
         const double k = sides > 0 ? 2 * norm(cross(a, b)) / sides : dot(a, b) < 0 ? kFar : 0;
-        const double bend = dot(a, b) < 0 ? std::max(k, 2 / kReach) : k;
+        const double bend = dot(a, b) < 0 ? std::max(k, 2 / reach) : k;
         out.least_radius = std::min(out.least_radius, bend > 0 ? 1 / bend : kFar);
         if (!(bend > 1.02 * limit)) continue;
         out.tight += kStep;
         if (c.hairpin[here.stretch]) continue;
-        if (out.undeclared == 0) out.undeclared_at = here.point;
-        out.undeclared += kStep;
+        if (out.unmarked == 0) out.unmarked_at = here.point;
+        out.unmarked += kStep;
     }
 }
 
@@ -278,8 +280,8 @@ std::vector<std::string> faults(const Surface& s, const std::vector<Span>& spans
         out.push_back("overlap " + number(j.overlap) + " is not told");
     if (j.bare > 0.015 && !told(notes, "no-line-near")) out.push_back("bare " + number(j.bare) + " is not told");
     if (j.covered < 0.945 && !told(notes, "area-bare")) out.push_back("covered " + number(j.covered) + " is not told");
-    if (j.undeclared > 0)
-        out.push_back("tight for " + number(j.undeclared) + " mm undeclared, first at " + place(j.undeclared_at) +
+    if (j.unmarked > 0)
+        out.push_back("tight for " + number(j.unmarked) + " mm not marked, first at " + place(j.unmarked_at) +
                       ", least radius " + number(j.least_radius));
     if (j.tight > 0.5 && !told(notes, "too-tight")) out.push_back("tight for " + number(j.tight) + " mm, no note");
     if (asked.rings && j.doubled > 0.02 * j.length + 2 * asked.spacing)

@@ -26,11 +26,11 @@ struct Judged {
     double covered = 0, bare = 0, overlap = 0; // shares of the area; bare: farther than a spacing from any line
     double off = 0;                            // mm: the farthest that the path is from the surface
     double jump = 0;                           // mm: the farthest that a span begins from where one ended
-    double tight = 0, undeclared = 0;          // mm of turns within less than the least radius
+    double tight = 0, unmarked = 0;            // mm of turns within less than the least radius; of these not marked
     double least_radius = 0;                   // mm
     double doubled = 0;                        // mm of path that lies on other path, but where rings meet on a ridge
     std::size_t crossings = 0;                 //
-    Vec3 undeclared_at, doubled_at, off_at;    //
+    Vec3 unmarked_at, doubled_at, off_at;    //
 };
 
 Judged judge(const Surface& s, const std::vector<Span>& spans, const Asked& asked);

@@ -79,8 +79,8 @@ int work(const Asked& asked, std::uint64_t number) {
             std::printf("  refused: %s\n", out.refused.c_str());
         else
             std::printf("  area %.0f covered %.3f bare %.3f overlap %.3f crossings %zu doubled %.1f tight %.1f of %.0f "
-                        "undeclared %.2f least %.2f\n",
-                        j.area, j.covered, j.bare, j.overlap, j.crossings, j.doubled, j.tight, j.length, j.undeclared,
+                        "unmarked %.2f least %.2f\n",
+                        j.area, j.covered, j.bare, j.overlap, j.crossings, j.doubled, j.tight, j.length, j.unmarked,
                         j.least_radius);
         std::fflush(stdout);
         return !out.faults.empty() ? 10 : out.refused.empty() ? 0 : 12;

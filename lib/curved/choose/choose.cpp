@@ -68,7 +68,7 @@ Criteria plan_and_measure(const TrialPatch& ground, const Candidate& candidate) 
     laying.width = plan.spacing;
     for (const auto& span : surfpath::plan::spans(on.surface, surfpath::plan_paths(on, plan), laying))
         metrics::surface::add(fibres, span);
-    return measure(fibres, ground.sheet, plan.spacing, ground.stable);
+    return measure(fibres, ground.sheet, plan.spacing, plan.least_radius, ground.stable);
 }
 
 // The approximate part of the work that a round takes: estimates, rough paths, final paths.

@@ -25,7 +25,9 @@ std::string line(const std::string& patch, const Choice& choice, const Trial& t,
     std::replace_if(
         why.begin(), why.end(), [](char c) { return c == '\t' || c == '\n'; }, ' ');
     const bool round = surfpath::runs_round(t.candidate.algorithm);
-    return out + "\t" + (best ? "*" : "-") + "\t" + why + "\t" + (round ? number(choice.rings_bound, 4) : "-") + "\n";
+    out += std::string("\t") + (best ? "*" : "-") + "\t" + why + "\t" + (round ? number(choice.rings_bound, 4) : "-");
+    const auto mm = [&](double Criteria::*of) { return t.found ? number(*t.found.*of, 1) : "-"; };
+    return out + "\t" + mm(&Criteria::tight) + "\t" + mm(&Criteria::kinks) + "\n";
 }
 
 } // namespace
@@ -45,13 +47,15 @@ Facts facts(const Choice& choice) {
     out.push_back({"", "angle", c.angle, "deg"});
     out.push_back({"", "cuts", c.cuts, ""});
     out.push_back({"", "overlap", c.overlap, ""});
+    out.push_back({"", "tight-length", c.tight, "mm"});
+    out.push_back({"", "kink-length", c.kinks, "mm"});
     return out;
 }
 
 std::string head() {
     return "patch\tarea_mm2\talgorithm\tseed\testimate\trough\tcoverage\tload\tpaper_load\tangle_deg\tcuts\tlength_"
            "mm\toverlap\t"
-           "score\tchosen\tfailed\trings_bound\n";
+           "score\tchosen\tfailed\trings_bound\ttight_mm\tkink_mm\n";
 }
 
 std::string report(const std::string& patch, const Choice& choice) {

@@ -5,6 +5,8 @@
 #include "metrics/surface/area.hpp"
 #include "metrics/surface/curvature.hpp"
 #include "metrics/surface/load.hpp"
+#include "metrics/surface/tight.hpp"
+#include "surface/curve/turns.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -36,7 +38,8 @@ Weights weights(std::string_view words) {
     return out;
 }
 
-Criteria measure(const metrics::surface::Fibres& fibres, const surface::Sheet& sheet, double spacing, double stable) {
+Criteria measure(const metrics::surface::Fibres& fibres, const surface::Sheet& sheet, double spacing,
+                 double least_radius, double stable) {
     if (fibres.chains.empty()) throw Error(Exit::failure, "the path is empty");
     const metrics::surface::Ground ground(sheet.surface, spacing);
     auto samples = metrics::surface::samples(fibres, ground, spacing / 4, 1);
@@ -55,6 +58,10 @@ Criteria measure(const metrics::surface::Fibres& fibres, const surface::Sheet& s
     out.cuts = static_cast<double>(fibres.chains.size() - 1);
     out.length = metrics::surface::length(fibres);
     out.overlap = std::max(0.0, 1 - area.covered / (out.length * spacing - shadow.beside_area));
+    const auto normals = metrics::surface::feet(fibres, ground, 1).normals;
+    const double kink = surface::curve::kKinkRadius * spacing;
+    out.tight = metrics::surface::tight(fibres, normals, least_radius, spacing).length;
+    out.kinks = metrics::surface::tight(fibres, normals, kink, spacing).length;
     return out;
 }
 

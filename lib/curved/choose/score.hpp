@@ -27,11 +27,14 @@ struct Criteria {
     double cuts = 0;       // fibres - 1
     double length = 0;     // mm of fibre
     double overlap = 0;    // share of the fibre on the surface that overlaps fibre: 1 - covered area / (length * width)
+    double tight = 0;      // mm of fibre that turns tighter than the least radius,
+    double kinks = 0;      // and than surface::curve::kKinkRadius
 };
 
-// Measures a path. `spacing`: mm, also the width of beads; `stable`: accuracy of the coverage.
+// Measures a path. `spacing`: mm, also the width of beads; `least_radius`: mm; `stable`: accuracy of the coverage.
 // Throws Error(failure) if the path is empty.
-Criteria measure(const metrics::surface::Fibres& fibres, const surface::Sheet& sheet, double spacing, double stable);
+Criteria measure(const metrics::surface::Fibres& fibres, const surface::Sheet& sheet, double spacing,
+                 double least_radius, double stable);
 
 // The weighted mean of terms from 0 to 1, without those that are NaN:
 //   coverage;  load;  1 - angle / 90 deg;  1 - cuts * cut_length / length;  1 - overlap

@@ -12,7 +12,7 @@ namespace filum::surfpath {
 // (strands/strands.hpp). Fans around the ends of a source curve, around point sources and behind holes follow from the
 // same rule.
 // Turns "none": every line is a stroke, in alternating directions. "hairpin" and "wide" connect lines as the rows of
-// fina: by declared hairpins, or by turns of the least radius where there is room. Ends inside the surface are reached
+// fina: by hairpins, or by turns of the least radius where there is room. Ends inside the surface are reached
 // along other lines.
 // Facts: rows, births, deaths, births-lower-bound, cuts. Notes: lines that are too short, with their lengths.
 // Throws Error(bad_input) if the sheet has no sources, Error(usage) as Fronts does.

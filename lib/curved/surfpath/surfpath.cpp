@@ -31,7 +31,7 @@ constexpr double kLongestStriped = 1; // spacings: of those for stripes that kee
 constexpr double kLongestTrue = 0.5;  // spacings: of those for stripes that keep the angle, whose error is proportional
 // spacings: cells of the grid that surfaces are moved to for lines of field; a power of two (plan/canonical.hpp)
 constexpr double kGrid = 1.0 / 1024;
-constexpr double kBeside = 0.5; // mm: path on either side of a tight turn that is declared with it, at least; however
+constexpr double kBeside = 0.5; // mm: path on either side of a tight turn that is marked with it, at least; however
                                 // long the stretch over which curvature is measured, the excess lies within
 
 Plan lines(const surface::Sheet& sheet, const Options& options) {
@@ -124,14 +124,16 @@ Plan plan_paths(const surface::Sheet& sheet, const Options& options) {
 
 void finish(const Surface& surface, Plan& plan, const Options& o) {
     const double beside = std::max(kBeside, o.spacing / 2);
-    const plan::TightTurns tight = plan::declare(surface, plan, o.least_radius, beside, o.offset);
-    if (o.strict && tight.count > 0)
-        throw Error(Exit::failure, "cannot keep turns to " + shortest_text(o.least_radius) + " mm: one of " +
-                                       fixed_text(tight.least, 2) + " mm at " + text(tight.at) + ", " +
-                                       fixed_text(tight.length, 1) +
-                                       " mm in all; lower --min-radius, or leave out --strict");
-    plan.facts.push_back({"", "hairpins", static_cast<double>(tight.count), ""});
-    plan.facts.push_back({"", "hairpin-length", tight.declared, "mm"});
+    const plan::TightTurns tight = plan::mark_tight_turns(surface, plan, {o.least_radius, o.spacing, beside, o.offset});
+    if (o.strict && tight.length > o.max_tight * tight.fibre)
+        throw Error(Exit::failure, "cannot keep turns to " + shortest_text(o.least_radius) +
+                                       " mm: " + fixed_text(tight.length, 1) + " mm of " + fixed_text(tight.fibre, 0) +
+                                       " mm turn tighter, more than --max-tight allows, down to " +
+                                       fixed_text(tight.least, 2) + " mm at " + text(tight.at) +
+                                       "; lower --min-radius, raise --max-tight, or leave out --strict");
+    plan.facts.push_back({"", "tight-turns", static_cast<double>(tight.count), ""});
+    plan.facts.push_back({"", "tight-length", tight.length, "mm"});
+    plan.facts.push_back({"", "kink-length", tight.kinks, "mm"});
     if (std::isfinite(tight.least)) plan.facts.push_back({"", "least-radius", tight.least, "mm"});
     if (tight.count > 0)
         plan.notes.push_back(

@@ -42,7 +42,8 @@ struct Options {
     std::vector<Vec3> births_apart{}; // places where no line of field should begin, if another place is almost as good
     // mm of fibre that a cut costs; field and hybrid run no farther along other lines to avoid one
     double cut_length = 50;
-    bool strict = false;     // fail if a turn is tighter than least_radius
+    bool strict = false;     // fail if more than this share of the length turns tighter than least_radius
+    double max_tight = 0.01; //
     double turn_outside = 0; // mm outside the rims in which rows may turn (outside.hpp); 0: none
     // On a sheet with a flange (outside.hpp), per triangle: it lies so far outside the part that lines on it cover
     // nothing of it. Rows on such triangles only are left out, and turns lie as far outside as possible. Empty: no
@@ -59,10 +60,10 @@ struct Options {
 // needs, as "needs a seed curve; run geodesic --source plane:NX,NY,NZ,D first".
 Plan plan_paths(const surface::Sheet& sheet, const Options& options);
 
-// Finishes a plan from any planner. Declares turns tighter than the least radius as hairpins (plan/declare.hpp): facts
-// "hairpins", "hairpin-length" and "least-radius", note NoteCode::bend_too_tight. Reports voids and overlap
-// (plan/voids.hpp).
-// Throws Error(failure) with the place if a turn is too tight and the options are strict.
+// Finishes a plan from any planner. Measures and marks turns tighter than the least radius (plan/declare.hpp): facts
+// "tight-turns", "tight-length", "kink-length" and "least-radius", note NoteCode::bend_too_tight. Reports voids and
+// overlap (plan/voids.hpp).
+// Throws Error(failure) with the place if more than the allowed share is too tight and the options are strict.
 void finish(const Surface& surface, Plan& plan, const Options& options);
 
 } // namespace filum::surfpath

@@ -137,7 +137,7 @@ constexpr Meaning kPlanar[] = {
     {"lifts_mm", "length", "of it lifts", "mm", 1, "of these, lifts"},
     {"jogs_mm", "length", "of it jogs", "mm", 1, "of these, jogs"},
     {"connectors_mm", "length", "of it connectors", "mm", 1, "of these, connectors"},
-    {"hairpins_mm", "length", "of it hairpins", "mm", 1, "of these, declared tight turns"},
+    {"hairpins_mm", "length", "of it hairpins", "mm", 1, "of these, turns marked as tight"},
     {"travel_mm", "length", "travel", "mm", 1, "length of all moves that do not extrude"},
     {"moves", "length", "moves", "", 0, "moves that extrude"},
     {"print_time_s", "time and material", "print time", "s", 1,

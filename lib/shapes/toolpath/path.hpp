@@ -92,7 +92,7 @@ enum class Role : std::uint8_t {
     jog,       // join over material
     connector, // join outside the part, removed later
     travel,    // without extrusion: a break
-    hairpin,   // fill in a turn that is declared to be tighter than the limit for the rest of the path
+    hairpin,   // fill in a turn that is tighter than the limit for the rest of the path
 };
 inline constexpr std::array<const char*, 6> kRoleNames{"bead", "lift", "jog", "connector", "travel", "hairpin"};
 inline constexpr std::size_t kRoles = kRoleNames.size();

@@ -11,7 +11,7 @@ namespace filum::surfpath::plan {
 
 namespace {
 
-// least radii: turns up to here are declared, so that no turn of just the least radius escapes by rounding
+// least radii: turns up to here are marked, so that rounding does not decide about turns of just the least radius
 constexpr double kSurely = 1.02;
 
 // The stroke as one line without repeated places.
@@ -49,36 +49,40 @@ Section section(const Surface& s, const Line& line, std::span<const double> arcs
 
 } // namespace
 
-TightTurns declare(const Surface& s, Plan& plan, double radius, double beside, double offset) {
-    TightTurns out{0, 0, 0, std::numeric_limits<double>::infinity(), {}};
+TightTurns mark_tight_turns(const Surface& s, Plan& plan, const TurnLimits& o) {
+    namespace curve = surface::curve;
+    TightTurns out;
+    out.least = std::numeric_limits<double>::infinity();
+    const double kink = curve::kKinkRadius * o.spacing;
+    const double reach = curve::turn_reach(o.radius, o.spacing), near = curve::turn_reach(kink, o.spacing);
     const auto vertex_normals = surface::curve::vertex_normals(s);
-    double tightest = radius;
+    double tightest = o.radius;
     for (Stroke& stroke : plan.strokes) {
         const Line line = joined(stroke);
         if (line.size() < 2) continue;
         std::vector<Vec3> points, normals;
         for (const Place& p : line.places) {
             normals.push_back(surface::curve::normal_at(s, vertex_normals, p));
-            points.push_back(p.point + offset * normals.back());
+            points.push_back(p.point + o.offset * normals.back());
         }
         const std::vector<double> arcs = geom::arc_lengths(points);
-        out.least = std::min(out.least, surface::curve::least_radius(points, normals));
-        const auto turns = surface::curve::tight_turns(points, normals, kSurely * radius);
-        for (const auto& t : turns) {
-            if (!(t.radius < radius)) continue;
+        out.fibre += arcs.back();
+        out.least = std::min(out.least, curve::least_radius(points, normals, near));
+        out.kinks += curve::length(curve::tight_turns(points, normals, kink, near));
+        for (const auto& t : curve::tight_turns(points, normals, o.radius, reach)) {
             ++out.count;
             out.length += t.to - t.from;
             if (t.radius < tightest) {
                 tightest = t.radius;
-                out.at = surface::curve::at(line, arcs, t.at).point;
+                out.at = curve::at(line, arcs, t.at).point;
             }
         }
+        const auto marked = curve::tight_turns(points, normals, kSurely * o.radius, reach);
         stroke.sections.clear();
         double done = 0;
-        for (const Interval& r : widened(turns, beside, arcs.back())) {
+        for (const Interval& r : widened(marked, o.beside, arcs.back())) {
             if (r.from > done) stroke.sections.push_back(section(s, line, arcs, {done, r.from}, false));
             stroke.sections.push_back(section(s, line, arcs, r, true));
-            out.declared += r.to - r.from;
             done = r.to;
         }
         if (done < arcs.back()) stroke.sections.push_back(section(s, line, arcs, {done, arcs.back()}, false));

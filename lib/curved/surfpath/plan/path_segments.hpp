@@ -10,7 +10,7 @@ namespace filum::surfpath::plan {
 struct PathSegment {
     Vec3 a, b, normal;        // its ends; the normal of its triangle
     double arc = 0;           // mm from the start of the first stroke; strokes are 1e6 mm apart
-    bool hairpin = false;     // part of a declared hairpin
+    bool hairpin = false;     // part of a marked hairpin
     std::uint32_t stroke = 0; // index in the plan
 };
 

@@ -17,7 +17,7 @@ using surface::curve::Place;
 // A part of a stroke; it begins where the one before ends.
 struct Section {
     Line line;            // open
-    bool hairpin = false; // declared to be tighter than the least radius
+    bool hairpin = false; // marked as tighter than the least radius
 };
 
 // A path that is laid without cutting the fibre.

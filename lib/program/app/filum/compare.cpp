@@ -29,6 +29,7 @@ constexpr Figure kFigures[] = {{"coverage", "coverage"},
                                {"cuts", "cuts"},
                                {"overlap", "overlap"},
                                {"tight_mm", "tight mm"},
+                               {"kinks_mm", "kinks mm"},
                                {"fibre_mm", "length mm"}};
 
 void write_file(const std::string& file, const std::string& text) {

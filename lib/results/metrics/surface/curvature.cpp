@@ -115,8 +115,7 @@ Bends bends(const Chain& c, std::span<const Vec3> normals, double step) {
         const Vec3 here = c.points[stretch + 1] - c.points[stretch];
         const double left = (sums.at(hi) - sums.at(lo)) / way;
         const double down = nod(normal_at(lo, behind), normal_at(hi, ahead), 1 / norm(here) * here, way);
-        out.places.push_back(
-            {c.length() / static_cast<double>(n), left, down, c.role[stretch] == toolpath::Role::hairpin});
+        out.places.push_back({c.length() / static_cast<double>(n), left, down});
         const double wide = sums.at(s + kStepsEachWay * step) - sums.at(s - kStepsEachWay * step);
         const int now = wide > kTurn ? 1 : wide < -kTurn ? -1 : 0;
         if (now != 0 && now != turned) ++out.turns;

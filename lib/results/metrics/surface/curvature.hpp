@@ -17,7 +17,6 @@ double paper_angle(const Fibres& fibres, double step);
 struct Bend {
     double length = 0; // mm of the chain for which it is representative
     double geodesic = 0, normal = 0;
-    bool hairpin = false;
     [[nodiscard]] double total() const { return std::hypot(geodesic, normal); }
 };
 

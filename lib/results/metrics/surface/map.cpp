@@ -30,8 +30,7 @@ struct Bead {
     Vec3 a, b, normal; // its ends; from the surface to the tool, (0, 0, 0) if unknown
     double way = 0;    // mm from the start of the path, with 1 km between chains
     double width = 0, height = 0;
-    bool hairpin = false;
-    double off = kEndless; // degrees from the requested direction; infinite in declared turns or without a request
+    double off = kEndless; // degrees from the requested direction; infinite without a request
 };
 
 std::vector<double> areas(const Surface& s) {
@@ -79,7 +78,7 @@ std::vector<Bead> beads_of(const Fibres& fibres, std::uint32_t layer) {
         for (std::size_t i = 0; i < c.width.size(); ++i)
             if (c.layer[i] == layer)
                 out.push_back({c.points[i], c.points[i + 1], geom::unit(c.axes[i] + c.axes[i + 1], Vec3{}),
-                               begin + c.along[i], c.width[i], c.height[i], c.role[i] == toolpath::Role::hairpin});
+                               begin + c.along[i], c.width[i], c.height[i]});
         begin += c.length() + kApart;
     }
     return out;
@@ -113,7 +112,7 @@ void judge(const Bed& bed, std::vector<Bead>& beads, std::vector<Weighted>& to, 
             if (b.normal == Vec3{}) b.normal = filum::surface::normal(bed.ground, foot.triangle);
             const Vec3 n = filum::surface::curve::normal_at(bed.ground, normals, foot), way = b.b - b.a;
             const Vec3 flat = way - dot(way, n) * n, to_follow = requested_at(bed, foot, n);
-            if (b.hairpin || !(norm(to_follow) > 0) || !(norm(flat) > 0)) continue;
+            if (!(norm(to_follow) > 0) || !(norm(flat) > 0)) continue;
             b.off = degrees_between(flat, to_follow);
             const auto w = filum::surface::curve::barycentric(bed.ground, foot);
             double edge = bed.edge.empty() ? -1 : 0;

@@ -35,10 +35,10 @@ struct PlyMap {
     std::vector<double> passes;    // number of beads over it: 0: gap; 2: overlap; fractions at edges of beads
     std::vector<double> amount;    // material per area over the ply's own thickness, within a bead's width of the point
     std::vector<double> deviation; // degrees between the nearest bead and the requested direction; infinite if no bead
-                                   // is near, in declared turns, or without a request
+                                   // is near, or without a request
     std::vector<double> clearance; // mm from the nearest bead's edge, negative under beads; at most a bead's width
-    // Degrees between beads and the requested direction, by their length, except for declared turns and beads past the
-    // rims or past the edge of the ply. Wide turns, which are not declared, count.
+    // Degrees between beads and the requested direction, by their length, turns included, except for beads past the rims
+    // or past the edge of the ply.
     std::vector<Weighted> off;
 };
 

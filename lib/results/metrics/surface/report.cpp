@@ -11,6 +11,7 @@
 #include "metrics/surface/strands.hpp"
 #include "metrics/surface/tight.hpp"
 #include "parallel/parallel.hpp"
+#include "surface/curve/turns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -84,7 +85,7 @@ void mark_turns(const std::vector<Bends>& bent, std::vector<Sample>& samples) {
 void curvature(const Inputs& inputs, const std::vector<Bends>& bent, Figures& out) {
     const double limit = kBeyond * inputs.options.max_curvature;
     std::vector<Weighted> geodesic, normal, total;
-    double all = 0, sharp = 0, sharp_total = 0, plain = 0, sharp_plain = 0, total_plain = 0, most_plain = 0;
+    double all = 0, sharp = 0, sharp_total = 0;
     std::size_t turns = 0;
     for (const Bends& b : bent) {
         turns += b.turns;
@@ -92,15 +93,9 @@ void curvature(const Inputs& inputs, const std::vector<Bends>& bent, Figures& ou
             geodesic.push_back({std::abs(p.geodesic), p.length});
             normal.push_back({std::abs(p.normal), p.length});
             total.push_back({p.total(), p.length});
-            const bool over = std::abs(p.geodesic) > limit;
             all += p.length;
-            sharp += over ? p.length : 0;
+            sharp += std::abs(p.geodesic) > limit ? p.length : 0;
             sharp_total += p.total() > limit ? p.length : 0;
-            if (p.hairpin) continue;
-            plain += p.length;
-            sharp_plain += over ? p.length : 0;
-            total_plain += p.total() > limit ? p.length : 0;
-            most_plain = std::max(most_plain, p.total());
         }
     }
     tell(out, "paper_angle_deg", paper_angle(inputs.fibres, inputs.options.spacing) * kDegrees);
@@ -111,25 +106,29 @@ void curvature(const Inputs& inputs, const std::vector<Bends>& bent, Figures& ou
     tell(out, "normal_p99_per_mm", quantile(normal, 0.99));
     tell(out, "normal_greatest_per_mm", quantile(normal, 1));
     tell(out, "radius_least_mm", 1 / quantile(total, 1));
-    tell(out, "radius_least_plain_mm", 1 / most_plain);
     tell(out, "curvature_limit_per_mm", inputs.options.max_curvature);
     tell(out, "sharp_geodesic", share(sharp, all));
-    tell(out, "sharp_geodesic_plain", share(sharp_plain, plain));
     tell(out, "sharp_total", share(sharp_total, all));
-    tell(out, "sharp_total_plain", share(total_plain, plain));
-    tell(out, "hairpins_mm", all - plain);
     tell(out, "turns_over_90", std::uint64_t{turns});
 }
 
 void tight_turns(const Inputs& inputs, const Feet& feet, Figures& out) {
-    const TightTurns t = tight(inputs.fibres, feet.normals, 1 / inputs.options.max_curvature);
-    tell(out, "tight_limit_mm", 1 / inputs.options.max_curvature);
+    using filum::surface::curve::kKinkRadius;
+    const Options& o = inputs.options;
+    const double all = length(inputs.fibres);
+    const TightLength t = tight(inputs.fibres, feet.normals, o.min_radius, o.spacing);
+    tell(out, "tight_limit_mm", o.min_radius);
     tell(out, "tight_turns", std::uint64_t{t.count});
     tell(out, "tight_mm", t.length);
-    tell(out, "tight_undeclared_mm", t.undeclared);
-    tell(out, "tight_radius_least_mm", t.least);
+    tell(out, "tight_share", share(t.length, all));
     if (t.count > 0) tell(out, "tight_at", place_text(t.tightest));
-    if (t.undeclared > 0) tell(out, "tight_undeclared_at", place_text(t.undeclared_at));
+    const TightLength kinks = tight(inputs.fibres, feet.normals, kKinkRadius * o.spacing, o.spacing);
+    tell(out, "kink_limit_mm", kKinkRadius * o.spacing);
+    tell(out, "kinks", std::uint64_t{kinks.count});
+    tell(out, "kinks_mm", kinks.length);
+    tell(out, "kinks_share", share(kinks.length, all));
+    tell(out, "tight_radius_least_mm", kinks.least);
+    if (kinks.count > 0) tell(out, "kink_at", place_text(kinks.tightest));
 }
 
 void area(const Plies& plies, double fibre, Figures& out) {
@@ -249,6 +248,7 @@ Measurement measure(const Fibres& fibres, const filum::surface::Sheet& sheet, co
         return out;
     }
     if (options.step == 0) options.step = options.spacing / 4;
+    if (options.min_radius == 0) options.min_radius = 1 / options.max_curvature;
     check(options, width, length(fibres));
     check_density(filum::surface::area(sheet.surface), options.spacing,
                   given.spacing > 0 ? Exit::usage : Exit::bad_input,

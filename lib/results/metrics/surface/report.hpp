@@ -13,6 +13,7 @@ struct Options {
     double spacing = 0;           // mm between neighbouring strands, d; 0: the median bead width
     double step = 0;              // mm between samples, and the finer of the two resamplings; 0: a quarter of d
     double max_curvature = 0.416; // 1/mm: the greatest curvature that the fibre allows
+    double min_radius = 0;        // mm: path that turns tighter is reported as tight; 0: 1 / max_curvature
 };
 
 struct Measurement {

@@ -17,7 +17,7 @@ struct Gap {
 // the path, in the same layer, on the side in question, within 1.5 nominal spacings, on the same side of a wall
 // (normals less than 90 degrees apart), within 30 degrees of parallel; on the same chain only if at least 3 nominal
 // spacings of fibre are between. The spacing is the length of the arc along the surface between both places: their
-// straight distance, corrected for the angle between the normals. Samples and neighbours in declared hairpins do not
+// straight distance, corrected for the angle between the normals. Samples and neighbours in hairpins do not
 // count; without `turns`, those in or near turns do not count either.
 std::vector<Gap> gaps(std::span<const Sample> samples, double spread, bool turns, int threads);
 

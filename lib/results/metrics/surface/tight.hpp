@@ -1,4 +1,4 @@
-// Tight turns of a path, found by its shape, and whether they are declared.
+// Tight turns of a path, found by its shape alone.
 #pragma once
 
 #include "metrics/surface/chains.hpp"
@@ -7,16 +7,17 @@
 
 namespace filum::metrics::surface {
 
-struct TightTurns {
-    std::size_t count = 0;             // number of tight turns
-    double length = 0, undeclared = 0; // mm of them; mm of these outside hairpins
-    double least = 0;                  // mm, the least turning radius anywhere; infinite without turns
-    // the place of that; the start of the undeclared part of the tightest turn that has one
-    Vec3 tightest{}, undeclared_at{};
+// The parts of a path that turn tighter than some radius.
+struct TightLength {
+    std::size_t count = 0; // number of stretches
+    double length = 0;     // mm of them
+    double least = 0;      // mm, the least radius anywhere, also outside of them; infinite without turns
+    Vec3 tightest{};       // the place of that, if there is a stretch
 };
 
 // The parts of the path that turn with a radius below `radius` mm along the surface, as surface::curve::tight_turns
-// defines it, independent of roles. `normals`: of the surface, per chain and point, of any length except 0.
-TightTurns tight(const Fibres& fibres, std::span<const std::vector<Vec3>> normals, double radius);
+// defines it for beads `spacing` mm apart. Roles do not count. `normals`: of the surface, per chain and point, of any
+// length except 0.
+TightLength tight(const Fibres& fibres, std::span<const std::vector<Vec3>> normals, double radius, double spacing);
 
 } // namespace filum::metrics::surface

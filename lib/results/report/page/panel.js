@@ -64,7 +64,8 @@ Filum.worth = programs => {
         row('surface covered', given('coverage', shares));
         row('cuts', given('cuts', v => n(v, 0)));
         row('covered twice', given('overlap', shares));
-        row('tight turns', given('hairpin-length', v => n(v, 1) + ' mm'));
+        row('below the minimum radius', given('tight-length', v => n(v, 1) + ' mm'));
+        row('kinks, below 0.45 spacings', given('kink-length', v => n(v, 1) + ' mm'));
         row('fibre', p => p.job() === 'surface' ? n(p.sums.laid, 0) + ' mm' : undefined);
     }
     if (kinds.has('hollow'))

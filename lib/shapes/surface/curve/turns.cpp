@@ -12,7 +12,7 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double kLookStep = kTurnReach / 5; // mm between places at which the radius is measured
+constexpr double kLooks = 5; // places per reach at which the radius is measured
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // A position that moves forwards along a path.
@@ -41,25 +41,25 @@ class PathCursor {
 };
 
 // Radius of the circle through a, b and c in projection along the normal.
-double radius_through(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
+double radius_through(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal, double reach) {
     const auto flat = [&](const Vec3& v) { return v - dot(v, normal) * normal; };
     const Vec3 u = flat(b - a), v = flat(c - b);
-    if (dot(u, v) < 0) return kTurnReach / 2; // the path reverses; the circle does not describe that
+    if (dot(u, v) < 0) return reach / 2; // the path reverses; the circle does not describe that
     const double area = norm(cross(u, v)), sides = norm(u) * norm(v) * norm(u + v);
-    return area > 0 ? std::max(kTurnReach / 2, sides / (2 * area)) : kNever;
+    return area > 0 ? std::max(reach / 2, sides / (2 * area)) : kNever;
 }
 
 // The arc lengths at which to measure, ascending: at equal steps, and wherever one of the three points passes a point
 // of the path, where a corner has most effect.
-std::vector<double> places_to_look(std::span<const double> ways) {
-    const double first = kTurnReach, last = ways.back() - kTurnReach;
-    const auto n = static_cast<std::size_t>(std::ceil((last - first) / kLookStep));
+std::vector<double> places_to_look(std::span<const double> ways, double reach) {
+    const double first = reach, last = ways.back() - reach;
+    const auto n = static_cast<std::size_t>(std::ceil(kLooks * (last - first) / reach));
     std::vector<double> out;
     for (std::size_t i = 0; i < n; ++i)
         out.push_back(first + (last - first) * static_cast<double>(i) / static_cast<double>(n));
     out.push_back(last);
     for (const double way : ways)
-        for (const double off : {-kTurnReach, 0.0, kTurnReach})
+        for (const double off : {-reach, 0.0, reach})
             if (way + off > first && way + off < last) out.push_back(way + off);
     std::sort(out.begin(), out.end());
     return out;
@@ -69,33 +69,45 @@ struct RadiusSample {
     double way, radius;
 };
 
-std::vector<RadiusSample> looks(std::span<const Vec3> points, std::span<const Vec3> normals) {
+std::vector<RadiusSample> looks(std::span<const Vec3> points, std::span<const Vec3> normals, double reach) {
     if (points.size() < 3) return {};
     const std::vector<double> ways = geom::arc_lengths(points);
-    if (!(ways.back() >= 2 * kTurnReach)) return {};
+    if (!(ways.back() >= 2 * reach)) return {};
     std::vector<RadiusSample> out;
     PathCursor before(points, normals, ways);
     PathCursor here = before, behind = before;
-    for (const double way : places_to_look(ways)) {
-        before.go_to(way - kTurnReach);
+    for (const double way : places_to_look(ways, reach)) {
+        before.go_to(way - reach);
         here.go_to(way);
-        behind.go_to(way + kTurnReach);
-        out.push_back({way, radius_through(before.point(), here.point(), behind.point(), here.normal())});
+        behind.go_to(way + reach);
+        out.push_back({way, radius_through(before.point(), here.point(), behind.point(), here.normal(), reach)});
     }
     return out;
 }
 
 } // namespace
 
-std::vector<TightTurn> tight_turns(std::span<const Vec3> points, std::span<const Vec3> normals, double radius) {
+double turn_reach(double radius, double spacing) {
+    return std::max(spacing / 4, 2 * std::sqrt(kRipple * spacing * std::max(0.0, radius)));
+}
+
+double length(std::span<const TightTurn> turns) {
+    double out = 0;
+    for (const TightTurn& t : turns) out += t.to - t.from;
+    return out;
+}
+
+std::vector<TightTurn> tight_turns(std::span<const Vec3> points, std::span<const Vec3> normals, double radius,
+                                   double reach) {
     std::vector<TightTurn> out;
-    const auto all = looks(points, normals);
+    const auto all = looks(points, normals, reach);
+    const double half_step = reach / kLooks / 2;   // mm, for which the first and the last sample stand
     for (std::size_t i = 0; i < all.size(); ++i) { // each sample stands for half of the way to its neighbours
         const auto& [way, r] = all[i];
         if (!(r < radius)) continue;
         if (i == 0 || !(all[i - 1].radius < radius))
-            out.push_back({i > 0 ? (all[i - 1].way + way) / 2 : way - kLookStep / 2, way, r, way});
-        out.back().to = i + 1 < all.size() ? (way + all[i + 1].way) / 2 : way + kLookStep / 2;
+            out.push_back({i > 0 ? (all[i - 1].way + way) / 2 : way - half_step, way, r, way});
+        out.back().to = i + 1 < all.size() ? (way + all[i + 1].way) / 2 : way + half_step;
         if (r < out.back().radius) {
             out.back().radius = r;
             out.back().at = way;
@@ -104,9 +116,9 @@ std::vector<TightTurn> tight_turns(std::span<const Vec3> points, std::span<const
     return out;
 }
 
-double least_radius(std::span<const Vec3> points, std::span<const Vec3> normals) {
+double least_radius(std::span<const Vec3> points, std::span<const Vec3> normals, double reach) {
     double out = kNever;
-    for (const RadiusSample& l : looks(points, normals)) out = std::min(out, l.radius);
+    for (const RadiusSample& l : looks(points, normals, reach)) out = std::min(out, l.radius);
     return out;
 }
 

@@ -119,7 +119,7 @@ TEST(Outside, RowsStayStraightWhereRimsComeNearer) {
     for (const surface::Segment& g : surface::section(sheet.surface, {{0, 1, 0}, 0}))
         sheet.sources.segments.push_back(g);
     const Plan on = planned(sheet, {.algorithm = Algorithm::fina}, 5);
-    EXPECT_EQ(fact(on, "hairpins"), 0);
+    EXPECT_EQ(fact(on, "tight-turns"), 0);
     EXPECT_LT(fact(on, "uncovered"), 1);
     for (const Stroke& stroke : on.strokes)
         for (const Section& piece : stroke.sections)

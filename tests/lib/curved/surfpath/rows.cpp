@@ -93,7 +93,7 @@ TEST(Fina, CoversARectangleInOneStrokeWithoutTightTurns) {
     Plan plan = fina(s, {.algorithm = Algorithm::fina});
     finish(s.surface, plan, {.algorithm = Algorithm::fina});
     ASSERT_EQ(plan.strokes.size(), 1U);
-    EXPECT_EQ(fact(plan, "hairpins"), 0);
+    EXPECT_EQ(fact(plan, "tight-turns"), 0);
     EXPECT_EQ(fact(plan, "rows"), 40); // 17.3 in 17 rows, 22.7 in 23
     expect_sound(s.surface, plan);
     expect_inside(s.surface, plan);
