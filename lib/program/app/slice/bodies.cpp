@@ -95,7 +95,7 @@ std::vector<BodyMesh> read(const std::vector<BodyItem>& items, const Options& o,
     states_unit = stating == items.size();
     if (stating > 0 && !states_unit && o.place.unit != "mm")
         throw Error(Exit::usage, "cannot use --unit " + o.place.unit +
-                                     " with bodies of which only some state their unit; convert the others to mm");
+                                     " with these bodies: only some state their unit; convert the others to mm");
     self.settings.push_back({"input_crc32c", crc});
     return out;
 }

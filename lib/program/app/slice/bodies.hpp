@@ -31,7 +31,7 @@ OnBed joint(const std::vector<OnBed>& bodies);
 void cut_by_later(std::vector<polygon::Loops>& contours, const std::vector<std::uint32_t>& tools, double height,
                   std::uint32_t layer, Notes& notes);
 
-// Adds a note for each body of which nothing is left.  `kept`: mm2 that are left, per body and layer.
+// Adds a note for each body that is hidden completely.  `kept`: mm2 that are left, per body and layer.
 void tell_hidden(const std::vector<OnBed>& bodies, const std::vector<std::vector<double>>& kept,
                  std::span<const filum::slice::Level> levels, Notes& notes);
 
