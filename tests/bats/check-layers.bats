@@ -153,7 +153,7 @@ nest() {
 }
 
 @test "heavy libraries in a header" {
-    for header in CGAL/Polyhedron_3.h embree3/rtcore.h polyclipping/clipper.hpp boost/polygon/voronoi.hpp oneapi/tbb/task_arena.h tbb/tbb.h toml++/toml.h zip.h pugixml.hpp TopoDS.hxx png.h; do
+    for header in CGAL/Polyhedron_3.h embree3/rtcore.h polyclipping/clipper.hpp boost/polygon/voronoi.hpp oneapi/tbb/task_arena.h tbb/tbb.h toml.hpp zip.h pugixml.hpp TopoDS.hxx png.h; do
         printf '#pragma once\n#include <%s>\nnamespace filum::geom {\n}\n' "$header" >"$tree/lib/low/geom/heavy.hpp"
         finds "heavy.hpp:2: a header includes '$header'"
     done
