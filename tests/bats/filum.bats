@@ -225,8 +225,8 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     [[ $out == *'slice --shrinkage=0.8,0.8,0 '*'| link3d --seam=back |'* && -z $err ]]
     printf 'seam_position = aligned\nfilament_shrink = 99.5%%\n' > slicer.ini # of SuperSlicer: what is left
     expect 0 filum print part.stl --dry-run --load slicer.ini
-    [[ $out == *'slice --shrinkage=0.5,0.5,0 '* && $out != *seam* ]]
-    [[ $err == *'1 more settings of --load are not used yet'*': seam_position'* ]]
+    [[ $out == *'slice --shrinkage=0.5,0.5,0 '* && $out == *--seam=nearest* ]]
+    [[ $err != *seam_position* ]]
     printf 'layer_height = 0.25\nfilament_shrink = 100%%\n' > slicer.ini
     expect 0 filum print part.stl --dry-run --load slicer.ini
     [[ $out == *'slice --layer-height=0.25 '* && $out != *shrinkage* && -z $err ]]

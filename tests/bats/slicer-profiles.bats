@@ -38,6 +38,35 @@ parts() {
     [ "$failed" -eq 0 ]
 }
 
+# start FILE: all commands before the first layer. end FILE: those behind the last bead, up to Filum's own lines.
+start() { awk '/^;LAYER_CHANGE/ { exit } { sub(/;.*/, ""); gsub(/[ \t]+$/, ""); sub(/^[ \t]+/, "") } $0 != ""' "$1"; }
+end() { awk '/^;/ && !/^;TYPE:Custom/ { if ($0 ~ /^; made by/) exit; next } { sub(/;.*/, ""); gsub(/[ \t]+$/, ""); sub(/^[ \t]+/, "") }
+    /^G1 .*X.*E[0-9.]/ { n = 0; next } $0 != "" { line[n++] = $0 } END { for (i = 0; i < n; i++) print line[i] }' "$1"; }
+
+@test "presets of OrcaSlicer and Bambu Studio: start and end as their sources say, by hand" {
+    local machine failed=0
+    for machine in heats-by-macro marlin-two bambu-like; do
+        filum print box.obj --load "$presets/orca/machine/$machine.json" --load "$presets/orca/process/fast.json" \
+            --load "$presets/orca/filament/warm.json" -q -o "$machine.gcode"
+        { start "$machine.gcode"; echo ...; end "$machine.gcode" | grep -vE '^(G1 E-|G1 X.* E-|M73)'; } > got
+        diff "$presets/orca/$machine.program" got || { echo "$machine differs"; failed=1; }
+    done
+    [ "$failed" -eq 0 ]
+    [ "$(grep -c '^TAKE_FRAME' heats-by-macro.gcode)" -eq 10 ] # a picture of each layer
+    grep -q '^G1 E-0.4 F1800' marlin-two.gcode                 # half of the retraction, then the wipe
+    grep -qE '^G1 X[-0-9.]+ E-0.4 F6750' marlin-two.gcode
+}
+
+@test "start codes of several filaments stay apart, and a machine without a filament says so" {
+    printf '{"type": "machine", "name": "two", "printable_area": ["0x0","90x0","90x90","0x90"], "machine_start_gcode": "G28"}' > m.json
+    printf '{"type": "filament", "name": "f", "filament_start_gcode": ["M117 a, b\\nM900 K0.1", "M117 c"], "nozzle_temperature": ["200","210"]}' > f.json
+    filum print box.obj --load m.json --load f.json -q -o two.gcode
+    grep -qx 'M117 a, b' two.gcode
+    run ! grep -q '^M117 c' two.gcode
+    run --separate-stderr filum print box.obj --load m.json -o one.gcode
+    [[ "$status" -eq 0 && "$stderr" == *"no filament in the files"* ]]
+}
+
 @test "a fault in a profile's G-code is an error with its line, before anything is computed" {
     printf 'start_gcode = G28\\nM104 S[nozzle_heat]\nbed_shape = 0x0,200x0,200x200,0x200\n' > x.ini
     run --separate-stderr filum print box.obj --load x.ini -o x.gcode

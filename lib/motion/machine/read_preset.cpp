@@ -11,7 +11,8 @@ namespace {
 
 // Reads the outline of a bed.  There is none if the bed is a rectangle along the axes, or if it is not convex.
 void read_outline(const preset::Preset& preset, Bed& bed) {
-    const auto found = preset.settings.find(preset.settings.contains("bed_shape") ? "bed_shape" : "printable_area");
+    const bool orca = preset.slicer == "orca" || preset.slicer == "bambu";
+    const auto found = preset.settings.find(orca ? "printable_area" : "bed_shape");
     if (found == preset.settings.end()) return;
     const std::vector<geom::Vec2> points = preset::corners(found->second);
     const auto hull = geom::convex_hull(points);

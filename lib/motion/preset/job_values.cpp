@@ -83,11 +83,15 @@ void set_material(const Job& job, std::size_t extruders, Settings& to) {
 // Sets the flow of the outer wall, mm3/s: a rectangle with round ends, as wide as the setting or the nozzle.
 void set_outer_wall(Settings& to) {
     const double nozzle = to.number("nozzle_diameter", 0, 0.4), height = to.number("layer_height", 0, 0.2);
-    double width = to.number("outer_wall_line_width");
-    if (to.text("outer_wall_line_width").empty() || width <= 0) width = nozzle;
-    if (const Variable* found = to.find("outer_wall_line_width");
-        found != nullptr && !found->written.empty() && found->written[0].ends_with('%'))
-        width = width / 100 * nozzle;
+    double width = 0;
+    for (const char* key : {"outer_wall_line_width", "line_width"}) {
+        if (width > 0) break;
+        width = to.number(key);
+        if (const Variable* found = to.find(key);
+            found != nullptr && !found->written.empty() && found->written[0].ends_with('%'))
+            width = width / 100 * nozzle;
+    }
+    if (!(width > 0)) width = nozzle;
     const double section = height * (width - height * (1 - std::numbers::pi / 4));
     const double most = to.number("filament_max_volumetric_speed");
     double flow = to.number("outer_wall_speed") * section;
@@ -95,30 +99,83 @@ void set_outer_wall(Settings& to) {
     to.set("outer_wall_volumetric_speed", Variable::one(flow));
 }
 
+// Sets the area that a printer probes, as OrcaSlicer computes it: the first layer and a margin, within the bed's area
+// for probing.
+void set_bed_mesh(const Extent& box, bool klipper, Settings& to) {
+    const auto point_of = [&](const char* name, geom::Vec2 otherwise) {
+        const auto found = corners(to.texts(name));
+        return found.empty() ? otherwise : found[0];
+    };
+    constexpr double far = 99999; // mm
+    const geom::Vec2 low = point_of("bed_mesh_min", {-far, -far}), high = point_of("bed_mesh_max", {far, far}),
+                     apart = point_of("bed_mesh_probe_distance", {50, 50});
+    const double margin = to.number("adaptive_bed_mesh_margin");
+    const geom::Vec2 from{std::max(low.x, box.low.x - margin), std::max(low.y, box.low.y - margin)},
+        end{std::min(high.x, box.high.x + margin), std::min(high.y, box.high.y + margin)};
+    to.set("adaptive_bed_mesh_min", point(from.x, from.y));
+    to.set("adaptive_bed_mesh_max", point(end.x, end.y));
+    const auto count = [](double length, double step) {
+        return std::max(3.0, std::ceil(length / std::max(1.0, step)));
+    };
+    double x = count(end.x - from.x, apart.x), y = count(end.y - from.y, apart.y);
+    constexpr double lagrange = 6; // most points of this interpolation; the other one needs 4 on each axis
+    const bool few = x * y <= lagrange;
+    if (!few && klipper) {
+        x = std::max(x, 4.0);
+        y = std::max(y, 4.0);
+    }
+    to.set("bed_mesh_probe_count", Variable::many({whole_value(x), whole_value(y)}));
+    to.set("bed_mesh_algo", Variable::one(std::string(few ? "lagrange" : "bicubic")));
+}
+
+// Sets other names of settings that OrcaSlicer offers to macros.
+void set_other_names(const Job& job, Settings& to) {
+    std::vector<Value> exhaust;
+    for (std::size_t i = 0; i < std::max<std::size_t>(1, to.texts("during_print_exhaust_fan_speed").size()); ++i)
+        exhaust.push_back(static_cast<std::int64_t>(to.number("during_print_exhaust_fan_speed", i) / 100 * 255));
+    to.set("during_print_exhaust_fan_speed_num", Variable::many(exhaust));
+    const std::pair<const char*, const char*> same[] = {{"retract_length", "retraction_length"},
+                                                        {"max_print_height", "printable_height"},
+                                                        {"first_layer_height", "initial_layer_print_height"}};
+    for (const auto& [name, from] : same)
+        if (const Variable* found = to.find(from)) to.set(name, *found);
+    const std::pair<const char*, const char*> of_tool[] = {
+        {"long_retraction_when_cut", "long_retractions_when_cut"},
+        {"retraction_distance_when_cut", "retraction_distances_when_cut"}};
+    for (const auto& [name, from] : of_tool) to.set(name, Variable::one(to.number(from, job.first_tool)));
+    to.set("initial_no_support_tool", Variable::one(whole_value(job.first_tool)));
+    to.set("bbl_bed_temperature_gcode", Variable::one(false));
+    to.set("relative_e_axis", Variable::one(to.flag("use_relative_e_distances")));
+    to.set("model_name", Variable::one(std::string()));
+}
+
 // Sets the values that OrcaSlicer and Bambu Studio compute.
 void set_orca(const Job& job, const Extent& box, Settings& to) {
     const std::string plate = to.text("curr_bed_type");
-    const std::string key = plate == "Cool Plate"          ? "cool_plate_temp"
-                            : plate == "Engineering Plate" ? "eng_plate_temp"
-                            : plate == "High Temp Plate"   ? "hot_plate_temp"
-                            : plate == "Supertack Plate"   ? "supertack_plate_temp"
+    const std::string key = plate == "Cool Plate"            ? "cool_plate_temp"
+                            : plate == "Engineering Plate"   ? "eng_plate_temp"
+                            : plate == "High Temp Plate"     ? "hot_plate_temp"
+                            : plate == "Supertack Plate"     ? "supertack_plate_temp"
+                            : plate == "Textured Cool Plate" ? "textured_cool_plate_temp"
                             : plate == "Textured PEI Plate" || to.find("hot_plate_temp") == nullptr
                                 ? "textured_plate_temp"
                                 : "hot_plate_temp";
     const std::pair<const char*, std::string> temperatures[] = {
         {"bed_temperature", key}, {"bed_temperature_initial_layer", key + "_initial_layer"}};
+    constexpr double usual = 45; // degrees, of a High Temp Plate in OrcaSlicer where no filament is loaded
     for (const auto& [name, from] : temperatures) {
-        if (const Variable* found = to.find(from)) {
-            Variable list = *found;
-            list.list = true;
-            to.set(name, std::move(list));
-        }
+        const Variable* found = to.find(from);
+        Variable list = found != nullptr ? *found : Variable::many({whole_value(usual)});
+        list.list = true;
+        to.set(name, std::move(list));
         to.set(std::string(name) + "_single", Variable::one(whole_value(to.number(name, job.first_tool))));
     }
     if (plate.empty())
         to.set("curr_bed_type",
                Variable::one(std::string(key == "textured_plate_temp" ? "Textured PEI Plate" : "High Temp Plate")));
     set_outer_wall(to);
+    set_bed_mesh(box, to.text("gcode_flavor") == "klipper", to);
+    set_other_names(job, to);
     to.set("bed_temperature_initial_layer_vector", Variable::one(std::string()));
     to.set("overall_chamber_temperature", Variable::one(whole_value(to.number("chamber_temperature"))));
     to.set("first_layer_center_no_wipe_tower", point((box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2));

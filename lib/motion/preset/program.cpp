@@ -1,5 +1,6 @@
 #include "preset/program.hpp"
 
+#include "preset/orca_code.hpp"
 #include "preset/start_code.hpp"
 
 #include <algorithm>
@@ -89,7 +90,7 @@ std::string Program::first_bed_temperature(const std::string& start) {
     bed_ = static_cast<int>(settings_.number(name, job_.first_tool));
     const TemperatureCommands set = temperature_commands(start, 140, 190, false);
     if (set.any) {
-        if (set.celsius >= 0 && set.celsius < 1000) bed_ = set.celsius;
+        if (!orca_ && set.celsius >= 0 && set.celsius < 1000) bed_ = set.celsius; // OrcaSlicer goes by its setting
         return "";
     }
     return bed_temperature(flavor_, bed_, true);
@@ -115,14 +116,37 @@ std::string Program::start() {
     std::string text = code_of({"start_gcode", "machine_start_gcode"});
     const char* key = settings_.text("start_gcode").empty() ? "machine_start_gcode" : "start_gcode";
     const std::string own = code(key, text, job_.first_tool);
+    out += orca_ ? around_orca_start(own) : around_start(own);
+    if (job_.tools.back() > 0) return out + change_tool(job_.first_tool, 0, 0);
+    out += filament_code("start_filament_gcode", job_.first_tool);
+    return orca_ ? out + pressure_advance(settings_, flavor_, job_.first_tool) : out;
+}
+
+// The start code `own` with the commands before and after it, as PrusaSlicer writes them.
+std::string Program::around_start(const std::string& own) {
+    std::string out;
     if (!settings_.flag("cooling", tool_) || settings_.number("disable_fan_first_layers", tool_) > 0) out += "M107\n";
     out += first_bed_temperature(own);
     out += temperatures(own, false);
     out += ";TYPE:Custom\n" + own;
     out += temperatures(own, true);
-    out += preamble(flavor_, settings_.flag("use_relative_e_distances") && !settings_.flag("use_absolute_e"));
-    if (job_.tools.back() == 0) return out + filament_code("start_filament_gcode", job_.first_tool);
-    return out + change_tool(job_.first_tool, 0, 0);
+    return out + preamble(flavor_, settings_.flag("use_relative_e_distances") && !settings_.flag("use_absolute_e"));
+}
+
+// The same as OrcaSlicer and Bambu Studio write them: Klipper's macros heat, and only printers of Bambu Lab wait for
+// the nozzle after the start code.
+std::string Program::around_orca_start(const std::string& own) {
+    std::string out;
+    if (settings_.flag("auxiliary_fan") && settings_.number("close_fan_the_first_x_layers", job_.first_tool) > 0)
+        out += fans_off(settings_);
+    if (flavor_ == Flavor::klipper)
+        bed_ = 0; // not set by the slicer so far
+    else
+        out += first_bed_temperature(own) + temperatures(own, false);
+    out += ";TYPE:Custom\n" + chamber(settings_, job_.tools, true) + own;
+    if (of_bambu_lab(settings_)) out += temperatures(own, true);
+    out += exhaust_fan(settings_, job_.tools, "during_print_exhaust_fan_speed");
+    return out + preamble(flavor_, settings_.flag("use_relative_e_distances"));
 }
 
 std::string Program::change_tool(std::uint32_t to, std::uint32_t layer, double z) {
@@ -152,7 +176,9 @@ std::string Program::before_layer(std::uint32_t layer, double z) {
 std::string Program::after_layer(std::uint32_t layer, double z) {
     place(layer, z);
     const char* key = orca_ ? "layer_change_gcode" : "layer_gcode";
-    std::string out = code(key, code_of({key}), tool_);
+    std::string out;
+    if (orca_ && !of_bambu_lab(settings_)) out += code("time_lapse_gcode", code_of({"time_lapse_gcode"}), tool_);
+    out += code(key, code_of({key}), tool_);
     return layer > 0 && !std::exchange(warm_, true) ? out + later_temperatures() : out;
 }
 
@@ -194,7 +220,7 @@ std::string Program::end(std::uint32_t layer, double z) {
     place(layer, z);
     // PrusaSlicer reports the height of the nozzle after its last retraction.
     if (!orca_) now_["layer_z"] = Variable::one(z + last_lift(z));
-    std::string out = ";TYPE:Custom\n";
+    std::string out = (orca_ ? orca_end(settings_) : "") + ";TYPE:Custom\n";
     const std::size_t filaments =
         std::max(settings_.texts("end_filament_gcode").size(), settings_.texts("filament_end_gcode").size());
     if (settings_.flag("single_extruder_multi_material") || orca_)
@@ -204,6 +230,9 @@ std::string Program::end(std::uint32_t layer, double z) {
     const char* key = settings_.text("end_gcode").empty() ? "machine_end_gcode" : "end_gcode";
     out += code(key, code_of({key}), tool_);
     if (flavor_ == Flavor::machinekit) out += "M2 ; end of program\n";
+    if (orca_)
+        out += chamber(settings_, job_.tools, false) +
+               exhaust_fan(settings_, job_.tools, "complete_print_exhaust_fan_speed");
     return out;
 }
 

@@ -50,6 +50,8 @@ class Program {
     [[nodiscard]] const Settings& settings() const { return settings_; }
 
   private:
+    std::string around_start(const std::string& own);
+    std::string around_orca_start(const std::string& own);
     std::string temperatures(const std::string& start, bool wait);
     std::string first_bed_temperature(const std::string& start);
     std::string later_temperatures();

@@ -173,6 +173,8 @@ std::vector<std::string> values_of_line(std::string_view name, std::string_view 
 std::vector<std::string> values_of_json(std::string_view name, std::string_view value) {
     const Key* key = key_of(name);
     const bool code = name.ends_with("gcode") || name.ends_with("notes");
+    const bool quoted = value.starts_with('"') && value.ends_with('"'); // several texts; see wire/json.hpp
+    if (quoted && (code || (key != nullptr && key->list))) return quoted_items(value);
     if (code || (key != nullptr && !key->list)) return {std::string(value)};
     if (key != nullptr) return comma_items(value);
     const auto items = comma_items(value);
@@ -182,7 +184,9 @@ std::vector<std::string> values_of_json(std::string_view name, std::string_view 
 std::vector<geom::Vec2> corners(const std::vector<std::string>& texts) {
     std::vector<geom::Vec2> out;
     for (const std::string& text : texts) {
-        const auto between = text.find('x', 1); // split first: a stream would read "0x20" as one number
+        // OrcaSlicer writes single points as "0,20".  The text is split first: a stream would read "0x20" as one
+        // number.
+        const auto between = text.find_first_of("x,", 1);
         const auto x = number_in(text.substr(0, between));
         const auto y = between == std::string::npos ? std::nullopt : number_in(text.substr(between + 1));
         if (!x || !y)
@@ -193,8 +197,11 @@ std::vector<geom::Vec2> corners(const std::vector<std::string>& texts) {
 }
 
 Settings::Settings(const Preset& preset) {
-    for (const Key& key : keys())
-        if (!key.usual.empty()) variables_[std::string(key.name)] = variable(key, values_of_line(key.name, key.usual));
+    const bool orca = preset.slicer == "orca" || preset.slicer == "bambu";
+    for (const Key& key : keys()) {
+        const std::string_view usual = orca && !key.orca.empty() ? key.orca : key.usual;
+        if (!usual.empty()) variables_[std::string(key.name)] = variable(key, values_of_line(key.name, usual));
+    }
     for (const Key& key : keys()) // texts without a default are empty
         if (key.usual.empty() && key.type == Type::text && !preset.settings.contains(key.name))
             variables_[std::string(key.name)] = variable(key, {""});

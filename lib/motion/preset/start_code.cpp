@@ -112,7 +112,7 @@ std::string machine_limits(const Settings& settings, Flavor flavor) {
         out += std::string(" ") + static_cast<char>(axis[0] - 'a' + 'A') +
                with_two_decimals(per_minute * value(std::string("jerk_") + axis));
     out += std::string(" ; sets the jerk limits, ") + (rrf ? "mm/min" : "mm/sec") + "\n";
-    if (!rrf)
+    if (!rrf && !orca)
         out += "M205 S" + whole(settings.number("machine_min_extruding_rate")) + " T" +
                whole(settings.number("machine_min_travel_rate")) +
                " ; sets the minimum extruding and travel feed rate, mm/sec\n";

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 // The assembler embeds the file FILUM_SETTINGS, which the build names, between two labels.
@@ -16,7 +17,18 @@ namespace filum::preset {
 namespace {
 
 // The columns of the table.
-enum Column : std::uint8_t { at_key, at_slicers, at_type, at_of, at_usual, at_use, at_target, at_reading, at_why };
+enum Column : std::uint8_t {
+    at_key,
+    at_slicers,
+    at_type,
+    at_of,
+    at_usual,
+    at_orca,
+    at_use,
+    at_target,
+    at_reading,
+    at_why
+};
 
 using Cells = std::vector<std::vector<std::string_view>>;
 
@@ -60,15 +72,23 @@ std::vector<SettingRow> read_rows() {
     return out;
 }
 
-// A key has one type in all slicers; its default is that of PrusaSlicer.
+// A key has one type in all slicers.  Its default of OrcaSlicer is in the cell for it, or in a row for OrcaSlicer
+// alone.
 std::vector<Key> read_keys() {
     std::vector<Key> out;
+    std::map<std::string_view, std::string_view> orca;
+    for (std::size_t i = 0; i < cells().size(); ++i) {
+        const auto& row = cells()[i];
+        const bool own = is_for(setting_rows()[i], "orca") && !is_for(setting_rows()[i], "prusa");
+        if (const auto value = own ? row[at_usual] : row[at_orca]; !value.empty()) orca[row[at_key]] = value;
+    }
     for (std::size_t i = 0; i < cells().size(); ++i) {
         const std::string_view type = cells()[i][at_type];
         if (type.empty()) continue;
         const SettingRow& row = setting_rows()[i];
-        Key key{.name = row.key, .type = Type::text, .list = false, .of = row.of, .usual = {}};
+        Key key{.name = row.key, .type = Type::text, .list = false, .of = row.of, .usual = {}, .orca = {}};
         if (is_for(row, "prusa")) key.usual = row.usual;
+        if (const auto found = orca.find(row.key); found != orca.end()) key.orca = found->second;
         set_type(type, key);
         out.push_back(key);
     }

@@ -26,6 +26,7 @@ struct Key {
     bool list = false;
     std::string_view of;    // of a share: the setting that is 100 %
     std::string_view usual; // default of PrusaSlicer where a file lacks the setting; "" for none
+    std::string_view orca;  // the same for OrcaSlicer and Bambu Studio
 };
 
 // The entry of a setting; null for a name without a type.

@@ -39,11 +39,12 @@ std::string code(const std::string& text, const std::string& of) {
     return out;
 }
 
-// The seam position of Filum for that of another slicer: at the back, or nearest to the end of the stroke before. ""
-// for others: strokes are few, so seams are not aligned.
-std::string seam(const std::string& theirs) {
-    if (theirs == "rear" || theirs == "back") return "back";
-    return theirs == "nearest" ? "nearest" : "";
+// The seam option of Filum for a seam position of another slicer; "" for an unknown one.  Layers that continue a stroke
+// begin above each other, so `nearest` aligns their seams.
+std::string seam(const std::string& option, const std::string& theirs) {
+    if (theirs == "random") return "--interlace=random";
+    if (theirs == "rear" || theirs == "back" || theirs == "aligned_back") return option + "=back";
+    return theirs == "nearest" || theirs == "aligned" ? option + "=nearest" : "";
 }
 
 // The option that scales up a part that loses `lost` % of its size in x and y, or in z. None if it loses nothing.
@@ -79,8 +80,8 @@ std::optional<std::string> our_word(const OtherName& n, const std::string& value
         if (pattern(value).empty()) return std::nullopt;
         return option + "=" + pattern(value);
     case Value::seam:
-        if (seam(value).empty()) return std::nullopt;
-        return option + "=" + seam(value);
+        if (seam(option, value).empty()) return std::nullopt;
+        return seam(option, value);
     case Value::shrinks_by:
         return shrinkage(option, number(value, theirs));
     case Value::shrinks_to:

@@ -125,6 +125,8 @@ SlicerFile slicer_file(const std::string& word) {
                     "cannot use '" + word + "': '" + file + "' is no bundle of presets; load it by its name alone");
     SlicerFile out = project ? of_project(text, file) : of_text(text, named);
     if (!out.settings.empty()) return out;
+    if (is_json(text))
+        throw Error(Exit::bad_input, "cannot use '" + file + "': it is no JSON, or holds no settings; export it again");
     throw Error(Exit::bad_input, "cannot use '" + file +
                                      "': it holds no settings of a slicer; export them as an .ini file (lines 'name = "
                                      "value'), or name a project of PrusaSlicer, OrcaSlicer or Bambu Studio (.3mf), or "

@@ -128,6 +128,16 @@ void limit_speeds(SlicerWishes& all, const machine::Motion& motion) {
         }
 }
 
+// Whether a file says how hot the nozzle is.
+bool names_temperature(const std::vector<SlicerFile>& read) {
+    return std::ranges::any_of(read, [](const SlicerFile& file) {
+        return std::ranges::any_of(file.settings, [](const SlicerSetting& s) {
+            return s.key == "temperature" || s.key == "first_layer_temperature" || s.key == "nozzle_temperature" ||
+                   s.key == "nozzle_temperature_initial_layer";
+        });
+    });
+}
+
 // Makes the printer that the files describe the machine, unless the user names another one.
 void use_machine(const std::vector<SlicerFile>& read, std::vector<std::string> sources,
                  const std::vector<std::string>& words, Translated& out) {
@@ -138,6 +148,9 @@ void use_machine(const std::vector<SlicerFile>& read, std::vector<std::string> s
                               last_value(words, "--machine"));
         return;
     }
+    if (!names_temperature(read) && last_value(words, "--set").find("nozzle_temp") == std::string::npos)
+        out.remarks.emplace_back("no filament in the files: nozzle and bed have the temperatures that the slicer has "
+                                 "without one; load a filament, too, or add --temperature and --bed-temperature");
     out.words.push_back(option_of("machine", machine->path()));
     out.machine = std::move(machine);
 }
@@ -259,6 +272,30 @@ void join_sets(std::vector<std::string>& words) {
     words.erase(std::remove_if(rest, end, [&](const std::string& w) { return w.starts_with(set); }), end);
 }
 
+// The project (3MF) that is the only part, if it holds settings of a slicer; "" for any other job.
+std::string own_project(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
+    try {
+        const std::vector<std::string> inputs = route(words, stages).inputs;
+        if (inputs.size() != 1 || !inputs[0].ends_with(".3mf")) return "";
+        (void)slicer_file(inputs[0]);
+        return inputs[0];
+    } catch (const Error&) { // a file without settings, or wrong options, which are reported later
+        return "";
+    }
+}
+
+// Loads the settings of the project that is printed.  On its own printer the part stays where the project has it.
+void load_project(const std::string& project, const std::vector<std::string>& words, const std::vector<Stage>& stages,
+                  Translated& out) {
+    out.remarks.push_back("the settings in '" + project + "' are used; --load none prints without them");
+    load({}, {project}, words, stages, out);
+    const auto typed = [&](const char* option) { return !last_value(words, option).empty(); };
+    const bool first_plate = last_value(words, "--plate").empty() || last_value(words, "--plate") == "1";
+    if (out.machine != nullptr && first_plate && !typed("--place") && !typed("--rotate") && !typed("--translate") &&
+        !typed("--copies"))
+        out.words.push_back(option_of("place", "as-is"));
+}
+
 } // namespace
 
 Translated translated(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
@@ -295,7 +332,12 @@ Translated translated(const std::vector<std::string>& words, const std::vector<S
         }
     }
     join_sets(rest);
-    load(printer, files, rest, stages, out);
+    const bool loads = !files.empty() || printer.any();
+    std::erase(files, "none");
+    if (const std::string project = loads ? "" : own_project(rest, stages); !project.empty())
+        load_project(project, rest, stages, out);
+    else
+        load(printer, files, rest, stages, out);
     out.words.insert(out.words.end(), rest.begin(), rest.end());
     out.words.insert(out.words.end(), words.begin() + static_cast<std::ptrdiff_t>(i), words.end());
     join_sets(out.words);
