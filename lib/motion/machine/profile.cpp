@@ -102,6 +102,7 @@ void read_feeds(Document& doc, Profile& p) {
              "motion.max_speed");
     feed("feeds.first_layer", p.feeds.first_layer, m.max_speed, "motion.max_speed");
     feed("feeds.first_layer_infill", p.feeds.first_layer_infill, m.max_speed, "motion.max_speed");
+    doc.number("feeds.rise", p.feeds.rise, {0, 1000});
     feed("feeds.lift", p.feeds.lift, m.max_speed, "motion.max_speed");
     feed("feeds.jog", p.feeds.jog, m.max_speed, "motion.max_speed");
     feed("feeds.connector", p.feeds.connector, m.max_speed, "motion.max_speed");

@@ -64,6 +64,7 @@ struct Limits {
 // Speeds of the nozzle, mm/s.
 struct Feeds {
     double bead = 50, first_layer = 25, lift = 25, jog = 50, connector = 20, travel = 150, z = 10;
+    double rise = 0;               // s in which the speed of a stroke rises to its full value; 0: at once
     double first_layer_infill = 0; // of infill and solid areas of the first layer; 0: as first_layer
     std::array<double, toolpath::kFeatures> feature{}; // by feature; 0: as bead
 };
@@ -77,7 +78,7 @@ struct Travel {
     double retract_speed = 35; // extruder units per s
     double prime_speed = 0;    // extruder units per s when the material comes back; 0: as retract_speed
     double retract_acceleration = std::numeric_limits<double>::infinity(); // extruder units per s2
-    double extra = 0;                                                      // extruder units added when printing goes on
+    double extra = 0;       // extruder units added when printing goes on; below 0: so many fewer come back
     double wipe = 0;        // mm: way back over the bead during a retraction; 0: the nozzle stands still
     double before_wipe = 0; // share of the retraction before the wipe
     double min_length = 0;  // mm; a shorter travel keeps its height and does not retract

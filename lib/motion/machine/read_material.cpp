@@ -52,7 +52,8 @@ void read_travel(Document& doc, Travel& t) {
     doc.number("travel.retract_speed", t.retract_speed, {0.001, 1e5});
     doc.number("travel.prime_speed", t.prime_speed, {0, 1e5});
     doc.number("travel.retract_acceleration", t.retract_acceleration, above_zero(kInf));
-    doc.number("travel.extra", t.extra, {0, 1000});
+    doc.number("travel.extra", t.extra, {-1000, 1000});
+    if (t.extra < -t.retract) doc.fail("travel.extra", "it takes back more than travel.retract gives");
     doc.number("travel.wipe", t.wipe, {0, 100});
     doc.number("travel.before_wipe", t.before_wipe, {0, 1});
     doc.number("travel.min_length", t.min_length, {0, 1e5});

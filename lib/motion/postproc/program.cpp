@@ -334,9 +334,10 @@ void Program::retract() {
 std::int64_t Program::wipe(std::int64_t all) {
     const auto& t = own().travel;
     if (!wipes(*profile_, t)) return 0;
+    const auto places = wipe_path_.back(t.wipe * xyz_scale_);
+    if (places.empty()) return 0; // as before the first stroke
     const std::int64_t first = units(t.retract * t.before_wipe, e_scale_);
     extruder_only(-first, t.retract_speed);
-    const auto places = wipe_path_.back(t.wipe * xyz_scale_);
     const auto step = [&](std::size_t i) {
         const Vec3 from = i > 0 ? places[i - 1] : Vec3{double(at_[0]), double(at_[1]), double(at_[2])};
         return geom::distance(from, places[i]);

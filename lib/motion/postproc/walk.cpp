@@ -196,6 +196,36 @@ void Walk::begin_stroke(const toolpath::Span& span) {
     put({.act = Act::open, .role = span.role, .layer = span.layer, .to = to, .tool = tool_});
     risen_ = false;
     open_ = true;
+    run_ = 0;
+}
+
+// Adds the move of a bead from `from`.  While the speed of the stroke rises evenly with time, the move is divided where
+// an eighth of that time has passed; each piece has the mean speed of its eighth.
+void Walk::put_bead(const Step& step, const Vec3& from) {
+    constexpr int kPieces = 8;
+    const double whole = step.feed * own().feeds.rise / 2; // mm until the full speed
+    if (run_ >= whole || step.sweep != 0 || !(step.length > 0)) {
+        run_ += step.length;
+        return put(step);
+    }
+    double done = 0; // mm of this move
+    for (int k = 1; k <= kPieces + 1 && done < step.length; ++k) {
+        const bool full = k > kPieces;
+        const double end = full ? step.length : whole * k * k / (kPieces * kPieces) - run_;
+        if (end <= done) continue;
+        const double share = std::min(end, step.length) / step.length;
+        Step piece = step;
+        const double part = share - done / step.length;
+        piece.to = share < 1 ? from + share * (step.to - from) : step.to;
+        piece.length *= part;
+        piece.volume *= part;
+        piece.fed *= part;
+        piece.halt = step.halt && share >= 1;
+        if (!full) piece.feed *= (k - 0.5) / kPieces;
+        put(piece);
+        done = share * step.length;
+    }
+    run_ += step.length;
 }
 
 void Walk::extrude(const toolpath::Span& span) {
@@ -217,27 +247,33 @@ void Walk::extrude(const toolpath::Span& span) {
     efforts_.given += span.points.size() - 1;
     efforts_.off = std::max(efforts_.off, moves.off);
     double z = span.points.front().z;
+    Vec3 from = span.points.front();
     for (const toolpath::Move& m : moves.moves) {
         if (m.length == 0) continue;
         const bool last = &m == &moves.moves.back();
         const double volume = m.volume * profile_->features[span.feature].flow;
         const Laying how = laying(*profile_, tool_,
                                   {span.role, span.layer, m.length, std::abs(m.to.z - z), volume, span.feature}, last);
-        put({.act = Act::extrude,
-             .role = span.role,
-             .feature = span.feature,
-             .layer = span.layer,
-             .to = m.to,
-             .feed = how.feed,
-             .volume = volume,
-             .width = m.width,
-             .height = m.height,
-             .length = m.length,
-             .tool = tool_,
-             .fed = how.fed,
-             .halt = how.halt,
-             .sweep = m.sweep,
-             .centre = m.centre});
+        const Step bead{.act = Act::extrude,
+                        .role = span.role,
+                        .feature = span.feature,
+                        .layer = span.layer,
+                        .to = m.to,
+                        .feed = how.feed,
+                        .volume = volume,
+                        .width = m.width,
+                        .height = m.height,
+                        .length = m.length,
+                        .tool = tool_,
+                        .fed = how.fed,
+                        .halt = how.halt,
+                        .sweep = m.sweep,
+                        .centre = m.centre};
+        if (own().feeds.rise > 0)
+            put_bead(bead, from);
+        else
+            put(bead);
+        from = m.to;
         z = m.to.z;
         top_ = std::max(top_, z);
     }

@@ -160,6 +160,7 @@ class Walk final : public Walker {
 
   private:
     void put(const Step& step);
+    void put_bead(const Step& step, const Vec3& from);
     void travel(const toolpath::Span& span) override;
     void leave(const toolpath::Span& travel);
     void go(const Vec3& to, const toolpath::Span& travel);
@@ -172,6 +173,7 @@ class Walk final : public Walker {
     const Joins* joins_;
     Vec3 at_;        // of the nozzle
     double top_ = 0; // highest point printed so far
+    double run_ = 0; // mm of the stroke so far, while its speed rises
     std::int64_t layer_ = -1;
     std::uint32_t tool_ = 0;
     std::set<std::uint32_t> retracted_; // tools
