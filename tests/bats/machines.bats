@@ -19,7 +19,7 @@ setup() {
     expect 2 filum machines --new other.toml
     expect 2 filum machines --new other.toml --from nosuch
     expect 2 filum machines --chek mine.toml
-    sed 's/^G28$/M109 S210/; s/^nozzle = .*//; s/^retract = .*/retract = 0/' mine.toml > hot.toml
+    sed 's/^G28$/M109 S210/; s/^nozzle = .*//; s/^section = .*//; s/^retract = .*/retract = 0/' mine.toml > hot.toml
     run filum machines --check hot.toml
     [[ $status == 1 && $output == *"M109 heats, and the material is cold"* && $output == *"extrusion.nozzle is missing"* &&
         $output == *"homes nothing"* ]]

@@ -70,6 +70,45 @@ run_page() {
 
 @test "paste and filament" { run_page "$source_tree/docs/paste-and-filament.md" 8; }
 
+# first_print NAME: a folder of its own for the page of that printer.
+first_print() {
+    mkdir -p "first-$1"
+    cd "first-$1" || return 1
+    cp ../part.stl part.stl
+    cp ../part.stl other.stl
+}
+
+@test "the first print from PrusaSlicer" {
+    first_print prusa
+    cp "$source_tree/tests/presets/plain-marlin.ini" config.ini
+    "$source_tree/tests/threemf/sliced-project" prusa project.3mf config.ini
+    run_page "$source_tree/docs/first-print-prusa.md" 9
+    grep -q '^G1 Z3 F600' project.gcode # the start of the printer
+    grep -q 'on the bed x 40.2 to 55.8, y 30.2 to 45.8' project.gcode
+    [ "$(head -c 4 project.bgcode)" = GCDE ]
+}
+
+@test "the first print from Bambu Studio" {
+    first_print bambu
+    orca=$source_tree/tests/presets/orca
+    "$source_tree/tests/threemf/sliced-project" bambu project.3mf "$orca/machine/bambu-like.json" "$orca/process/fast.json" "$orca/filament/warm.json"
+    run_page "$source_tree/docs/first-print-bambu.md" 6
+    grep -q '^M971 S11' project.gcode
+    python3 -m zipfile -l project.gcode.3mf | grep -q plate_1.gcode
+}
+
+@test "the first print with Klipper" {
+    first_print klipper
+    for kind in machine process filament; do cp -r "$source_tree/tests/presets/orca/$kind" .; done
+    cp machine/heats-by-macro.json machine.json
+    cp process/fast.json process.json
+    cp filament/warm.json filament.json
+    export FILUM_PRESETS=$PWD # with what they inherit
+    run_page "$source_tree/docs/first-print-klipper.md" 10
+    grep -q '^EXCLUDE_OBJECT_DEFINE' two.gcode
+    run ! grep -qE '^M1(04|09|40|90) S[1-9]' <(sed '/^;LAYER:1$/,$d' part.gcode) # the macro heats
+}
+
 @test "fibre" { run_page "$source_tree/docs/fibre.md" 8; }
 
 @test "stage authors: python first, then the pipes" {

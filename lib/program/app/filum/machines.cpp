@@ -6,6 +6,7 @@
 #include "stream/sink.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace filum::app::filum {
@@ -66,7 +67,7 @@ void add_heat(const Profile& p, std::vector<std::string>& out) {
 }
 
 void add_sizes(const Profile& p, const std::string& text, std::vector<std::string>& out) {
-    if (p.extrusion.nozzle == 0)
+    if (p.extrusion.nozzle == 0 && !std::isfinite(p.limits.section))
         out.push_back("extrusion.nozzle is missing, so no bead is refused as too wide for it: add nozzle = 0.4 under "
                       "[extrusion]");
     const double most = 4 * p.extrusion.nozzle * p.extrusion.nozzle;
