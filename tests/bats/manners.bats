@@ -107,6 +107,17 @@ assert got == subprocess.run(["regions", "part.layers"], check=True, stdout=subp
 END
 }
 
+@test "a file beyond the limit of ulimit -f is an error like a full disk" {
+    slice part.stl --layer-height 0.05 -o whole.layers
+    [[ $(stat -c %s whole.layers) -gt 2048 ]]
+    for command in 'slice part.stl --layer-height 0.05 -o out.layers' 'filum print part.stl --quiet -o out.gcode'; do
+        run -5 bash -c "ulimit -f 1; $command"
+        [[ $output == *'File too large'* ]]
+        left=$(find . -name 'out.*')
+        [[ -z $left ]]
+    done
+}
+
 @test "a full disk under --keep leaves no program" {
     mkdir kept
     mkdir kept/1-slice.layers # no stream can take this name

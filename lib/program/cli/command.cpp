@@ -233,6 +233,7 @@ void refuse_input_as_output(const Io& io) {
 int guarded(const std::string& program, const std::function<int()>& work) {
     open_standard_files();
     std::signal(SIGPIPE, SIG_DFL); // the program ends silently when its reader closes the pipe
+    std::signal(SIGXFSZ, SIG_IGN); // writing beyond the limit of `ulimit -f` is an error like a full disk
     try {
         return work();
     } catch (const Error& e) {
