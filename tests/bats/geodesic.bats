@@ -106,6 +106,14 @@ print(max(abs(d - abs(x - 3.4)) for x, d in zip(p["x"], p["distance"])))
     expect 2 geodesic grid.off --source vertex:0 --method guess
 }
 
+@test "several planes cut one after the other" {
+    geodesic square.off --cut 1,0,0,8 --cut 0,1,0,5 > two
+    facts two | grep -qx 'area 40 mm2'
+    geodesic square.off --cut 1,0,0,8 | geodesic --cut 0,1,0,5 > chain
+    [ "$(facts two | grep area)" = "$(facts chain | grep area)" ]
+    expect 2 geodesic square.off --cut 1,0,0 --cut 0,1,0,5
+}
+
 @test "cut, then remeshed, then measured" {
     geodesic square.off --cut 1,0,0,8 --remesh 0.5 --source boundary > s
     facts s | grep -qx 'area 80 mm2'

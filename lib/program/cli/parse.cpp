@@ -45,7 +45,8 @@ std::vector<double> number_list(const Option& o, const std::string& text) {
         out.push_back(number(o, text.substr(at, comma - at)));
         at = comma + 1;
     }
-    if (o.count != 0 && out.size() != o.count)
+    const bool fits = out.size() == o.count || (o.several && out.size() % o.count == 0);
+    if (o.count != 0 && !fits)
         misused("cannot use '" + text + "' for --" + o.name + ": it takes " + std::to_string(o.count) +
                 " numbers with commas between");
     return out;
@@ -81,6 +82,20 @@ void store(const Option& o, const std::string& text) {
 void bind(CLI::App& app, const Option& o) {
     if (auto* const* flag = std::get_if<bool*>(&o.target)) {
         app.add_flag("--" + o.name, **flag, o.help);
+        return;
+    }
+    if (o.several) {
+        const auto all = [o](const std::vector<std::string>& texts) {
+            std::string list;
+            for (const std::string& text : texts) {
+                number_list(o, text); // refuses a use with too few numbers
+                list += (list.empty() ? "" : ",") + text;
+            }
+            store(o, list);
+        };
+        app.add_option_function<std::vector<std::string>>("--" + o.name, all, o.help)
+            ->allow_extra_args(false)
+            ->take_all();
         return;
     }
     auto* const option = app.add_option_function<std::string>(

@@ -38,6 +38,7 @@ struct Option {
     bool zero = false;                     // 0 is allowed, although it is below min
     std::vector<std::string> choices = {}; // the values allowed: of texts, or of enums in their order
     std::size_t count = 0;                 // for lists: the exact number of numbers, 0 for any
+    bool several = false;                  // for lists: every use of the option adds as many numbers
     bool setting = true;                   // false for files and other values that do not belong into the history
     std::string needs = "";                // the conditions on other options under which it has an effect: see when()
     std::vector<std::string> same = {};    // settings of earlier stages, PROGRAM.NAME, that should have the same value
@@ -77,6 +78,11 @@ struct Option {
     }
     Option& numbers(std::size_t n) {
         count = n;
+        return *this;
+    }
+    // The option may be given several times, and each time adds numbers to the list.
+    Option& repeated() {
+        several = true;
         return *this;
     }
     Option& not_a_setting() {

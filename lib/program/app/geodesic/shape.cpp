@@ -39,24 +39,27 @@ surface::Surface remeshed(const surface::Surface& s, const Shaping& how, Notes& 
 } // namespace
 
 std::vector<Option> options(Shaping& to) {
-    return {Option{"flip", &to.flip, "", "turns the surface round, so that its back becomes its front"},
-            Option{"cut", &to.cut, "NX,NY,NZ,D", "keeps the side where NX x + NY y + NZ z <= D"}.numbers(4).within(-1e7,
-                                                                                                                   1e7),
-            Option{"cut-mesh", &to.cut_mesh, "FILE", "cuts by a closed mesh; all kinds of files of the input"}
-                .not_a_setting(),
-            Option{"keep", &to.keep, "", "the side of --cut-mesh that remains"}
-                .one_of({"outside", "inside"})
-                .when("cut-mesh"),
-            Option{"remesh", &to.remesh, "MM|auto",
-                   "makes all sides about this long and keeps rims and sharp edges; auto: by bends; 0: off"},
-            Option{"longest", &to.longest, "MM",
-                   "longest side where the surface is flat: the distance between paths, or half of it"}
-                .within(0.001, 1e6)
-                .when("remesh=auto"),
-            Option{"tolerance", &to.tolerance, "MM", "largest distance of the new surface from the given one"}
-                .within(1e-4, 1000)
-                .when("remesh=auto")
-                .a_limit()};
+    return {
+        Option{"flip", &to.flip, "", "turns the surface round, so that its back becomes its front"},
+        Option{"cut", &to.cut, "NX,NY,NZ,D", "keeps the side where NX x + NY y + NZ z <= D; may be given several times"}
+            .numbers(4)
+            .repeated()
+            .within(-1e7, 1e7),
+        Option{"cut-mesh", &to.cut_mesh, "FILE", "cuts by a closed mesh; all kinds of files of the input"}
+            .not_a_setting(),
+        Option{"keep", &to.keep, "", "the side of --cut-mesh that remains"}
+            .one_of({"outside", "inside"})
+            .when("cut-mesh"),
+        Option{"remesh", &to.remesh, "MM|auto",
+               "makes all sides about this long and keeps rims and sharp edges; auto: by bends; 0: off"},
+        Option{"longest", &to.longest, "MM",
+               "longest side where the surface is flat: the distance between paths, or half of it"}
+            .within(0.001, 1e6)
+            .when("remesh=auto"),
+        Option{"tolerance", &to.tolerance, "MM", "largest distance of the new surface from the given one"}
+            .within(1e-4, 1000)
+            .when("remesh=auto")
+            .a_limit()};
 }
 
 Facts shape(Model& model, const Shaping& how, const mesh::Placement& place, cli::Io& self) {
@@ -66,8 +69,10 @@ Facts shape(Model& model, const Shaping& how, const mesh::Placement& place, cli:
     surface::Sheet& sheet = model.sheet;
     if (how.flip) sheet.surface = surface::flipped(sheet.surface);
     surface::Surface now = sheet.surface;
-    if (const auto& c = how.cut; !c.empty())
+    for (std::size_t i = 0; i + 3 < how.cut.size(); i += 4) {
+        const double* c = &how.cut[i];
         now = surface::cut(now, surface::Plane{{c[0], c[1], c[2]}, c[3]}, model.notes);
+    }
     if (!how.cut_mesh.empty()) {
         const mesh::Mesh solid = read_mesh(how.cut_mesh, "cut_mesh_crc32c", place, self, model.notes);
         now = surface::cut(now, solid, how.keep == Keep::inside, model.notes);

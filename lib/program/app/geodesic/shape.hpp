@@ -8,7 +8,7 @@ namespace filum::app::geodesic {
 enum class Keep : std::uint8_t { outside, inside };
 
 struct Shaping {
-    std::vector<double> cut;   // nx, ny, nz, d: keep the side n x <= d of this plane; empty: no cut
+    std::vector<double> cut;   // nx, ny, nz, d per plane: keep the side n x <= d of each; empty: no cut
     std::string cut_mesh;      // file of a closed mesh, in mm, that cuts the surface; "": no cut
     Keep keep = Keep::outside; // side of cut_mesh that remains
     std::string remesh = "0";  // mm: side length of triangles; "0": no remeshing; "auto": by surface::fit
