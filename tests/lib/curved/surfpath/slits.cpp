@@ -1,4 +1,4 @@
-// Seams of surfaces without a rim, and the rings beside them.
+// Slits of surfaces without a rim, and the rings beside them.
 #include "surfpath/slits.hpp"
 
 #include "surfpath/seed_side.hpp"
@@ -91,7 +91,7 @@ double opened(const Notes& notes) {
     return out;
 }
 
-TEST(Seams, OfABallLeadHalfRoundIt) {
+TEST(Slits, OfABallLeadHalfRoundIt) {
     Notes notes;
     const auto lines = source_lines(slits(closed_sheet(ball(10)), notes));
     ASSERT_EQ(lines.size(), 1U);
@@ -100,22 +100,22 @@ TEST(Seams, OfABallLeadHalfRoundIt) {
     EXPECT_NEAR(opened(notes), surface::curve::length(lines[0]), 1e-6);
 }
 
-TEST(Seams, OfATorusGoRoundItTheShortWayAndDoNotDivideIt) {
+TEST(Slits, OfATorusGoRoundItTheShortWayAndDoNotDivideIt) {
     for (const auto& [large, small] : {std::pair{20.0, 5.0}, std::pair{12.0, 9.0}}) {
         Notes notes;
         const auto sheet = closed_sheet(torus(large, small));
-        const auto seam = slits(sheet, notes);
-        const auto lines = source_lines(seam);
+        const auto slit = slits(sheet, notes);
+        const auto lines = source_lines(slit);
         ASSERT_EQ(lines.size(), 1U);
         EXPECT_TRUE(lines[0].closed);
         EXPECT_NEAR(surface::curve::length(lines[0]), 2 * pi * std::min(small, large - small),
                     0.05 * 2 * pi * std::min(small, large - small));
-        EXPECT_EQ(seed_sides(sheet.surface, seam).count, 1U);
+        EXPECT_EQ(seed_sides(sheet.surface, slit).count, 1U);
     }
 }
 
 // Only what has neither a rim nor a source needs one.
-TEST(Seams, AreOnlyWhereNothingElseSaysWhereLinesBegin) {
+TEST(Slits, AreOnlyWhereNothingElseSaysWhereLinesBegin) {
     auto mesh = torus(20, 5);
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (const Vec3 p : {Vec3{100, 0, 0}, Vec3{110, 0, 0}, Vec3{100, 10, 0}}) mesh.vertices.push_back(p);
