@@ -1,4 +1,4 @@
-// Private to lib/machine: reads how a machine feeds its material: [extrusion], [limits] and [travel] of a profile.
+// Private to lib/motion/machine: reads how a machine feeds its material: [extrusion], [limits] and [travel] of a profile.
 #pragma once
 
 #include "machine/profile.hpp"

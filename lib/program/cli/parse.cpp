@@ -45,7 +45,7 @@ std::vector<double> number_list(const Option& o, const std::string& text) {
         out.push_back(number(o, text.substr(at, comma - at)));
         at = comma + 1;
     }
-    const bool fits = out.size() == o.count || (o.several && out.size() % o.count == 0);
+    const bool fits = out.size() == o.count || (o.repeats && out.size() % o.count == 0);
     if (o.count != 0 && !fits)
         misused("cannot use '" + text + "' for --" + o.name + ": it takes " + std::to_string(o.count) +
                 " numbers with commas between");
@@ -84,12 +84,13 @@ void bind(CLI::App& app, const Option& o) {
         app.add_flag("--" + o.name, **flag, o.help);
         return;
     }
-    if (o.several) {
-        const auto all = [o](const std::vector<std::string>& texts) {
+    if (o.repeats) {
+        const bool numbers = std::holds_alternative<std::vector<double>*>(o.target);
+        const auto all = [o, numbers](const std::vector<std::string>& texts) {
             std::string list;
             for (const std::string& text : texts) {
-                number_list(o, text); // refuses a use with too few numbers
-                list += (list.empty() ? "" : ",") + text;
+                if (numbers) number_list(o, text); // refuses a use with too few numbers
+                list += (list.empty() ? "" : numbers ? "," : ";") + text;
             }
             store(o, list);
         };
@@ -98,12 +99,9 @@ void bind(CLI::App& app, const Option& o) {
             ->take_all();
         return;
     }
-    auto* const option = app.add_option_function<std::string>(
-        "--" + o.name, [o](const std::string& text) { store(o, text); }, o.help);
-    if (o.repeats)
-        option->join(';');
-    else
-        option->take_last();
+    app.add_option_function<std::string>(
+           "--" + o.name, [o](const std::string& text) { store(o, text); }, o.help)
+        ->take_last();
 }
 
 // The document that the argument `verb` asks for, or "". --print-... is for the build and the tests, and counts only as

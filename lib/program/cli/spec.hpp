@@ -38,11 +38,10 @@ struct Option {
     bool zero = false;                     // 0 is allowed, although it is below min
     std::vector<std::string> choices = {}; // the values allowed: of texts, or of enums in their order
     std::size_t count = 0;                 // for lists: the exact number of numbers, 0 for any
-    bool several = false;                  // for lists: every use of the option adds as many numbers
     bool setting = true;                   // false for files and other values that do not belong into the history
     std::string needs = "";                // the conditions on other options under which it has an effect: see when()
     std::vector<std::string> same = {};    // settings of earlier stages, PROGRAM.NAME, that should have the same value
-    bool repeats = false;                  // of a text: given several times, all values count, with ';' between
+    bool repeats = false;                  // given several times, all values count: see repeated()
     bool limit = false;                    // a limit: it may rightly change nothing, if the input does not reach it
 
     Option& at_least(double v) {
@@ -80,11 +79,6 @@ struct Option {
         count = n;
         return *this;
     }
-    // The option may be given several times, and each time adds numbers to the list.
-    Option& repeated() {
-        several = true;
-        return *this;
-    }
     Option& not_a_setting() {
         setting = false;
         return *this;
@@ -103,6 +97,7 @@ struct Option {
         same = std::move(settings);
         return *this;
     }
+    // All uses of the option count. A list gets the numbers of each; a text gets the texts, with ';' between.
     Option& repeated() {
         repeats = true;
         return *this;
