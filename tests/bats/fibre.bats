@@ -30,7 +30,7 @@ setup_file() {
 
 setup() {
     cd "$BATS_FILE_TMPDIR"
-    export FILUM_PROFILES=$BATS_TEST_DIRNAME/../../lib/machine/profiles
+    export FILUM_PROFILES=$BATS_TEST_DIRNAME/../../lib/motion/machine/profiles
 }
 
 @test "every cut of a job of plastic and fibre comes where the tail needs it, on every kind of machine" {

@@ -8,7 +8,7 @@ plan() { "$BATS_TEST_DIRNAME/../klipper/plan.py" "$@"; }
 setup() {
     [ -n "${FILUM_KLIPPER:-}" ] || skip "FILUM_KLIPPER names no checkout of Klipper"
     [ -z "${FILUM_SANITIZED:-}" ] || skip "the same programs as without sanitizers"
-    export FILUM_PROFILES=$BATS_TEST_DIRNAME/../../lib/machine/profiles
+    export FILUM_PROFILES=$BATS_TEST_DIRNAME/../../lib/motion/machine/profiles
     cd "$BATS_TEST_TMPDIR"
 }
 

@@ -102,7 +102,7 @@ figure() { awk -F '\t' -v key="$1" '$1 == key { print $2 }' dome.tsv; }
 }
 
 @test "turns outside are for machines that allow them" {
-    sed 's/^\[limits\].*/[limits]\nturn_outside = 2/' "$FILUM_SOURCE/lib/machine/profiles/linuxcnc-xyzac.toml" > ./mine.toml
+    sed 's/^\[limits\].*/[limits]\nturn_outside = 2/' "$FILUM_SOURCE/lib/motion/machine/profiles/linuxcnc-xyzac.toml" > ./mine.toml
     grep -q turn_outside mine.toml || printf '[limits]\nturn_outside = 2\n' >> mine.toml
     laminate --quiet --plies 0,90 --spacing 1 --min-radius 0.5 --turn-outside 3 --trim-list trims.tsv dome.surface -o out.toolpath
     [ "$(head -1 trims.tsv)" = "$(printf 'ply\tstroke\talong\tx\ty\tz')" ]

@@ -7,7 +7,7 @@ setup() { cd "$BATS_TEST_TMPDIR" || return; }
 
 @test "every code of the table is used" {
     local code
-    sed -nE 's/^NOTE\((\w+),.*/\1/p' "$FILUM_SOURCE/lib/base/notes.def" > codes
+    sed -nE 's/^NOTE\((\w+),.*/\1/p' "$FILUM_SOURCE/lib/foundation/base/notes.def" > codes
     [[ -s codes ]]
     cat "$FILUM_SOURCE"/cmds/*.cpp $(find "$FILUM_SOURCE/lib" -name '*.?pp' -not -path '*/base/*') > all
     while read -r code; do

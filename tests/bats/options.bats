@@ -60,7 +60,7 @@ make_more_inputs() {
     printf 'angle side\n30 over\n30 under\n' > plies.txt
     printf '9 0 0\n0 9 0\n-9 0 0\n0 -9 0\n' > diamond.txt
     printf 'angle within\n0 diamond.txt\n0 diamond.txt\n' > steps.txt
-    sed 's/^\[limits\].*/[limits]\nturn_outside = 1/' "$FILUM_SOURCE/lib/machine/profiles/linuxcnc-xyzac.toml" > tight.toml
+    sed 's/^\[limits\].*/[limits]\nturn_outside = 1/' "$FILUM_SOURCE/lib/motion/machine/profiles/linuxcnc-xyzac.toml" > tight.toml
 }
 
 # without_triangles N: an OFF file without its last ones.

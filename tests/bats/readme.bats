@@ -6,7 +6,7 @@ load common
 
 setup_file() {
     source_tree=$(cd "$BATS_TEST_DIRNAME/../.." && pwd)
-    export source_tree PROFILES=$source_tree/lib/machine/profiles PYTHONDONTWRITEBYTECODE=1
+    export source_tree PROFILES=$source_tree/lib/motion/machine/profiles PYTHONDONTWRITEBYTECODE=1
     cd "$BATS_FILE_TMPDIR" || exit 1
     for link in scripts examples python cmake; do ln -s "$source_tree/$link" $link; done
     ln -s "$FILUM_BUILD" build

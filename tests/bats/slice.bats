@@ -179,7 +179,7 @@ refuses() {
     run --separate-stderr -0 slice --unit m --layer-height 100 cube.obj -o a
     case "$stderr" in *"10000 mm long, more than most machines can print; give --unit"*) ;; *) echo "$stderr"; false ;; esac
     refuses 3 "it is 254 x 254 x 254 mm, and the machine reaches 220 x 220 x 250 mm" --unit in --machine marlin cube.obj
-    sed 's/^x = \[0, 220\]/x = [0, 300]/' "$BATS_TEST_DIRNAME/../../lib/machine/profiles/marlin.toml" > ./wide.toml
+    sed 's/^x = \[0, 220\]/x = [0, 300]/' "$BATS_TEST_DIRNAME/../../lib/motion/machine/profiles/marlin.toml" > ./wide.toml
     refuses 3 "turn it by --rotate 0,0,90" --scale 2,25,1 --machine ./wide.toml cube.obj
     run -0 slice --scale 25,2,1 --machine ./wide.toml cube.obj -o a
     refuses 2 "marlyn" --machine marlyn cube.obj

@@ -5,7 +5,7 @@ load common
 
 setup() {
     bracket=$BATS_TEST_DIRNAME/../../examples/bracket/bracket.step
-    loose=$BATS_TEST_DIRNAME/../lib/mesh/step/loose.step
+    loose=$BATS_TEST_DIRNAME/../lib/shapes/mesh/step/loose.step
     cd "$BATS_TEST_TMPDIR"
 }
 

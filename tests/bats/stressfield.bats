@@ -108,7 +108,7 @@ for y in range(11):
 }
 
 @test "CalculiX results: good ones, and what is wrong with bad ones" {
-    frd=$FILUM_SOURCE/tests/lib/stressfield/elements.frd
+    frd=$FILUM_SOURCE/tests/lib/curved/stressfield/elements.frd
     printf 'OFF\n3 1 0\n1.2 1.7 2.9  1.21 1.7 2.9  1.2 1.71 2.9\n3 0 1 2\n' > speck.off
     geodesic speck.off > s
     expect 0 stressfield --quiet --stress "$frd" --case X s --output t
@@ -242,7 +242,7 @@ EOF
     done
     expect 2 stressfield --stress stress.csv --step 1 s
     complaint stressfield
-    expect 2 stressfield --stress "$FILUM_SOURCE/tests/lib/stressfield/elements.frd" --columns x,y,z s
+    expect 2 stressfield --stress "$FILUM_SOURCE/tests/lib/curved/stressfield/elements.frd" --columns x,y,z s
     complaint stressfield
 }
 

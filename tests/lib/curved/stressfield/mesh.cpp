@@ -106,7 +106,7 @@ TEST(Mesh, AFaceThatTwoElementsShareIsNotOfTheSkin) {
 // Of CalculiX 2.20, one element of every kind, 10 mm apart, that bends: its shear stress is y MPa, exactly so in the
 // elements with nodes on their edges, and 1.5 MPa in the middle of the others; 2 MPa pull along z.
 TEST(Mesh, ElementsOfCalculix) {
-    const auto bytes = mesh::load(FILUM_EXAMPLES "/../tests/lib/stressfield/elements.frd");
+    const auto bytes = mesh::load(FILUM_EXAMPLES "/../tests/lib/curved/stressfield/elements.frd");
     Notes notes;
     const Samples samples = read(bytes.view(), "it", {}, notes);
     ASSERT_EQ(samples.elements.size(), 6U);
