@@ -5,7 +5,11 @@
 #include "render/hidden.hpp"
 #include "render/simplify.hpp"
 
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include <algorithm>
 #include <cstring>
@@ -238,10 +242,17 @@ std::array<Hit, 4> Tubes::shoot(Vec3 from, const std::array<Vec3, 4>& direction)
         rh.ray.mask[k] = r.mask;
         rh.hit.geomID[k] = rh.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
     }
+#if RTC_VERSION_MAJOR >= 4
+    RTCIntersectArguments how;
+    rtcInitIntersectArguments(&how);
+    how.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcIntersect4(all, state_->scene, &rh, &how);
+#else
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect4(all, state_->scene, &context, &rh);
+#endif
     std::array<Hit, 4> out;
     for (std::size_t k = 0; k < 4; ++k) {
         if (rh.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) continue;
@@ -257,9 +268,13 @@ std::array<Hit, 4> Tubes::shoot(Vec3 from, const std::array<Vec3, 4>& direction)
 
 bool Tubes::blocked(Vec3 from, Vec3 direction, float reach) const {
     RTCRay r = state_->ray(from, direction, reach);
+#if RTC_VERSION_MAJOR >= 4
+    rtcOccluded1(state_->scene, &r);
+#else
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcOccluded1(state_->scene, &context, &r);
+#endif
     return r.tfar < 0;
 }
 
