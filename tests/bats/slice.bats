@@ -218,3 +218,25 @@ refuses() {
     printf '; by hand\nsolid a\nfacet normal 0 0 1\n' > a.stl
     refuses 3 "it is an ASCII STL with 1 line before 'solid'; remove it" a.stl
 }
+
+@test "an outline of 32,000 noisy vertices takes about a second a layer" {
+    python3 - << 'END'
+import math
+import random
+import struct
+
+chance = random.Random(5)
+n = 32000
+ring = [(r * math.cos(2 * math.pi * k / n), r * math.sin(2 * math.pi * k / n))
+        for k in range(n) for r in [30 + chance.uniform(-0.05, 0.05)]]
+with open("noisy.stl", "wb") as f:
+    f.write(bytes(80) + struct.pack("<I", 4 * n))
+    for (ax, ay), (bx, by) in zip(ring, ring[1:] + ring[:1]):
+        for t in ((0, 0, 0, bx, by, 0, ax, ay, 0), (0, 0, 0.2, ax, ay, 0.2, bx, by, 0.2),
+                  (ax, ay, 0, bx, by, 0, bx, by, 0.2), (ax, ay, 0, bx, by, 0.2, ax, ay, 0.2)):
+            f.write(struct.pack("<12x9fH", *t, 0))
+END
+    slice noisy.stl --quiet -o noisy.layers
+    bash -c 'ulimit -t 3; regions --quiet noisy.layers -o noisy.regions' # 4 s when patches were united at once
+    [[ $(peek --text noisy.regions | grep -c '^region') -ge 1 ]]
+}

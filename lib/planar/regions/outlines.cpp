@@ -113,7 +113,10 @@ void close_gaps(Loops& loops, double tolerance, double hairline, Notes& notes) {
     const Loops patches = bridges(loops, hairline);
     if (patches.empty()) return;
     const double before = polygon::signed_area(loops);
-    Loops closed = without_remnants(polygon::unite(loops, patches), loops, hairline);
+    constexpr std::size_t kMany = 2000; // points of patches; fewer are united with the loops at once
+    const bool many = patches.points.size() > kMany;
+    Loops closed = polygon::unite(loops, many ? polygon::unite_by_halves(patches) : patches);
+    closed = without_remnants(closed, loops, hairline);
     const Vec2 at = geom::lerp(patches[0][0], patches[0][patches[0].size() / 2], 0.5);
     loops = on_grid(polygon::simplify(closed, tolerance));
     notes.push_back(

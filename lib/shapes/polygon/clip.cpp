@@ -44,6 +44,17 @@ cl::PolyFillType fill_type(Fill rule) {
     return rule == Fill::positive ? cl::pftPositive : cl::pftNonZero;
 }
 
+// Strict mode compares all pairs of points of each loop. Up to this many points a loop takes less than 0.1 s.
+constexpr std::size_t kMostStrict = 8000;
+
+// Whether strict mode is worth its time. It moves and splits some loops that touch others, and leaves most: callers
+// must accept loops that touch each other in any case.
+bool strict_is_fast(const Loops& a) {
+    for (std::size_t l = 0; l < a.size(); ++l)
+        if (a[l].size() > kMostStrict) return false;
+    return true;
+}
+
 Loops combine_tile(cl::ClipType kind, std::span<const Loops> in, Fill rule, bool strict) {
     cl::Clipper clipper;
     clipper.AddPaths(to_clipper(in[0]), cl::ptSubject, true);
@@ -53,8 +64,8 @@ Loops combine_tile(cl::ClipType kind, std::span<const Loops> in, Fill rule, bool
     Loops result = from_clipper(out);
     if (!strict || is_simple(result)) return result;
     Loops parted = parted_at_touches(result);
-    if (is_simple(parted)) return parted;
-    clipper.StrictlySimple(true); // different loops touch each other: rare, and quadratic
+    if (is_simple(parted) || !strict_is_fast(result)) return parted;
+    clipper.StrictlySimple(true); // different loops touch each other
     clipper.Execute(kind, out, fill_type(rule), fill_type(rule));
     return from_clipper(out);
 }
@@ -146,7 +157,7 @@ Parts parts_of_simple(const Loops& area, const std::vector<int>& within) {
     return out;
 }
 
-// The parts of any loops. Clipper does what a union does not mend: quadratic, and rare.
+// The parts of any loops. Clipper does what a union does not mend.
 Parts parts_of_any(const Loops& a) {
     cl::PolyTree tree;
     try {
@@ -154,7 +165,7 @@ Parts parts_of_any(const Loops& a) {
         if (const auto within = nesting(parted)) return parts_of_simple(parted, *within);
         if (const auto within = nesting_of_touching(parted)) return parts_of_simple(parted, *within);
         cl::Clipper clipper;
-        clipper.StrictlySimple(true);
+        clipper.StrictlySimple(strict_is_fast(parted));
         clipper.AddPaths(to_clipper(parted), cl::ptSubject, true);
         clipper.Execute(cl::ctUnion, tree, cl::pftNonZero, cl::pftNonZero);
     } catch (const cl::clipperException& e) {
@@ -228,6 +239,13 @@ void keep_far_points(std::span<const Vec2> loop, std::size_t first, std::size_t 
 
 Loops unite(const Loops& a, Fill rule) { return combine(cl::ctUnion, {&a, 1}, rule); }
 Loops unite(const Loops& a, const Loops& b, Fill rule) { return combine(cl::ctUnion, a, b, rule); }
+Loops unite_by_halves(const Loops& a) {
+    constexpr std::size_t kFew = 1000; // points that one union takes in about a millisecond
+    if (a.points.size() <= kFew || a.size() < 2) return unite(a);
+    Loops half[2];
+    for (std::size_t l = 0; l < a.size(); ++l) half[l < a.size() / 2 ? 0 : 1].add(a[l]);
+    return unite(unite_by_halves(half[0]), unite_by_halves(half[1]));
+}
 Loops intersect(const Loops& a, const Loops& b, Fill rule) { return combine(cl::ctIntersection, a, b, rule); }
 Loops intersect_touching(const Loops& a, const Loops& b, Fill rule) {
     return combine(cl::ctIntersection, a, b, rule, false);

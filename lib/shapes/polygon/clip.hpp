@@ -16,6 +16,11 @@ enum class Fill { nonzero, even_odd, positive };
 
 Loops unite(const Loops& a, Fill rule = Fill::nonzero);
 Loops unite(const Loops& a, const Loops& b, Fill rule = Fill::nonzero);
+
+// The same as unite(a) for many loops that overlap their neighbours in the list, up to rounding: halves of the list are
+// united first, so that no union has many loops over each other.
+Loops unite_by_halves(const Loops& a);
+
 Loops intersect(const Loops& a, const Loops& b, Fill rule = Fill::nonzero);
 // The same area as intersect(), faster; its loops may touch themselves in single points.
 Loops intersect_touching(const Loops& a, const Loops& b, Fill rule = Fill::nonzero);

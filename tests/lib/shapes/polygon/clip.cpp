@@ -91,6 +91,23 @@ TEST(Booleans, ResultsAreSimple) {
     }
 }
 
+// Overlapping quadrilaterals along a line, as the patches over the hairlines of a noisy outline.
+TEST(Booleans, HalvesOfAListUniteToTheSameArea) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> coordinate(-0.2, 0.2);
+    for (const int count : {1, 40, 251, 3000}) {
+        Loops patches;
+        for (int k = 0; k < count; ++k) {
+            const Vec2 at{0.03 * k, coordinate(random)};
+            const double x = 0.15 + coordinate(random) / 2, y = 0.15 + coordinate(random) / 2;
+            patches.add(std::vector<Vec2>{at - Vec2{x, 0}, at - Vec2{0, y}, at + Vec2{x, 0}, at + Vec2{0, y}});
+        }
+        const Loops halves = unite_by_halves(patches), once = unite(patches);
+        EXPECT_NEAR(area(halves), area(once), slack(once) + slack(patches)) << count;
+        EXPECT_NEAR(area(subtract(halves, once)) + area(subtract(once, halves)), 0, slack(once) + slack(patches));
+    }
+}
+
 TEST(Offset, OutlinesKeepTheirDistance) {
     for (unsigned seed = 0; seed < 40; ++seed) {
         const Loops a = unite(random_area(seed));
