@@ -35,6 +35,11 @@ sound_only() { [[ -z ${FILUM_SANITIZED:-} ]] || skip "the same programs as witho
     done
 }
 
+@test "the lists of commands that the other tests go through are not empty" {
+    [[ $(stages | wc -l) -ge 20 && $(readers | wc -l) -ge 18 && $(stream_readers | wc -l) -ge 15 ]] ||
+        { stages | wc -l; readers | wc -l; stream_readers | wc -l; false; }
+}
+
 @test "an unknown option ends with 2 and is named" {
     for c in filum $(stages); do
         expect 2 "$c" --no-such-option < /dev/null

@@ -25,7 +25,9 @@ setup() {
         $output == *"homes nothing"* ]]
     echo 'nonsense = 1' >> hot.toml
     expect 3 filum machines --check hot.toml
-    for name in $(filum machines | cut -d ' ' -f 1); do
+    names=$(filum machines | cut -d ' ' -f 1)
+    [[ $(wc -w <<< "$names") -ge 10 ]]
+    for name in $names; do
         run filum machines --check "$name"
         [[ $status -le 1 ]]
     done
