@@ -1,5 +1,8 @@
 #include "infill/cells.hpp"
 
+#include "infill/ruler.hpp"
+#include "infill/strips.hpp"
+#include "infill/waves.hpp"
 #include "polygon/clip.hpp"
 
 #include <algorithm>
@@ -14,11 +17,7 @@ namespace {
 using geom::Vec2;
 using polygon::Pattern;
 
-constexpr double kBeyond = 1;     // mm that cells reach beyond the area
-constexpr double kNearest = 1.25; // bead widths: nearer lines leave no cell between them
-constexpr int kSteps = 32;        // points per wave
-constexpr double kWave = 2.4;     // spacings per wave length, see docs/algorithms/infill.md
-constexpr double kTau = 2 * std::numbers::pi;
+constexpr double kBeyond = 1; // mm that cells reach beyond the area
 
 // The box of the points in a frame with the x axis along `along`.
 geom::Box2 box_along(const Loops& area, Vec2 along) {
@@ -31,47 +30,6 @@ geom::Box2 box_along(const Loops& area, Vec2 along) {
     }
     return box;
 }
-
-// The positions of rows: one every spacing and, if no gap may be wider than o.gap, others between them. The first and
-// last of these keep o.gap / 2 from the rows that continue below and carry them. That distance is at least kNearest
-// beads and at most a third of the spacing. The distance between those two is divided evenly by an odd number.
-//
-// So each spacing has an odd number of steps, and even cells continue in even ones. No two lines are so near that the
-// cell between them would be too narrow.
-class Ruler {
-  public:
-    explicit Ruler(const Lines& o) : spacing_(o.spacing) {
-        const double least = kNearest * o.bead_width, third = o.spacing / 3;
-        at_.push_back(0);
-        if (o.gap > 0 && o.spacing > o.gap + o.bead_width && third >= least) {
-            const double first = std::min(third, std::max(least, o.gap / 2)), rest = o.spacing - 2 * first;
-            const int most = odd_below(rest / least), wanted = odd_above(rest / (o.gap + o.bead_width));
-            const int steps = std::max(1, std::min(most, wanted));
-            for (int k = 0; k <= steps; ++k) at_.push_back(first + rest * k / steps);
-        }
-        at_.push_back(o.spacing);
-        steps_ = static_cast<double>(at_.size() - 1);
-    }
-    // The position of line j, mm.
-    [[nodiscard]] double place(double j) const {
-        const double whole = std::floor(j / steps_);
-        return whole * spacing_ + at_[static_cast<std::size_t>(j - whole * steps_)];
-    }
-    // The inverse of place(), linear between lines.
-    [[nodiscard]] double line(double v) const {
-        const double whole = std::floor(v / spacing_), rest = v - whole * spacing_;
-        const auto next = std::upper_bound(at_.begin() + 1, at_.end() - 1, rest);
-        const auto k = static_cast<double>(next - at_.begin() - 1);
-        return whole * steps_ + k + (rest - *(next - 1)) / (*next - *(next - 1));
-    }
-
-  private:
-    static int odd_above(double x) { return 2 * static_cast<int>(std::ceil((x - 1) / 2)) + 1; }
-    static int odd_below(double x) { return 2 * static_cast<int>(std::floor((x - 1) / 2)) + 1; }
-
-    double spacing_, steps_ = 1;
-    std::vector<double> at_; // positions within one spacing, both ends included
-};
 
 Loops even_rows(const Loops& area, const Lines& o) {
     const Vec2 along{std::cos(o.direction), std::sin(o.direction)}, across = geom::left_of(along);
@@ -87,47 +45,29 @@ Loops even_rows(const Loops& area, const Lines& o) {
     return out;
 }
 
-// The spacing of even lines with no gap wider than o.gap.
-double near_enough(const Lines& o) {
-    if (!(o.gap > 0)) return o.spacing;
-    const double parts = std::ceil(o.spacing / (o.gap + o.bead_width));
-    return o.spacing / (2 * std::floor(parts / 2) + 1); // odd, so that all lines of the plain spacing remain
-}
-
-// The cells where sin x cos y + sin y cos z + sin z cos x, a gyroid, is below 0. They are strips that wind along x if
-// every line of the layer has one y for each x. Else they wind along y: exchanging the axes keeps the form of the
-// equation.
+// Bands between lines 2 k and 2 k + 1 of the waves.
 Loops even_waves(const Loops& area, const Lines& o) {
-    const double scale = kTau / (kWave * near_enough(o)), z = scale * o.z;
-    const bool along_x = std::abs(std::cos(z)) >= std::abs(std::sin(z));
-    const auto flat = box_along(area, {1, 0});
-    const double t0 = scale * ((along_x ? flat.lo.x : flat.lo.y) - kBeyond);
-    const double t1 = scale * ((along_x ? flat.hi.x : flat.hi.y) + kBeyond);
-    const double v0 = scale * (along_x ? flat.lo.y : flat.lo.x), v1 = scale * (along_x ? flat.hi.y : flat.hi.x);
-    // the two branches of the line at t; the gyroid is below zero between them
-    const auto branches = [&](double t) -> Vec2 {
-        const double a = along_x ? std::sin(t) : std::sin(z), b = along_x ? std::cos(z) : std::cos(t);
-        const double c = along_x ? -std::sin(z) * std::cos(t) : -std::sin(t) * std::cos(z);
-        const double middle = std::atan2(b, a), half = std::acos(std::clamp(c / std::hypot(a, b), -1.0, 1.0));
-        return {middle + half, middle + kTau - half};
-    };
-    const auto place = [&](double t, double v) {
-        return along_x ? Vec2{t / scale, v / scale} : Vec2{v / scale, t / scale};
-    };
-    const double step = kTau / kSteps;
-    const auto first = static_cast<std::int64_t>(std::floor(t0 / step)),
-               last = static_cast<std::int64_t>(std::ceil(t1 / step));
+    const bool along_x = Waves::along_x(o);
+    const geom::Box2 box = polygon::bounds(area);
+    const double u0 = (along_x ? box.lo.x : box.lo.y) - kBeyond, u1 = (along_x ? box.hi.x : box.hi.y) + kBeyond;
+    const double v0 = along_x ? box.lo.y : box.lo.x, v1 = along_x ? box.hi.y : box.hi.x;
+    const Waves waves(o, u0, u1);
+    const std::int64_t first = waves.column(u0), last = waves.column(u1) + 1;
+    std::int64_t least = waves.below(first, u0, v0), most = least; // lines that may meet the area
+    for (std::int64_t c = first; c < last; ++c) {
+        least = std::min(least, waves.below(c, waves.knot(c), v0));
+        most = std::max(most, waves.below(c, waves.knot(c), v1));
+    }
     Loops out;
-    for (double k = std::floor(v0 / kTau) - 2; k * kTau < v1 + kTau; ++k) {
-        for (std::int64_t i = first; i <= last; ++i) {
-            const double t = static_cast<double>(i) * step;
-            out.points.push_back(place(t, branches(t).x + k * kTau));
-        }
-        for (std::int64_t i = last; i >= first; --i) {
-            const double t = static_cast<double>(i) * step;
-            out.points.push_back(place(t, branches(t).y + k * kTau));
-        }
-        if (!along_x) std::reverse(out.points.end() - 2 * (last - first + 1), out.points.end());
+    for (std::int64_t j = least - (least % 2 == 0 ? 0 : 1) - 2; j <= most + 2; j += 2) {
+        const std::size_t begin = out.points.size();
+        const auto add = [&](std::int64_t i, std::int64_t line) {
+            const double u = waves.knot(i), v = waves.at(std::min(i, last - 1), u, line);
+            out.points.push_back(along_x ? Vec2{u, v} : Vec2{v, u});
+        };
+        for (std::int64_t i = first; i <= last; ++i) add(i, j);
+        for (std::int64_t i = last; i >= first; --i) add(i, j + 1);
+        if (!along_x) std::reverse(out.points.begin() + static_cast<std::ptrdiff_t>(begin), out.points.end());
         out.close();
     }
     return out;
@@ -150,12 +90,6 @@ Loops even_bands(const Lines& o) {
     }
 }
 
-// The length of the parts of 0 .. u whose floor is even; negative for negative u.
-double even_part(double u) {
-    const double n = std::floor(u / 2);
-    return n + std::min(u - 2 * n, 1.0);
-}
-
 double even_length_rows(const Loops& area, const Lines& o) {
     const Vec2 along{std::cos(o.direction), std::sin(o.direction)}, across = geom::left_of(along);
     const Ruler ruler(o);
@@ -168,7 +102,7 @@ double even_length_rows(const Loops& area, const Lines& o) {
             const double sign = v > u ? 1 : -1;
             for (double k = std::ceil(std::min(u, v)); k < std::max(u, v); ++k) // line k enters or leaves here
                 out += sign * dot(geom::lerp(p, q, (ruler.place(k) - a) / (b - a)), along);
-            const double even = v != u ? (even_part(v) - even_part(u)) / (v - u)
+            const double even = a != b ? (ruler.even(b) - ruler.even(a)) / (b - a)
                                        : (static_cast<std::int64_t>(std::floor(u)) % 2 == 0 ? 1 : 0);
             out += even * geom::distance(p, q);
         }
@@ -184,11 +118,19 @@ Loops even_cells(const Loops& area, const Lines& o) {
     return o.pattern == Pattern::concentric ? even_bands(o) : even_rows(area, o);
 }
 
+Loops cells_in(const Loops& area, const Lines& o) {
+    if (o.pattern != Pattern::concentric)
+        if (auto cells = in_even_cells(area, o)) return std::move(*cells);
+    return polygon::intersect(area, even_cells(area, o));
+}
+
 double even_length(const Loops& area, const Lines& o) {
     if (o.pattern == Pattern::rows) return even_length_rows(area, o);
     const double endless = polygon::signed_area(area) / near_enough(o);
-    // on average, waves follow half of the outline
-    return o.pattern == Pattern::wave ? endless + length(area) / 2 : endless;
+    if (o.pattern == Pattern::concentric) return endless;
+    const double spacing = near_enough(o),
+                 followed = even_width(o, spacing) / (2 * spacing); // of the outline, on average
+    return endless + followed * length(area);
 }
 
 } // namespace filum::infill

@@ -3,12 +3,12 @@
 #include "infill/cells.hpp"
 #include "infill/corridors.hpp"
 #include "infill/links.hpp"
+#include "infill/opening.hpp"
 #include "parallel/parallel.hpp"
 #include "polygon/clip.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace filum::infill {
 
@@ -19,10 +19,15 @@ using polygon::Pattern;
 constexpr double kWidest = 64; // spacings of endless lines: the widest that is tried
 constexpr double kSame = 1e-3; // relative precision of the spacing
 constexpr double kNear = 5e-3; // the same, if areas are filled to find it: a quarter of the 2 % tolerance of the share
-constexpr std::size_t kTried = 48; // areas, at least, that are filled to measure how much corners take
+constexpr std::size_t kTried = 48; // areas, at least, that are filled to measure how much corners take,
+constexpr std::size_t kLeast = 9;  // or fewer, but as many as this,
+constexpr double kEnough = 1e5;    // where they have this many mm of lines together: corners take little of large areas
 constexpr int kRounds = 2;         // of filling
 constexpr double kAround = 1.25;   // concentric lines, which come and go whole: the spacing is sought by filling,
                                    // within this factor
+// Share: below it, the lines of an area can be counted, and one more or less matters. The spacing is sought by filling,
+// within a factor of kFarther, at spacings that grow by kTrial.
+constexpr double kFew = 0.08, kFarther = 3, kTrial = 1.03;
 
 // The area where loops may run.
 Loops inner(const Loops& area, double bead_width) { return polygon::offset(area, -bead_width / 2, polygon::kBeadArc); }
@@ -40,30 +45,81 @@ Loops linked(const Loops& cells, const Loops& room, double w) {
     return with_links(polygon::opened(wide, w / 2, polygon::kBeadArc), room, w);
 }
 
-// A sample of the areas, filled to measure the length of their loops.
-struct Sample {
-    std::span<const Task> tasks;
-    std::vector<std::size_t> of;
+// The loops in `room`, where they may run.
+Loops loops_in(const Loops& room, const Loops& area, const Lines& o) {
+    if (o.spacing >= kHollow || room.empty()) return {};
+    const Loops cells = cells_in(room, drawn_in(area, o));
+    return o.pattern == Pattern::concentric ? linked(cells, room, o.bead_width) : opened_cells(cells, o.bead_width / 2);
+}
 
-    explicit Sample(std::span<const Task> all) : tasks(all) {
-        const std::size_t stride = std::max<std::size_t>(1, all.size() / kTried);
-        for (std::size_t i = stride / 2; i < all.size(); i += stride) of.push_back(i);
+// True if two areas have the same loops.
+bool alike(const Task& a, const Task& b) {
+    const bool waves = a.lines.pattern == Pattern::wave, circles = a.lines.pattern == Pattern::concentric;
+    return a.lines.pattern == b.lines.pattern && a.lines.direction == b.lines.direction &&
+           (!waves || a.lines.z == b.lines.z) && a.area->start == b.area->start && a.area->points == b.area->points &&
+           (!circles || a.lines.rim == b.lines.rim ||
+            (a.lines.rim != nullptr && b.lines.rim != nullptr && a.lines.rim->points == b.lines.rim->points));
+}
+
+// A sample of the areas, filled to measure the length of their loops.
+class Sample {
+  public:
+    // `spacing`: about the spacing of the lines, mm.
+    Sample(std::span<const Task> all, double spacing) {
+        double lines = 0;
+        for (const Task& t : all) lines += polygon::signed_area(*t.area) / spacing;
+        const double enough = kEnough * static_cast<double>(all.size()) / std::max(lines, 1.0);
+        const auto tried =
+            static_cast<std::size_t>(std::clamp(enough, static_cast<double>(kLeast), static_cast<double>(kTried)));
+        const std::size_t apart = std::max<std::size_t>(1, all.size() / tried);
+        const std::size_t stride = apart - (apart % 2 == 0 ? 1 : 0); // odd, as directions alternate
+        for (std::size_t i = stride / 2; i < all.size(); i += stride) add(all[i]);
+        rooms_.resize(task_.size());
+        parallel::for_chunks(task_.size(), 1, 0, [&](std::size_t k, std::size_t) {
+            rooms_[k] = inner(*task_[k].area, task_[k].lines.bead_width);
+        });
     }
     [[nodiscard]] double area() const {
-        double sum = 0;
-        for (const std::size_t i : of) sum += polygon::signed_area(*tasks[i].area);
-        return sum;
+        return sum([&](std::size_t k) { return polygon::signed_area(*task_[k].area); });
     }
     // mm of loops at this spacing
     [[nodiscard]] double laid(double spacing) const {
-        std::vector<double> each(of.size());
-        parallel::for_chunks(of.size(), 1, 0, [&](std::size_t k, std::size_t) {
-            Lines lines = tasks[of[k]].lines;
-            lines.spacing = spacing;
-            each[k] = length(loops(*tasks[of[k]].area, lines));
+        std::vector<double> each(task_.size());
+        parallel::for_chunks(task_.size(), 1, 0, [&](std::size_t k, std::size_t) {
+            each[k] = length(loops_in(rooms_[k], *task_[k].area, lines(k, spacing)));
         });
-        return std::accumulate(each.begin(), each.end(), 0.0);
+        return sum([&](std::size_t k) { return each[k]; });
     }
+    // The same by calculation.
+    [[nodiscard]] double calculated(double spacing) const {
+        return sum([&](std::size_t k) { return even_length(rooms_[k], lines(k, spacing)); });
+    }
+
+  private:
+    void add(const Task& t) {
+        for (std::size_t k = 0; k < task_.size(); ++k)
+            if (alike(task_[k], t)) {
+                ++count_[k];
+                return;
+            }
+        task_.push_back(t);
+        count_.push_back(1);
+    }
+    [[nodiscard]] Lines lines(std::size_t k, double spacing) const {
+        Lines out = task_[k].lines;
+        out.spacing = spacing;
+        return out;
+    }
+    template <class Value>
+    [[nodiscard]] double sum(Value&& value) const {
+        double out = 0;
+        for (std::size_t k = 0; k < task_.size(); ++k) out += count_[k] * value(k);
+        return out;
+    }
+
+    std::vector<Task> task_;    // all different
+    std::vector<double> count_; // areas like each
+    std::vector<Loops> rooms_;
 };
 
 // The spacing between lo and hi at which `length_of` is `wanted`; hi if the length is greater even there.
@@ -77,32 +133,70 @@ double bisected(double lo, double hi, double wanted, LengthOf&& length_of) {
     return (lo + hi) / 2;
 }
 
+// Seeks the spacing at which the loops of a sample have a length.
+class Search {
+  public:
+    Search(const Sample& sample, double wanted, double from) : sample_(&sample), wanted_(wanted), best_(from) {}
+
+    [[nodiscard]] double best() const { return best_; }
+    [[nodiscard]] bool found() const { return off_ <= kNear * wanted_; }
+
+    // Returns by how many mm the loops are longer than wanted.
+    double more(double spacing) {
+        const double more = sample_->laid(spacing) - wanted_;
+        if (std::abs(more) < off_) {
+            best_ = spacing;
+            off_ = std::abs(more);
+        }
+        return more;
+    }
+    // Bisects between a spacing with longer loops and one with shorter ones, the first not necessarily the lower one.
+    void between(double longer, double shorter) {
+        while (!found() && std::abs(shorter - longer) > kSame * longer) {
+            const double middle = (longer + shorter) / 2;
+            (more(middle) > 0 ? longer : shorter) = middle;
+        }
+    }
+    // Tries spacings around `from`, in both directions, and bisects wherever the length passes the wanted one.
+    void around(double from) {
+        const double here = more(from);
+        struct Side {
+            double spacing, more, factor;
+        } sides[] = {{from, here, kTrial}, {from, here, 1 / kTrial}};
+        for (double reach = kTrial; reach < kFarther && !found(); reach *= kTrial)
+            for (Side& side : sides) {
+                const double next = side.spacing * side.factor, then = more(next);
+                if ((then > 0) != (side.more > 0))
+                    between(then > 0 ? next : side.spacing, then > 0 ? side.spacing : next);
+                side.spacing = next;
+                side.more = then;
+            }
+    }
+
+  private:
+    const Sample* sample_;
+    double wanted_, best_, off_ = 1e300; // mm
+};
+
 // The spacing, among those tried around `from`, at which the loops of the sample are nearest to the wanted share.
 double nearest_by_filling(const Sample& sample, double from, double density, double bead_width) {
     const double wanted = density * sample.area() / bead_width;
-    double lo = from / kAround, hi = from * kAround, best = from, off = 1e300;
-    while (hi - lo > kNear * lo) {
-        const double middle = (lo + hi) / 2, more = sample.laid(middle) - wanted;
-        if (std::abs(more) < off) {
-            best = middle;
-            off = std::abs(more);
-        }
-        (more > 0 ? lo : hi) = middle;
+    Search search(sample, wanted, from);
+    if (density < kFew) {
+        search.around(from);
+        return search.best();
     }
-    return best;
+    double lo = from / kAround, hi = from * kAround;
+    while (hi - lo > kNear * lo) {
+        const double middle = (lo + hi) / 2;
+        (search.more(middle) > 0 ? lo : hi) = middle;
+    }
+    return search.best();
 }
 
 } // namespace
 
-Loops loops(const Loops& area, const Lines& o) {
-    if (o.spacing >= kHollow) return {};
-    const double half = o.bead_width / 2;
-    const Loops room = inner(area, o.bead_width);
-    if (room.empty()) return {};
-    if (o.pattern == Pattern::concentric)
-        return linked(polygon::intersect(room, even_cells(room, drawn_in(area, o))), room, o.bead_width);
-    return polygon::opened(polygon::intersect(room, even_cells(room, o)), half, polygon::kBeadArc);
-}
+Loops loops(const Loops& area, const Lines& o) { return loops_in(inner(area, o.bead_width), area, o); }
 
 Loops loops(const Loops& area, std::span<const Task> parts) {
     if (parts.empty()) return {};
@@ -143,27 +237,21 @@ double spacing_for(std::span<const Task> tasks, double density, double bead_widt
         }
         return sum;
     };
-    const Sample sample(tasks);
+    const Sample sample(tasks, endless);
     double laid = 1; // mm per calculated mm: corners are rounded, and narrow cells left out
     double spacing = bisected(bead_width, kWidest * endless, wanted, by_calculation);
     for (int round = 0; round < kRounds; ++round) {
-        double calculated = 0;
-        for (const std::size_t i : sample.of) {
-            Lines lines = tasks[i].lines;
-            lines.spacing = spacing;
-            calculated += even_length(rooms[i], lines);
-        }
-        const double real = sample.laid(spacing);
+        const double calculated = sample.calculated(spacing), real = sample.laid(spacing);
         if (real > 0) laid = real / calculated;
         spacing = bisected(bead_width, kWidest * endless, wanted / laid, by_calculation);
     }
-    if (std::none_of(tasks.begin(), tasks.end(), [](const Task& t) { return t.lines.pattern == Pattern::concentric; }))
-        return spacing;
+    const auto circles = [](const Task& t) { return t.lines.pattern == Pattern::concentric; };
+    if (density >= kFew && std::none_of(tasks.begin(), tasks.end(), circles)) return spacing;
     return nearest_by_filling(sample, spacing, density, bead_width);
 }
 
 double share_laid(std::span<const Task> tasks, double spacing, double bead_width) {
-    const Sample sample(tasks);
+    const Sample sample(tasks, spacing);
     return bead_width * sample.laid(spacing) / sample.area();
 }
 

@@ -53,8 +53,8 @@ double length(const Loops& loops);
 // the spacing with the nearest share found.
 double spacing_for(std::span<const Task> tasks, double density, double bead_width);
 
-// The share of the areas that the loops fill at `spacing` mm. From 96 areas on it is measured on a sample of 48 to 72
-// of them.
+// The share of the areas that the loops fill at `spacing` mm. Many areas are measured by a sample: about every n-th, so
+// that it has 48 areas, or at least 9 with 100 m of lines together.
 double share_laid(std::span<const Task> tasks, double spacing, double bead_width);
 
 } // namespace filum::infill

@@ -118,6 +118,16 @@ Loops carrying(const Loops& area, const std::vector<Loops>& sparse_of, std::uint
     return polygon::opened(rest, open / 2, kBeadArc);
 }
 
+// The part of the sparse area `all` beside its dense part, without the slivers that rounding leaves where both have the
+// same outline. `fill` adds such slivers to the area beside them.
+Loops beside(const Loops& all, const Loops& dense, const Options& o) {
+    if (dense.empty()) return all;
+    Loops out;
+    for (const Loops& part : polygon::split(polygon::subtract(all, dense)).part)
+        if (!polygon::offset(part, -kHairline * o.bead_width / 2, kBeadArc).empty()) out.add(part);
+    return out;
+}
+
 // The part of a region that is visible if `other` is the next layer in that direction.
 Loops seen(const Loops& outline, const Loops& other, const Options& o) {
     if (other.points == outline.points) return {};
@@ -227,7 +237,7 @@ void part_dense(std::vector<Sparse>& settings, const std::vector<Region>& region
         parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
             if (s.plain[i].empty() || s.how.infill == 0) return;
             s.dense[i] = carrying(s.plain[i], of_layer, regions[i].layer, s.how);
-            s.plain[i] = polygon::subtract(s.plain[i], s.dense[i]);
+            s.plain[i] = beside(s.plain[i], s.dense[i], s.how);
         });
 }
 
@@ -240,7 +250,7 @@ void take_squares(Sparse& s, const std::vector<Region>& regions, double spacing)
         s.dense[i] = infill::whole_squares(
             s.dense[i], all,
             {.direction = direction_of(regions[i].layer), .spacing = spacing, .bead_width = s.how.bead_width});
-        s.plain[i] = polygon::subtract(all, s.dense[i]);
+        s.plain[i] = beside(all, s.dense[i], s.how);
     });
 }
 

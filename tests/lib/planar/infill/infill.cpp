@@ -113,6 +113,22 @@ TEST(Infill, DensityIsWithinTwoPercent) {
             }
 }
 
+// Where lines are few, what follows the walls must not fill more than was asked for.
+TEST(Infill, DensityOfFewLinesIsWithinFivePercent) {
+    for (const Pattern pattern : {Pattern::rows, Pattern::wave})
+        for (const double density : kSanitized ? std::vector{0.05} : std::vector{0.01, 0.03, 0.05}) {
+            std::vector<Loops> areas; // a part of 24 layers, about 60 mm wide
+            for (unsigned layer = 0; layer < 24; ++layer)
+                for (Loops& area : random_areas(layer / 8, 6 + 0.01 * layer)) areas.push_back(std::move(area));
+            std::vector<Task> tasks;
+            for (unsigned i = 0; i < areas.size(); ++i)
+                tasks.push_back({&areas[i], {pattern, (i % 2) * 1.5707963267948966, 0, kWidth, 0.2 * i}});
+            const double spacing = spacing_for(tasks, density, kWidth);
+            EXPECT_NEAR(share_of(tasks, spacing), density, 0.05 * density)
+                << "pattern " << static_cast<int>(pattern) << " spacing " << spacing;
+        }
+}
+
 TEST(Infill, DensityOfConcentricLinesIsWithinTwoPercent) {
     for (const double density : {0.15, 0.3}) {
         std::vector<Loops> areas;

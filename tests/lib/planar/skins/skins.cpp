@@ -3,6 +3,7 @@
 #include "../../trials.hpp"
 #include "../fill/pattern_check.hpp"
 #include "base/error.hpp"
+#include "infill/ruler.hpp"
 #include "polygon/stretches.hpp"
 
 #include <algorithm>
@@ -269,12 +270,16 @@ TEST(Skins, MoreRowsBeginOnRows) {
             for (const auto& a : r.areas) {
                 if (a.kind != AreaKind::sparse || a.gap == 0) continue;
                 const Loops level = polygon::rotated(a.loops, -a.direction);
+                const auto squares = infill::Ruler::of_squares({.spacing = a.spacing, .bead_width = o.bead_width});
+                const auto from_row = [&](double v) {
+                    const double j = squares.below(v);
+                    return std::min(v - squares.place(j), squares.place(j + 1) - v);
+                };
                 for (std::size_t i = 0; i < level.points.size(); ++i) {
                     if (!polygon::contains(room, a.loops.points[i])) continue;
                     ++inside;
                     const auto [x, y] = level.points[i];
-                    const double off =
-                        std::min(std::abs(std::remainder(x, a.spacing)), std::abs(std::remainder(y, a.spacing)));
+                    const double off = std::min(from_row(x), from_row(y));
                     EXPECT_LT(off, 1e-3) << seed << " layer " << r.layer << " at " << x << "," << y;
                 }
             }

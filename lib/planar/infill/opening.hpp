@@ -1,0 +1,14 @@
+// Takes from cells what is narrower than a bead. Private to lib/infill.
+#pragma once
+
+#include "polygon/loops.hpp"
+
+namespace filum::infill {
+
+// The same as polygon::opened(cells, radius, polygon::kBeadArc), up to the tolerance of its arcs, for cells that are at
+// least two radii apart. In most cells, a disc of the radius can roll along the whole outline, which takes no Boolean
+// operation: the line that it touches is the outline of the opening. All other cells, and those with holes, go through
+// one together.
+polygon::Loops opened_cells(const polygon::Loops& cells, double radius);
+
+} // namespace filum::infill
