@@ -1,11 +1,12 @@
 // fill - bead lines that fill each region
 // reads:  Regions
 // writes: Paths
-// memory: one region per thread, and outlines filled before, up to 32 MB
+// memory: one region per thread, and outlines filled before, up to 64 MB
 #include "base/density.hpp"
 #include "cli/command.hpp"
 #include "fill/reuse.hpp"
 #include "hollow/hollow.hpp"
+#include "polygon/clip.hpp"
 #include "wire/planar.hpp"
 
 #include <atomic>
@@ -72,7 +73,7 @@ cli::Spec spec(Options& all) {
             .description = cli::kDescription,
             .in = cli::reads(stream::Payload::regions),
             .out = cli::writes(stream::Payload::paths),
-            .memory = "one region per thread, and outlines filled before, up to 32 MB",
+            .memory = "one region per thread, and outlines filled before, up to 64 MB",
             .options = options(all),
             .groups = groups(),
             .examples = {{"slice part.stl | regions | sequence | fill > part.paths", "the fill of a part"},
@@ -101,13 +102,19 @@ void run(const Options& o, const cli::Io& io) {
         return cli::scan_stage(io, stream::Payload::regions, stream::Payload::paths, work);
     }
     fill::Reuse filled(options);
+    fill::Reuse hollow_filled(
+        [&](const polygon::Region& region, Notes& notes) {
+            return hollow::fill(region, {.bead_width = options.bead_width}, notes);
+        },
+        [](std::uint32_t) { return 0.0; });
     std::atomic<bool> any_hollow = false;
     cli::map_stage(io, stream::Payload::regions, stream::Payload::paths, [&](stream::RawFrame frame, Notes& notes) {
-        const polygon::Region region = region_of(frame, options);
-        if (region.walls > 0) any_hollow = true;
-        if (region.walls > 0)
-            return std::vector{wire::frame(hollow::fill(region, {.bead_width = options.bead_width}, notes))};
-        return std::vector{wire::frame(filled(region, notes))};
+        polygon::Region region = region_of(frame, options);
+        if (region.walls > 0) {
+            any_hollow = true;
+            region.loops = polygon::without_flat_starts(region.loops);
+        }
+        return std::vector{wire::frame(region.walls > 0 ? hollow_filled(region, notes) : filled(region, notes))};
     });
     for (const char* name : {"pattern", "min-width", "thin", "min-radius", "angles", "rings"})
         if (any_hollow) io.idle(name, "regions with walls and areas of their own are filled by lanes and as these say");

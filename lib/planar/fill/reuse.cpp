@@ -3,22 +3,79 @@
 #include "base/mix.hpp"
 #include "toolpath/identify.hpp"
 
+#include <algorithm>
 #include <bit>
 
 namespace filum::fill {
 
 namespace {
 
-std::uint64_t key_of(const polygon::Loops& loops, double layer) {
-    std::uint64_t h = 0;
-    const auto add = [&](std::uint64_t bits) { h = mixed((h ^ bits) + kMixStep); };
-    add(std::bit_cast<std::uint64_t>(layer));
-    for (const std::uint32_t s : loops.start) add(s);
-    for (const geom::Vec2 p : loops.points) {
-        add(std::bit_cast<std::uint64_t>(p.x));
-        add(std::bit_cast<std::uint64_t>(p.y));
+class Hash {
+  public:
+    void add(std::uint64_t bits) { value_ = mixed((value_ ^ bits) + kMixStep); }
+    void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
+    void add(const polygon::Loops& loops) {
+        for (const std::uint32_t s : loops.start) add(std::uint64_t{s});
+        for (const geom::Vec2 p : loops.points) {
+            add(p.x);
+            add(p.y);
+        }
     }
-    return h;
+    [[nodiscard]] std::uint64_t value() const { return value_; }
+
+  private:
+    std::uint64_t value_ = 0;
+};
+
+bool same(const polygon::Loops& a, const polygon::Loops& b) { return a.start == b.start && a.points == b.points; }
+
+bool same(const polygon::Area& a, const polygon::Area& b) {
+    return a.kind == b.kind && a.direction == b.direction && a.spacing == b.spacing && a.pattern == b.pattern &&
+           a.gap == b.gap && a.walls == b.walls && a.width == b.width && same(a.loops, b.loops);
+}
+
+// What the fill of a region depends on. The height is 0 if it has no influence.
+polygon::Region content(const polygon::Region& r) {
+    polygon::Region out;
+    out.loops = r.loops;
+    out.walls = r.walls;
+    out.is = r.is;
+    out.areas = r.areas;
+    const auto depends = [](const polygon::Area& a) { return a.pattern == polygon::Pattern::wave; };
+    if (std::any_of(r.areas.begin(), r.areas.end(), depends)) out.z = r.z;
+    return out;
+}
+
+bool same(const polygon::Region& a, const polygon::Region& b) {
+    return a.walls == b.walls && a.is == b.is && a.z == b.z && same(a.loops, b.loops) &&
+           std::equal(a.areas.begin(), a.areas.end(), b.areas.begin(), b.areas.end(),
+                      [](const polygon::Area& l, const polygon::Area& r) { return same(l, r); });
+}
+
+std::uint64_t key_of(const polygon::Region& r, double layer) {
+    Hash h;
+    h.add(layer);
+    h.add(r.z);
+    h.add(std::uint64_t{r.walls});
+    h.add(static_cast<std::uint64_t>(r.is));
+    h.add(r.loops);
+    for (const polygon::Area& a : r.areas) {
+        h.add(static_cast<std::uint64_t>(a.kind));
+        h.add(static_cast<std::uint64_t>(a.pattern));
+        h.add(std::uint64_t{a.walls});
+        h.add(a.width);
+        h.add(a.direction);
+        h.add(a.spacing);
+        h.add(a.gap);
+        h.add(a.loops);
+    }
+    return h.value();
+}
+
+std::size_t points_of(const polygon::Region& r) {
+    std::size_t out = r.loops.points.size();
+    for (const polygon::Area& a : r.areas) out += a.loops.points.size();
+    return out;
 }
 
 } // namespace
@@ -32,21 +89,21 @@ Reuse::Reuse(Options options, std::size_t most)
 
 std::shared_ptr<Reuse::Filled> Reuse::find(const polygon::Region& region) {
     auto fresh = std::make_shared<Filled>();
-    fresh->loops = region.loops;
+    fresh->region = content(region);
     fresh->layer = of_layer_(region.layer);
-    fresh->key = key_of(fresh->loops, fresh->layer);
+    fresh->key = key_of(fresh->region, fresh->layer);
     const std::scoped_lock lock(mutex_);
     const auto before = filled_.try_emplace(fresh->key, fresh).first->second;
-    const bool same = before->layer == fresh->layer && before->loops.start == fresh->loops.start &&
-                      before->loops.points == fresh->loops.points; // keys may be equal by chance
-    return same ? before : fresh;
+    const bool equal =
+        before->layer == fresh->layer && same(before->region, fresh->region); // keys may be equal by chance
+    return equal ? before : fresh;
 }
 
 void Reuse::work_out(const polygon::Region& region, const std::shared_ptr<Filled>& filled) {
     const std::scoped_lock lock(filled->mutex);
     if (filled->done) return;
     filled->paths = work_(region, filled->notes);
-    filled->points = filled->loops.points.size();
+    filled->points = points_of(filled->region);
     for (const auto& c : filled->paths.curves) filled->points += c.points.size();
     for (const auto& s : filled->paths.stacked) filled->points += s.size();
     filled->done = true;

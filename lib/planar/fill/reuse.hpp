@@ -11,10 +11,11 @@
 
 namespace filum::fill {
 
-// Fills regions with the same options, from any number of threads. Results are those of fill(). Of outlines that are
-// equal to the last bit and differ only by their layer, the first is filled and the others get its curves.
+// Fills regions with the same options, from any number of threads. Results are those of fill(). Of regions whose
+// outlines, walls and areas are equal to the last bit and that differ only by their layer, the first is filled and the
+// others get its curves. The height counts only for waves, which depend on it.
 //
-// Keeps up to `most` points of outlines and curves; the oldest results go first.
+// Keeps up to `most` points of outlines, areas and curves; the oldest results go first.
 class Reuse {
   public:
     explicit Reuse(Options options, std::size_t most = kMost);
@@ -32,7 +33,7 @@ class Reuse {
     static constexpr std::size_t kMost = std::size_t{1} << 20;
     struct Filled {
         std::uint64_t key = 0;
-        polygon::Loops loops;
+        polygon::Region region;
         double layer = 0; // what the result depends on in a layer: the angle of rows, the shift of starts
         std::mutex mutex; // guards the members below: a second thread waits for the result of the first
         bool done = false;

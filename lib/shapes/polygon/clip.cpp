@@ -321,4 +321,16 @@ Loops simplify(const Loops& a, double tolerance) {
     return out;
 }
 
+Loops without_flat_starts(const Loops& a) {
+    const auto flat = [](std::span<const Vec2> loop) {
+        if (loop.size() < 4) return false;
+        const Vec2 d = loop[1] - loop.back(), p = loop[0] - loop.back();
+        const double t = geom::dot(p, d), l2 = geom::norm2(d);
+        return t > 0 && t < l2 && std::abs(geom::cross(d, p)) < kGridStep * std::sqrt(l2);
+    };
+    Loops out;
+    for (std::size_t l = 0; l < a.size(); ++l) out.add(flat(a[l]) ? a[l].subspan(1) : a[l]);
+    return out;
+}
+
 } // namespace filum::polygon

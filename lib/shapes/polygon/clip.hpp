@@ -57,4 +57,8 @@ Parts split(const Loops& a);
 // distances that matter.
 Loops simplify(const Loops& a, double tolerance);
 
+// Every loop without its first point if that lies on the line between its neighbours, to a grid step. A contour of an
+// upright wall begins on an edge of the mesh, at another place in every layer; without that point the layers are equal.
+Loops without_flat_starts(const Loops& a);
+
 } // namespace filum::polygon

@@ -105,5 +105,43 @@ TEST(Reuse, WorksOutEqualOutlinesOnce) {
     EXPECT_EQ(worked_out, 1);
 }
 
+// Regions with the same outline differ by their walls, by every field of their areas, and by their height if the lines
+// are waves.
+TEST(Reuse, TellsAreasApart) {
+    int worked_out = 0;
+    const auto work = [&](const polygon::Region& r, Notes& notes) {
+        ++worked_out;
+        return fill(r, {}, notes);
+    };
+    Reuse reuse(work, [](std::uint32_t) { return 0.0; });
+    Notes notes;
+    const auto trial = [&](auto&& change) {
+        const int before = worked_out;
+        for (const std::uint32_t layer : {3U, 9U}) {
+            polygon::Region r = stroke_region(rectangle(0, 0, 9, 9), layer);
+            r.walls = 2;
+            r.areas.push_back({.loops = rectangle(2, 2, 6, 6), .direction = 0.5, .spacing = 3});
+            change(r, r.areas[0]);
+            (void)reuse(r, notes);
+        }
+        return worked_out - before;
+    };
+    using polygon::Area;
+    using polygon::Region;
+    EXPECT_EQ(trial([](Region&, Area&) {}), 1); // the layer and the height have no influence
+    EXPECT_EQ(trial([](Region&, Area&) {}), 0);
+    EXPECT_EQ(trial([](Region& r, Area&) { r.walls = 3; }), 1);
+    EXPECT_EQ(trial([](Region& r, Area&) { r.is = polygon::RegionClass::support; }), 1);
+    EXPECT_EQ(trial([](Region&, Area& a) { a.kind = polygon::AreaKind::bridge; }), 1);
+    EXPECT_EQ(trial([](Region&, Area& a) { a.direction = 1; }), 1);
+    EXPECT_EQ(trial([](Region&, Area& a) { a.spacing = 2; }), 1);
+    EXPECT_EQ(trial([](Region&, Area& a) { a.gap = 2; }), 1);
+    EXPECT_EQ(trial([](Region&, Area& a) { a.walls = 1; }), 1);
+    EXPECT_EQ(trial([](Region&, Area& a) { a.width = 1; }), 1);
+    EXPECT_EQ(trial([](Region&, Area& a) { a.loops = rectangle(2, 2, 6, 7); }), 1);
+    EXPECT_EQ(trial([](Region&, Area& a) { a.pattern = polygon::Pattern::concentric; }), 1);
+    EXPECT_EQ(trial([](Region&, Area& a) { a.pattern = polygon::Pattern::wave; }), 2); // waves shift with the height
+}
+
 } // namespace
 } // namespace filum::fill

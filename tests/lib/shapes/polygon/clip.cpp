@@ -205,5 +205,19 @@ TEST(Simplify, PointsOnStraightLinesGo) {
     EXPECT_EQ(simplify(a, 1e-6)[0].size(), 3U);
 }
 
+// An upright wall has the same loop in every layer, wherever its contours begin.
+TEST(Clip, LoopsBeginAtCorners) {
+    Loops square;
+    square.add(std::vector<Vec2>{{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+    for (const double at : {0.1, 1.7, 3.9}) {
+        Loops begun;
+        begun.add(std::vector<Vec2>{{0, at}, {0, 0}, {4, 0}, {4, 4}, {0, 4}});
+        EXPECT_EQ(without_flat_starts(begun).points, square.points);
+        begun.points[0].x = 0.001; // a dent
+        EXPECT_EQ(without_flat_starts(begun).points, begun.points);
+    }
+    EXPECT_EQ(without_flat_starts(square).points, square.points);
+}
+
 } // namespace
 } // namespace filum::polygon
