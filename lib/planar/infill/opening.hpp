@@ -1,4 +1,4 @@
-// Takes from cells what is narrower than a bead. Private to lib/infill.
+// Takes from cells what is narrower than a bead. Private to lib/planar/infill.
 #pragma once
 
 #include "polygon/loops.hpp"

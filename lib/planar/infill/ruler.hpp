@@ -1,4 +1,4 @@
-// The positions of parallel lines. Private to lib/infill.
+// The positions of parallel lines. Private to lib/planar/infill.
 #pragma once
 
 #include "infill/infill.hpp"

@@ -1,4 +1,4 @@
-// The parts of an area between every other line of a family. Private to lib/infill.
+// The parts of an area between every other line of a family. Private to lib/planar/infill.
 #pragma once
 
 #include "infill/infill.hpp"

@@ -1,4 +1,4 @@
-// The lines of a gyroid's section. Private to lib/infill.
+// The lines of a gyroid's section. Private to lib/planar/infill.
 #pragma once
 
 #include "infill/infill.hpp"

@@ -2,7 +2,7 @@
 #include "infill/strips.hpp"
 
 #include "../fill/pattern_check.hpp"
-#include "../trials.hpp"
+#include "../../trials.hpp"
 #include "infill/cells.hpp"
 #include "infill/opening.hpp"
 #include "infill/ruler.hpp"
