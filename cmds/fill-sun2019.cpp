@@ -38,7 +38,11 @@ cli::Spec spec(SpiralOptions& o) {
 }
 
 void run(const SpiralOptions& o, const cli::Io& io) {
-    fill::Reuse filled = baselines::sun2019::filler(o);
+    fill::ReuseByWidth filled([&](double width) {
+        SpiralOptions own = o;
+        own.offset = width;
+        return baselines::sun2019::filler(own);
+    });
     cli::map_stage(
         io, stream::Payload::regions, stream::Payload::paths, [&](const stream::RawFrame& frame, Notes& notes) {
             const polygon::Region region = wire::region(frame);
@@ -47,8 +51,9 @@ void run(const SpiralOptions& o, const cli::Io& io) {
                     Exit::bad_input,
                     "cannot fill a region of layer " + std::to_string(region.layer) +
                         ": it has walls and sparse areas, and this method fills solid regions; leave 'skins' out");
-            check_density(polygon::signed_area(region.loops), o.offset, Exit::usage, "--bead-width");
-            return std::vector{wire::frame(filled(region, notes))};
+            const double width = region.width > 0 ? region.width : o.offset;
+            check_density(polygon::signed_area(region.loops), width, Exit::usage, "--bead-width");
+            return std::vector{wire::frame(filled.of(width)(region, notes))};
         });
 }
 

@@ -10,6 +10,7 @@
 #include "wire/planar.hpp"
 
 #include <atomic>
+#include <map>
 
 namespace {
 
@@ -24,13 +25,13 @@ constexpr const char* kMinRadius =
 
 struct Options {
     fill::Options how;
-    std::vector<double> pore_size; // mm; none: as --spacing says
+    std::vector<double> porosity, pore_size; // %, mm; none: as --spacing says
 };
 
 std::vector<cli::Group> groups() {
     return {{"the spiral", {"min-width", "thin", "min-radius"}},
             {"rows and rings", {"angles", "rings"}},
-            {"scaffold", {"spacing", "pore-size", "stagger"}}};
+            {"scaffold", {"spacing", "pore-size", "porosity", "stagger"}}};
 }
 
 std::vector<cli::Option> options(Options& all) {
@@ -53,11 +54,14 @@ std::vector<cli::Option> options(Options& all) {
         Option{"spacing", &o.spacing, "MM", "from strand to strand, centre to centre; 0: two and a half bead widths"}
             .within(0, 1e6)
             .when("pattern=scaffold"),
-        Option{"pore-size", &all.pore_size, "MM",
-               "width of the pores of a scaffold, from bead to bead; replaces --spacing"}
+        Option{"pore-size", &all.pore_size, "MM", "width of a scaffold's pores, bead to bead; replaces --spacing"}
             .numbers(1)
             .within(0.001, 1e6)
             .when("pattern=scaffold !spacing"),
+        Option{"porosity", &all.porosity, "PERCENT", "empty share of a scaffold; replaces --spacing"}
+            .numbers(1)
+            .within(1, 99)
+            .when("pattern=scaffold !spacing/pore-size"),
         Option{"stagger", &o.stagger, "SPACINGS", "how far the strands of every other round of angles are shifted"}
             .within(0, 1)
             .when("pattern=scaffold"),
@@ -84,37 +88,53 @@ cli::Spec spec(Options& all) {
             .see_also = {"sequence", "link3d", "metrics"}};
 }
 
-polygon::Region region_of(const stream::RawFrame& frame, const fill::Options& o) {
+polygon::Region region_of(const stream::RawFrame& frame, double bead_width) {
     polygon::Region region = wire::region(frame);
-    check_density(polygon::signed_area(region.loops), o.bead_width, Exit::usage, "--bead-width");
+    const bool own = region.width > 0;
+    if (!own) region.width = bead_width;
+    check_density(polygon::signed_area(region.loops), region.width, own ? Exit::bad_input : Exit::usage,
+                  "--bead-width");
     return region;
 }
 
+// The options for regions with beads of this width.
+fill::Options with_width(const Options& o, double width) {
+    fill::Options out = o.how;
+    out.bead_width = width;
+    if (!o.pore_size.empty()) out.spacing = o.pore_size.front() + width;
+    if (!o.porosity.empty()) out.spacing = width / (1 - o.porosity.front() / 100); // strands fill width / spacing
+    return out;
+}
+
+// Fills regions that have walls and areas of their own.
+fill::Reuse hollow_fill(double width) {
+    return fill::Reuse([width](const polygon::Region& region,
+                               Notes& notes) { return hollow::fill(region, {.bead_width = width}, notes); },
+                       [](std::uint32_t) { return 0.0; });
+}
+
 void run(const Options& o, const cli::Io& io) {
-    fill::Options options = o.how;
-    if (!o.pore_size.empty()) options.spacing = o.pore_size.front() + options.bead_width;
-    if (options.pattern == fill::Pattern::scaffold) {
-        fill::strand_spacing(options);
-        fill::Before before;
+    const double usual = o.how.bead_width;
+    if (o.how.pattern == fill::Pattern::scaffold) {
+        fill::strand_spacing(with_width(o, usual));
+        std::map<std::uint32_t, fill::Before> before; // by tool
         const auto work = [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
-            emit(wire::frame(fill::fill_scaffold(region_of(frame, options), options, before, notes)));
+            const polygon::Region region = region_of(frame, usual);
+            emit(wire::frame(fill::fill_scaffold(region, with_width(o, region.width), before[region.tool], notes)));
         };
         return cli::scan_stage(io, stream::Payload::regions, stream::Payload::paths, work);
     }
-    fill::Reuse filled(options);
-    fill::Reuse hollow_filled(
-        [&](const polygon::Region& region, Notes& notes) {
-            return hollow::fill(region, {.bead_width = options.bead_width}, notes);
-        },
-        [](std::uint32_t) { return 0.0; });
+    fill::ReuseByWidth solid([&](double width) { return fill::Reuse(with_width(o, width)); });
+    fill::ReuseByWidth hollow(hollow_fill);
     std::atomic<bool> any_hollow = false;
     cli::map_stage(io, stream::Payload::regions, stream::Payload::paths, [&](stream::RawFrame frame, Notes& notes) {
-        polygon::Region region = region_of(frame, options);
+        polygon::Region region = region_of(frame, usual);
         if (region.walls > 0) {
             any_hollow = true;
             region.loops = polygon::without_flat_starts(region.loops);
         }
-        return std::vector{wire::frame(region.walls > 0 ? hollow_filled(region, notes) : filled(region, notes))};
+        fill::Reuse& filled = (region.walls > 0 ? hollow : solid).of(region.width);
+        return std::vector{wire::frame(filled(region, notes))};
     });
     for (const char* name : {"pattern", "min-width", "thin", "min-radius", "angles", "rings"})
         if (any_hollow) io.idle(name, "regions with walls and areas of their own are filled by lanes and as these say");

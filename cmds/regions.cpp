@@ -45,7 +45,7 @@ void run(const regions::Options& options, const cli::Io& io) {
         io, stream::Payload::layers, stream::Payload::regions,
         [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
             auto layer = wire::layer(frame);
-            regions::check_layer(layer, options.bead_width, box);
+            regions::check_layer(layer, layer.width > 0 ? layer.width : options.bead_width, box);
             emit_all(stack.add(std::move(layer), notes), emit);
         },
         [&](const auto& emit, Notes& notes) {

@@ -21,7 +21,7 @@ cli::Spec spec(render::Options& o) {
         .memory = "the model",
         .options = cli::with(
             {Option{"color", &o.color, "", "meaning of colours; auto: depends on the stream"}.one_of(
-                 {"auto", "progress", "stroke", "layer", "width", "speed", "class"}),
+                 {"auto", "progress", "stroke", "tool", "layer", "width", "speed", "class"}),
              Option{
                  "view", &o.view, "VIEW",
                  "from where: iso, top, bottom, front, back, left, right, face (straight onto it), face-left, -right, "

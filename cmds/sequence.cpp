@@ -38,6 +38,7 @@ cli::Spec spec(Options& o) {
              cli::Option{"tool-changes", &o.work.how.first, "WHEN",
                          "with several tools: reduces the changes of the tool second, after the strokes, or first"}
                  .one_of({"second", "first"})
+                 .not_a_setting()
                  .a_limit(),
              cli::Option{"report", &o.work.report, "", "prints strokes and bounds on standard error"}.not_a_setting(),
              cli::Option{"pause-at", &o.work.pause_at, "LAYER|Zmm,...",

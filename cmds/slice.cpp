@@ -103,16 +103,6 @@ cli::Spec spec(app::slice::Options& o) {
     for (Option& option : leaving_out(o)) options.push_back(std::move(option));
     for (Option& option : placing(o.place)) options.push_back(std::move(option));
     for (Option& option : cli::step_options(o.step)) options.push_back(std::move(option));
-    options.push_back(
-        Option{"body", &o.body, "FILE:tool=N",
-               "a body of the part that another tool prints, as core.stl:tool=1 or "
-               "core.stl:tool=1,width=0.6; several times for several; later ones are cut from earlier ones"}
-            .repeated()
-            .not_a_setting());
-    options.push_back(Option{"machine", &o.machine, "NAME|FILE",
-                             "machine profile; a part larger than its bed is refused, and several parts are placed on "
-                             "its bed (default: marlin's)"}
-                          .not_a_setting());
     for (Option& option : app::slice::plate_options(o)) options.push_back(std::move(option));
     return {
         .name = "slice",

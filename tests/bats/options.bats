@@ -28,6 +28,9 @@ make_more_inputs() {
     half_ball 6 > round.off
     without_triangles 3 < round.off > holed.off
     slice two.stl | regions --output two.regions
+    boxes ink-a.stl 0,0,0,4,4,0.4 6,0,0,10,4,0.2 3,0,0.4,10,4,0.6 # and the other ink's: few strokes or few tool changes
+    boxes ink-b.stl 6,0,0.2,10,4,0.4 0,0,0.4,2.5,4,0.6
+    slice --body ink-a.stl --body ink-b.stl:tool=1 | regions --output inks.regions
     sequence two.regions | fill | link3d --output two.toolpath
     sequence --head none two.regions | fill | link3d --head none --output needle.toolpath
     collide --strict=false --places places.tsv needle.toolpath --output hit.toolpath 2> /dev/null

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace filum::collision {
 
@@ -18,6 +19,35 @@ bool BeadGrowth::add(Move move, double width, double height) {
         ends_.push_back(way_);
     }
     return true;
+}
+
+namespace {
+
+Stance beside(const Stance& s, const Vec3& shift) {
+    Stance out = s;
+    out.tip = s.tip + shift.x * s.side + shift.y * cross(s.axis, s.side) + shift.z * s.axis;
+    return out;
+}
+
+} // namespace
+
+void add_idle(const Heads& heads, std::vector<Move>& moves) {
+    if (heads.mount.empty()) return;
+    std::set<std::uint32_t> used;
+    for (const Move& m : moves) used.insert(m.tool);
+    const std::size_t own = moves.size();
+    for (const std::uint32_t tool : used)
+        for (const Heads::Idle& idle : heads.beside(tool)) {
+            if (!used.contains(idle.tool)) continue;
+            for (std::size_t i = 0; i < own; ++i) {
+                Move m = moves[i];
+                if (m.tool != tool || m.from.side == Vec3{} || m.to.side == Vec3{}) continue;
+                m.from = beside(m.from, idle.shift);
+                m.to = beside(m.to, idle.shift);
+                m.tool = idle.tool;
+                moves.push_back(m);
+            }
+        }
 }
 
 Stance MoveReader::stance(const toolpath::Span& span, std::size_t i) const {

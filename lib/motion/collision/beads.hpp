@@ -29,6 +29,11 @@ class BeadGrowth {
     std::deque<double> ends_;    // arc lengths of the ends of fresh beads
 };
 
+// Appends moves of the idle heads that hang beside the tool in use, if the moves use both tools: the same moves,
+// shifted. Moves of a carriage whose rotation is unknown are left out, as the place of the idle head is then unknown,
+// too.
+void add_idle(const Heads& heads, std::vector<Move>& moves);
+
 struct Machine {
     Heads head;
     double lift = 0.6;     // mm above everything printed, of travels without normals

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
-#include <numbers>
 #include <utility>
 
 namespace filum::machine {
@@ -202,6 +201,8 @@ void read_templates(Document& doc, Profile& p) {
                  {"extrusion.on", &p.extrusion.on},
                  {"extrusion.off", &p.extrusion.off},
                  {"tools.change", &p.tools.change},
+                 {"purge.wait", &p.purge.wait},
+                 {"purge.after", &p.purge.after},
                  {"fibre.cut", &p.fibre.cut},
                  {"fibre.tension", &p.fibre.tension},
                  {"fibre.on", &p.fibre.on},
@@ -230,6 +231,8 @@ void read_own_tool(Document& doc, const std::string& name, Profile& p) {
     read_limits(doc, p.limits);
     read_feeds(doc, p);
     read_travel(doc, p.travel);
+    doc.numbers("values", p.values);
+    read_purge(doc, p.bed, p.axes.active(), p.purge);
     doc.text("change", p.change);
     std::array<double, 3> offset{};
     doc.list("offset", offset, {-1e4, 1e4});
@@ -246,7 +249,11 @@ void read_own_tool(Document& doc, const std::string& name, Profile& p) {
     p.axes.chain.tip_to_tilt = p.axes.chain.tip_to_tilt - p.offset;
     if (a.chain.carrier == kinematics::Carrier::frame) read_tool_frame(doc, p.robot);
     check_codes(doc, p,
-                {{"change", &p.change}, {"extrusion.on", &p.extrusion.on}, {"extrusion.off", &p.extrusion.off}});
+                {{"change", &p.change},
+                 {"extrusion.on", &p.extrusion.on},
+                 {"extrusion.off", &p.extrusion.off},
+                 {"purge.wait", &p.purge.wait},
+                 {"purge.after", &p.purge.after}});
     if (name != "0" && p.change.empty() && p.tools.change.empty())
         doc.fail("change", "a tool beside tool 0 needs the codes that take it: this, or tools.change");
 }
@@ -275,25 +282,6 @@ void read_own_tools(Document& doc, Profile& p) {
 } // namespace
 
 Merging standard_merging() { return {0.01, 0.02, geom::radians(0.5)}; }
-
-void allow_outside(const Profile& p, double depth, const std::string& where) {
-    const double most = p.limits.turn_outside;
-    if (depth <= most) return;
-    throw Error(Exit::usage, "cannot use " + where + " " + shortest_text(depth) + " on '" + p.name +
-                                 "': the profile allows " + (most > 0 ? shortest_text(most) + " mm" : "no turns") +
-                                 " outside the part (limits.turn_outside); ask for less, or change the profile if "
-                                 "there is room");
-}
-
-const std::string& change_codes(const Profile& profile, std::uint32_t tool) {
-    const Profile& own = of_tool(profile, tool);
-    return own.change.empty() ? profile.tools.change : own.change;
-}
-
-double Extrusion::per_mm3() const {
-    const double area = std::numbers::pi * diameter * diameter / 4;
-    return flow * (feeding == Feeding::filament || feeding == Feeding::plunger ? 1 / area : 1);
-}
 
 Profile parse_profile(std::string_view text, const std::string& file, const std::string& set) {
     Document doc(text, file, set);
@@ -326,6 +314,7 @@ Profile parse_profile(std::string_view text, const std::string& file, const std:
     if (p.axes.active() && (p.extrusion.letter == p.axes.tilt_letter || p.extrusion.letter == p.axes.turn_letter))
         doc.fail("extrusion.letter", "it is a rotary axis' letter");
     read_tools(doc, p.tools);
+    read_purge(doc, p.bed, p.axes.active(), p.purge);
     read_fibre(doc, p.fibre);
     read_format(doc, p.format);
     check_robot(doc, p);

@@ -7,6 +7,7 @@
 #include "machine/fibre.hpp"
 #include "machine/head.hpp"
 #include "machine/multi_axis.hpp"
+#include "machine/purge.hpp"
 #include "machine/robot.hpp"
 #include "preset/settings.hpp"
 #include "toolpath/path.hpp"
@@ -167,6 +168,7 @@ struct Profile {
     MultiAxis axes;
     Robot robot; // for machines with tool frames
     Tools tools;
+    Purge purge;
     Fibre fibre;
     Format format;
     Templates templates;

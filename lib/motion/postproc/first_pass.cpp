@@ -201,6 +201,11 @@ void Surveyor::add(std::span<const Step> steps) {
             spend();
             placed_ = false; // its position is unknown
             break;
+        case Act::purge:
+            clock_.pause(step.volume / machine::of_tool(*profile_, step.tool).purge.speed);
+            first_pass_.tools[step.tool].volume += step.volume;
+            first_pass_.volume += step.volume;
+            break;
         case Act::push:
             clock_.pause(f.prime / f.prime_speed);
             first_pass_.tools[step.tool].fibre_len += f.prime;

@@ -144,6 +144,40 @@ void Program::change_tool(const Step& step) {
     if (counts() && !profile_->extrusion.relative) reset_extruder();
 }
 
+void Program::purge(const Step& step) {
+    const machine::Purge& p = own().purge;
+    const Vec3 shift = own().offset - Vec3{0, 0, profile_->bed.z_offset};
+    const auto go = [&](double z, const std::string& how, double speed) {
+        if (!words({units(p.place.x - shift.x, xyz_scale_), units(p.place.y - shift.y, xyz_scale_),
+                    units(z - shift.z, xyz_scale_), at_[3], at_[4]},
+                   how))
+            return;
+        feed(speed);
+        end_line();
+        ++lines_;
+    };
+    go(std::max(step.to.z, p.height), profile_->format.travel_code, own().feeds.travel);
+    go(p.height, "G1", own().feeds.z);
+    if (step.halt) prime();
+    if (counts()) {
+        const double per_mm3 = own().extrusion.per_mm3();
+        extruder_only(units(step.volume * per_mm3, e_scale_), p.speed * per_mm3);
+    } else {
+        values_["purge_s"] = step.volume / p.speed;
+        values_["purge_ms"] = std::round(1000 * step.volume / p.speed);
+        code(on(step));
+        code(p.wait);
+        code(off(step));
+    }
+    code(p.after);
+    if (!p.after.empty()) {
+        at_.fill(kUnknown); // the codes may move the tool
+        f_ = -1;
+    }
+    retract();
+    go(std::max(step.to.z, p.height), "G1", own().feeds.z);
+}
+
 void Program::push() {
     extruder_only(units(profile_->fibre.prime, e_scale_), profile_->fibre.prime_speed);
     if (counts() && !profile_->extrusion.relative && profile_->fibre.prime > 0) reset_extruder();

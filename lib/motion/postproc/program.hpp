@@ -30,6 +30,7 @@ class Program final : public Writer {
     void retract() override;
     void prime() override;
     void change_tool(const Step& step) override;
+    void purge(const Step& step) override;
     void push() override;
     void cut() override;
     void move(const Step& step) override;

@@ -141,6 +141,21 @@ void Walk::leave(const toolpath::Span& span) {
     if (span.tool == tool_) return;
     tool_ = span.tool;
     mark(Act::tool);
+    purge(span.layer, at_);
+}
+
+// Purges the tool in use if the profile asks for it.  The tip comes from the height of `over` and goes back there, and
+// the material is taken back.
+void Walk::purge(std::uint32_t layer, const Vec3& over) {
+    if (own().purge.volume == 0 || profile_->fibre.lays(tool_)) return;
+    put({.act = Act::purge,
+         .role = Role::travel,
+         .layer = layer,
+         .to = over,
+         .volume = own().purge.volume,
+         .tool = tool_,
+         .halt = retracted_.contains(tool_)});
+    retracted_.insert(tool_);
 }
 
 void Walk::travel(const toolpath::Span& span) {
@@ -183,9 +198,11 @@ void Walk::begin_stroke(const toolpath::Span& span) {
             go(Act::retract, to, 0); // otherwise the nozzle oozes on the way from the purge line
             retracted_.insert(tool_);
         }
-        if (std::exchange(tool_, span.tool) != span.tool) go(Act::tool, to, 0);
+        const bool changes = std::exchange(tool_, span.tool) != span.tool;
+        if (changes) go(Act::tool, to, 0);
         const double over = std::max(to.z + std::max(own().travel.lift, kApproach), own().travel.above);
         const double clear = std::min(over, profile_->bed.z_max);
+        if (changes) purge(span.layer, {to.x, to.y, clear});
         go(Act::climb, {to.x, to.y, clear}, own().feeds.z);
         go(Act::travel, {to.x, to.y, clear}, own().feeds.travel);
     }

@@ -39,6 +39,7 @@ enum class Act : std::uint8_t {
     climb,   // move along z alone, without material
     extrude, // move and extrude `volume`
     tool,    // another tool takes over; the position of its tip is unknown
+    purge,   // push out `volume` at the tool's place for it, from the height `to.z`; `halt`: it is retracted before
     push,    // push fibre into the air
     tension, // wait for the fibre's tension to settle
     cut,     // cut the fibre
@@ -165,6 +166,7 @@ class Walk final : public Walker {
     void leave(const toolpath::Span& travel);
     void go(const Vec3& to, const toolpath::Span& travel);
     void begin_stroke(const toolpath::Span& span);
+    void purge(std::uint32_t layer, const Vec3& over);
     void extrude(const toolpath::Span& span) override;
     [[nodiscard]] const machine::Profile& own() const { return machine::of_tool(*profile_, tool_); } // in use
 

@@ -38,6 +38,9 @@ void Writer::add(std::span<const Step> steps) {
         case Act::tool:
             change_tool(step);
             break;
+        case Act::purge:
+            purge(step);
+            break;
         case Act::push:
             push();
             break;
@@ -81,7 +84,9 @@ void Writer::code(const std::string& text) {
 }
 
 void Writer::tool(const Step& step) {
+    values_["tool_last"] = profile_->tools.first + static_cast<double>(tool_);
     tool_ = step.tool;
+    for (const auto& [name, value] : own().values) values_[name] = value;
     values_["tool_no"] = profile_->tools.first + static_cast<double>(step.tool);
     if (profile_->format.dialect != machine::Dialect::gcode) machine::add_frame("tool", own().robot.tool, values_);
     code(machine::change_codes(*profile_, step.tool));

@@ -31,6 +31,7 @@ class Writer {
     virtual void retract() = 0;
     virtual void prime() = 0;
     virtual void change_tool(const Step& step) = 0;
+    virtual void purge(const Step&) {} // only machines with three axes have such steps
     virtual void push() = 0;
     virtual void cut() = 0;
     virtual void tension() { code(profile_->fibre.tension); }

@@ -122,6 +122,13 @@ void Reuse::hold(const std::shared_ptr<Filled>& filled) {
     }
 }
 
+Reuse& ReuseByWidth::of(double width) {
+    const std::scoped_lock lock(mutex_);
+    auto& fill = fills_[width];
+    if (fill == nullptr) fill.reset(new Reuse(make_(width)));
+    return *fill;
+}
+
 toolpath::RegionPaths Reuse::operator()(const polygon::Region& region, Notes& notes) {
     const auto filled = find(region);
     work_out(region, filled);

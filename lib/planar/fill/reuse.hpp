@@ -5,6 +5,7 @@
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
@@ -51,6 +52,19 @@ class Reuse {
     std::mutex mutex_;
     std::unordered_map<std::uint64_t, std::shared_ptr<Filled>> filled_; // looked up by key, never traversed
     std::deque<std::shared_ptr<Filled>> done_;                          // oldest result first
+};
+
+// Fills of regions with bead widths of their own: one Reuse for each width. Can be used from any number of threads.
+class ReuseByWidth {
+  public:
+    // `make` returns the fills for a bead width in mm.
+    explicit ReuseByWidth(std::function<Reuse(double)> make) : make_(std::move(make)) {}
+    Reuse& of(double width);
+
+  private:
+    std::function<Reuse(double)> make_;
+    std::mutex mutex_;
+    std::map<double, std::unique_ptr<Reuse>> fills_;
 };
 
 } // namespace filum::fill

@@ -52,7 +52,7 @@ bool misses_strands(const State& state, Vec3 a, Vec3 b) {
 std::array<double, 2> reaches(const State& state, const Waiting& to) {
     const double reach = state.options.reach;
     if (to.paths.join == Join::beside) return {reach, reach};
-    return {std::min(reach, 0.6), std::min(reach, 1.0)};
+    return {std::min(reach, 0.6), to.open ? reach : std::min(reach, 1.0)};
 }
 
 std::vector<Curve> as_printed(const State& state, std::uint32_t c, const Bead& bead, const std::vector<Vec2>& lane) {

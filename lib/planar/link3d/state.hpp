@@ -103,7 +103,8 @@ bool misses_strands(const State& state, Vec3 a, Vec3 b);
 
 // The longest jogs to a region, in mean widths of both regions, in the order in which they are tried. A climb first
 // tries a length at which the jog begins within the region above. A longer jog could begin above a neighbour of that
-// region and cross its outer bead. From a brim, a jog leads over the outline from the middle of one bead to that of the
+// region and cross its outer bead. That does not limit jogs to open curves, such as those of scaffolds, whose strands
+// span gaps anyway. From a brim, a jog leads over the outline from the middle of one bead to that of the
 // next; both lengths are the same.
 std::array<double, 2> reaches(const State& state, const Waiting& to);
 

@@ -4,6 +4,7 @@
 #include "regions/overlaps.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 namespace filum::regions {
@@ -81,12 +82,19 @@ void find_gaps(std::span<const Region> regions, const Options& options, Gaps& ga
     Loops each; // gaps within one tool are not between bodies
     for (const Loops& tool : tools) each.add(polygon::closed(tool, width / 2));
     const Loops narrow = polygon::subtract(polygon::closed(all, width / 2), polygon::unite(each));
-    const Loops wide = polygon::opened(narrow, hairline(options) / 2);
-    if (wide.empty()) return;
-    gaps.volume = gaps.worst = polygon::signed_area(wide) * regions.front().height;
+    // Corners where bodies meet are filled by closing, too, but are smaller than the dot of a bead.
+    const double dot = std::numbers::pi * width * width / 4, height = regions.front().height;
+    double largest = 0;
+    for (const Loops& gap : polygon::split(polygon::opened(narrow, hairline(options) / 2)).part) {
+        const double area = polygon::signed_area(gap);
+        if (area < dot) continue;
+        gaps.volume += area * height;
+        if (area > std::exchange(largest, std::max(largest, area))) gaps.at = gap.points.front();
+    }
+    if (gaps.volume == 0) return;
+    gaps.worst = gaps.volume;
     gaps.layers = 1;
     gaps.layer = regions.front().layer;
-    gaps.at = wide.points.front();
 }
 
 } // namespace

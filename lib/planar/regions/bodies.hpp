@@ -18,7 +18,8 @@ struct Gaps {
 // The connected regions of one layer, given once for each body. Bodies with the same tool are united where they touch,
 // and the region has the number of the lowest of them; they have the same bead width. Regions come by tool, then as
 // from regions(); ids and parents count from 0, and a region within the hole of one with another tool has that one as
-// parent. `gaps` gets the gaps between bodies that are wider than a hairline and narrower than a bead.
+// parent. `gaps` gets the gaps between bodies that are wider than a hairline, narrower than a bead, and larger than the
+// dot of a bead.
 std::vector<polygon::Region> body_regions(std::span<const polygon::Layer> bodies, const Options& options, Gaps& gaps,
                                           Notes& notes);
 

@@ -25,4 +25,9 @@ inline bool is_size(double v) { return v >= 0 && std::isfinite(v); }
     throw Error(Exit::bad_input, "cannot use a " + kind + " frame: " + why);
 }
 
+// Throws Error(bad_input) unless the height of a layer is positive and its top is a number.
+inline void check_height(double z, double height, const char* what) {
+    if (!usable(z) || !usable(height) || height <= 0) bad_frame(what, "its height is not positive");
+}
+
 } // namespace filum::wire

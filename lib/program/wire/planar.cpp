@@ -4,6 +4,7 @@
 #include "geom/polyline.hpp"
 #include "polygon/stack.hpp"
 #include "wire/checks.hpp"
+#include "wire/owner.hpp"
 
 #include "filum/stream.pb.h"
 
@@ -30,29 +31,6 @@ RawFrame raw(Tag tag, const Message& m) {
     if (m.ByteSizeLong() > stream::kMaxFrame)
         throw Error(Exit::failure, "cannot write a frame of more than 64 MiB; a single layer is too large");
     return {tag, m.SerializeAsString()};
-}
-
-constexpr std::uint32_t kMostTool = 1000, kMostBody = 100000; // the highest numbers
-
-void check_tool(std::uint32_t tool, const char* what) {
-    if (tool > kMostTool) bad_frame(what, "a tool above 1000");
-}
-
-void check_body(std::uint32_t body, const char* what) {
-    if (body > kMostBody) bad_frame(what, "a body above 100000");
-}
-
-// Checks the body, the tool and the bead width of a layer or region.
-template <class Message>
-void check_owner(const Message& m, const char* what) {
-    check_tool(m.tool(), what);
-    check_body(m.body(), what);
-    if (m.width() != 0 && !(m.width() > 0 && m.width() <= kMaxBead))
-        bad_frame(what, "the width of its beads is not between 0 and 10 m");
-}
-
-void check_height(double z, double height, const char* what) {
-    if (!usable(z) || !usable(height) || height <= 0) bad_frame(what, "its height is not positive");
 }
 
 std::vector<geom::Vec2> plane_points(const RepeatedField<double>& x, const RepeatedField<double>& y, const char* what) {
@@ -191,8 +169,10 @@ polygon::Layer layer(const RawFrame& frame) {
     const auto m = parse<proto::Layer>(frame, Tag::layer, "layer");
     check_height(m.z(), m.height(), "layer");
     if (!usable(m.plane())) bad_frame("layer", "its plane is not a number");
-    check_owner(m, "layer");
-    return {m.index(), m.z(), m.height(), m.plane(), loops(m.contours(), "layer"), m.body(), m.tool(), m.width()};
+    polygon::Layer out{m.index(), m.z(), m.height(), m.plane(), loops(m.contours(), "layer")};
+    read_owner(m, out, "layer");
+    out.width = owner_width(m, "layer");
+    return out;
 }
 
 RawFrame frame(const polygon::Layer& layer) {
@@ -202,8 +182,7 @@ RawFrame frame(const polygon::Layer& layer) {
     m.set_height(layer.height);
     m.set_plane(layer.plane);
     put_loops(*m.mutable_contours(), layer.contours);
-    m.set_body(layer.body);
-    m.set_tool(layer.tool);
+    put_owner(layer, m);
     m.set_width(layer.width);
     return raw(Tag::layer, m);
 }
@@ -237,10 +216,8 @@ polygon::Region region(const RawFrame& frame) {
     if (m.purpose() < 0 || m.purpose() > 2) bad_frame("region", "unknown purpose");
     out.is = static_cast<polygon::RegionClass>(m.purpose());
     out.brim = m.has_brim() ? m.brim() : -1;
-    check_owner(m, "region");
-    out.body = m.body();
-    out.tool = m.tool();
-    out.width = m.width();
+    read_owner(m, out, "region");
+    out.width = owner_width(m, "region");
     return out;
 }
 
@@ -268,8 +245,7 @@ RawFrame frame(const polygon::Region& region) {
     m.set_walls(region.walls);
     m.set_purpose(static_cast<proto::RegionClass>(region.is));
     m.set_brim(region.brim);
-    m.set_body(region.body);
-    m.set_tool(region.tool);
+    put_owner(region, m);
     m.set_width(region.width);
     return raw(Tag::region, m);
 }
@@ -300,10 +276,7 @@ toolpath::RegionPaths paths(const RawFrame& frame) {
         if (out.stacked.back().size() < 2) bad_frame("paths", "a line has fewer than two points");
     }
     check_beads(out);
-    check_tool(m.tool(), "paths");
-    check_body(m.body(), "paths");
-    out.body = m.body();
-    out.tool = m.tool();
+    read_owner(m, out, "paths");
     return out;
 }
 
@@ -317,8 +290,7 @@ RawFrame frame(const toolpath::RegionPaths& paths) {
     m.set_stroke(paths.stroke);
     m.set_join(static_cast<proto::Join>(paths.join));
     m.set_unplaced(paths.unplaced);
-    m.set_body(paths.body);
-    m.set_tool(paths.tool);
+    put_owner(paths, m);
     for (const auto& curve : paths.curves) {
         auto* c = m.add_curves();
         c->set_closed(curve.closed);
@@ -385,10 +357,7 @@ toolpath::Span span(const RawFrame& frame) {
         bad_frame("span", "a travel has a bead");
     }
     out.normals = normals(m, xy.size());
-    check_tool(m.tool(), "span");
-    check_body(m.body(), "span");
-    out.tool = m.tool();
-    out.body = m.body();
+    read_owner(m, out, "span");
     if (m.retraction() < 0 || m.retraction() > 2) bad_frame("span", "unknown retraction");
     out.retraction = static_cast<toolpath::Retraction>(m.retraction());
     out.feature = feature(m.feature(), "span");
@@ -401,8 +370,7 @@ RawFrame frame(const toolpath::Span& span) {
     m.set_stroke(span.stroke);
     m.set_layer(span.layer);
     m.set_region(span.region);
-    m.set_tool(span.tool);
-    m.set_body(span.body);
+    put_owner(span, m);
     m.set_retraction(static_cast<proto::Retraction>(span.retraction));
     m.set_feature(static_cast<proto::Feature>(span.feature));
     const auto n = static_cast<int>(span.points.size());

@@ -15,6 +15,7 @@ namespace {
 
 By by(const std::string& color) {
     if (color == "stroke") return By::stroke;
+    if (color == "tool") return By::tool;
     if (color == "layer") return By::layer;
     if (color == "width") return By::width;
     if (color == "speed") return By::speed;

@@ -9,7 +9,7 @@
 namespace filum::render {
 
 struct Options {
-    std::string color = "auto"; // auto | progress | stroke | layer | width | speed | class
+    std::string color = "auto"; // auto | progress | stroke | tool | layer | width | speed | class
     std::string view = "auto";  // auto | iso | top | ... | X,Y,Z: render::looks; auto: face for a surface, else iso
     std::string views = {};     // several of these instead of one
     std::string machine = "marlin";

@@ -79,6 +79,7 @@ void add(Scene& scene, const toolpath::RegionPaths& paths, Range range) {
     if (!range.has(paths.layer)) return;
     for (const auto& c : paths.curves) {
         toolpath::Span s{toolpath::Role::bead, paths.stroke, paths.layer, paths.region, {}, c.width, {paths.height}};
+        s.tool = paths.tool;
         for (const Vec2 p : c.points) s.points.push_back({p.x, p.y, paths.z});
         if (c.closed) s.points.push_back(s.points.front());
         if (c.closed && s.width.size() > 1) s.width.push_back(s.width.front());
@@ -87,12 +88,13 @@ void add(Scene& scene, const toolpath::RegionPaths& paths, Range range) {
 }
 
 void add(Scene& scene, const polygon::Layer& layer, Range range) {
-    if (range.has(layer.index)) scene.outlines.push_back({layer.index, 0, layer.z, layer.height, layer.contours});
+    if (range.has(layer.index))
+        scene.outlines.push_back({layer.index, 0, layer.z, layer.height, layer.contours, layer.tool});
 }
 
 void add(Scene& scene, const polygon::Region& region, Range range) {
     if (range.has(region.layer))
-        scene.outlines.push_back({region.layer, region.stroke, region.z, region.height, region.loops});
+        scene.outlines.push_back({region.layer, region.stroke, region.z, region.height, region.loops, region.tool});
 }
 
 void add(Scene& scene, surface::Sheet sheet) {
@@ -112,6 +114,7 @@ void fill_outlines(Scene& scene) {
         const auto span = [&](std::vector<geom::Vec3> points) {
             scene.spans.push_back(
                 {toolpath::Role::bead, o.stroke, o.layer, 0, std::move(points), {o.height}, {o.height}});
+            scene.spans.back().tool = o.tool;
         };
         for (std::size_t i = 0; i < o.loops.size(); ++i) {
             std::vector<geom::Vec3> ring;

@@ -18,6 +18,7 @@ struct Outline {
     std::uint32_t layer = 0, stroke = 0;
     double z = 0, height = 0;
     polygon::Loops loops;
+    std::uint32_t tool = 0;
 };
 
 // A solid object besides the beads.

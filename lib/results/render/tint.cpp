@@ -54,6 +54,7 @@ Tint tint(const Scene& scene, By by, const machine::Profile* profile) {
     double along = 0;
     for (const auto& s : scene.spans) {
         strokes.insert(s.stroke);
+        if (by == By::tool && toolpath::extrudes(s.role)) out.tools.insert(s.tool);
         lo = std::min(lo, s.layer);
         hi = std::max(hi, s.layer);
         if (s.feature == Feature::none || s.role != Role::bead)
@@ -148,6 +149,8 @@ Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i,
     case By::width:
     case By::speed:
         return on_ramp(amount(tint, span, i));
+    case By::tool:
+        return to_srgb8(distinct(span.tool));
     case By::role:
         return to_srgb8(span.role == Role::bead ? feature_colour(span.feature) : role_colour(span.role));
     }
@@ -166,6 +169,9 @@ void add_legend(Key& key, const Tint& tint) {
         return key.ramp("width " + fixed_text(tint.lo, 2), fixed_text(tint.hi, 2) + " mm");
     case By::speed:
         return key.ramp("speed " + fixed_text(tint.lo, 1), fixed_text(tint.hi, 1) + " mm/s");
+    case By::tool:
+        for (const std::uint32_t tool : tint.tools) key.swatch(distinct(tool), "tool " + std::to_string(tool));
+        return;
     case By::role:
         for (std::size_t r = 0; r < tint.roles.size(); ++r)
             if (tint.roles[r]) key.swatch(role_colour(static_cast<Role>(r)), role_name(static_cast<Role>(r)));

@@ -7,11 +7,12 @@
 #include "render/scene.hpp"
 
 #include <array>
+#include <set>
 #include <string>
 
 namespace filum::render {
 
-enum class By { progress, stroke, layer, width, speed, role };
+enum class By { progress, stroke, tool, layer, width, speed, role };
 
 // How beads are coloured. The ramp of `progress` runs from the first extruding move drawn to the last one. The ramp of
 // `width` and `speed` runs from the 1st to the 99th percentile by length.
@@ -21,6 +22,7 @@ struct Tint {
     double lo = 0, hi = 1;                      // the amounts at the ends of the ramp
     std::vector<double> begin;                  // progress: mm extruded before each span
     std::size_t strokes = 0;                    // number of different strokes drawn
+    std::set<std::uint32_t> tools;              // of By::tool: the tools drawn
     std::array<bool, toolpath::kRoles> roles{}; // the roles drawn
     std::array<bool, toolpath::kFeatures> features{};
     std::vector<Srgb8> ramp; // colours of the ramp, tabulated because mixing is slower

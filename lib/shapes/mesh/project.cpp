@@ -60,6 +60,21 @@ Plate plate_of(const pugi::xml_node& element) {
 
 } // namespace
 
+namespace {
+
+// The extruder in the metadata of an element, from 0; none if there is none, or the one of the element above counts.
+std::optional<std::uint32_t> extruder_of(const pugi::xml_node& element) {
+    const int number = std::atoi(metadata(element, "extruder").c_str());
+    return number > 0 ? std::optional(static_cast<std::uint32_t>(number - 1)) : std::nullopt;
+}
+
+// Reads the extruder of an object.
+void read_extruder(const pugi::xml_node& object, Project& to) {
+    if (const auto number = extruder_of(object)) to.extruder[object.attribute("id").value()] = *number;
+}
+
+} // namespace
+
 std::size_t Project::of_triangle(const std::string& object, std::size_t i) const {
     const auto found = triangles.find(object);
     if (found == triangles.end()) return kNone;
@@ -75,8 +90,12 @@ std::size_t Project::of_component(const std::string& object, const std::string& 
 bool read_prusa_project(const std::string& text, Project& to) {
     pugi::xml_document xml;
     if (!xml.load_buffer(text.data(), text.size())) return false;
-    for (const auto& object : xml.child("config").children("object"))
-        for (const auto& volume : object.children("volume"))
+    for (const auto& object : xml.child("config").children("object")) {
+        read_extruder(object, to);
+        for (const auto& volume : object.children("volume")) {
+            if (const auto number = extruder_of(volume))
+                to.extruders[object.attribute("id").value()].push_back(
+                    {volume.attribute("firstid").as_ullong(), volume.attribute("lastid").as_ullong(), *number});
             for (const auto& data : volume.children("metadata")) {
                 if (std::string_view(data.attribute("key").value()) != "volume_type") continue;
                 const auto what = what_of(kPrusa, data.attribute("value").value());
@@ -86,19 +105,26 @@ bool read_prusa_project(const std::string& text, Project& to) {
                                                                         to.bodies.size()});
                 to.bodies.push_back(body_of(*what, volume));
             }
+        }
+    }
     return true;
 }
 
 bool read_bambu_project(const std::string& text, Project& to) {
     pugi::xml_document xml;
     if (!xml.load_buffer(text.data(), text.size())) return false;
-    for (const auto& object : xml.child("config").children("object"))
+    for (const auto& object : xml.child("config").children("object")) {
+        read_extruder(object, to);
         for (const auto& part : object.children("part")) {
+            if (const auto number = extruder_of(part))
+                to.component_extruder.emplace(std::pair(object.attribute("id").value(), part.attribute("id").value()),
+                                              *number);
             const auto what = what_of(kBambu, part.attribute("subtype").value());
             if (!what) continue;
             to.components.try_emplace({object.attribute("id").value(), part.attribute("id").value()}, to.bodies.size());
             to.bodies.push_back(body_of(*what, part));
         }
+    }
     for (const auto& plate : xml.child("config").children("plate")) to.plates.push_back(plate_of(plate));
     if (std::ranges::all_of(to.plates, [](const Plate& p) { return p.items.empty(); })) to.plates.clear();
     return true;

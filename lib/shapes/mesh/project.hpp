@@ -36,6 +36,11 @@ struct Project {
     [[nodiscard]] std::size_t of_triangle(const std::string& object, std::size_t i) const;
     // The body of an object's component, or kNone.
     [[nodiscard]] std::size_t of_component(const std::string& object, const std::string& component) const;
+
+    // Extruders, numbered from 0, of objects and of their parts. A part is a range of triangles or a component.
+    std::map<std::string, std::uint32_t> extruder;
+    std::map<std::string, std::vector<Range>> extruders; // `body` is the number of the extruder
+    std::map<std::pair<std::string, std::string>, std::uint32_t> component_extruder;
 };
 
 // Reads Metadata/Slic3r_PE_model.config of PrusaSlicer and SuperSlicer into `to`. Returns false if `text` is not XML.

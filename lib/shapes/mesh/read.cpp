@@ -78,8 +78,10 @@ void weld(Mesh& mesh) {
 bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 // Leaves out triangles with equal corners or with a corner that is not finite. Then it leaves out vertices without a
-// triangle that are not finite, so that all coordinates are finite. `items` is empty or has an entry per triangle.
-void leave_out_unusable(Mesh& mesh, std::vector<std::uint32_t>& items, Notes& notes) {
+// triangle that are not finite, so that all coordinates are finite. `items` and `materials` are empty or have an entry
+// per triangle.
+void leave_out_unusable(Mesh& mesh, std::vector<std::uint32_t>& items, std::vector<std::uint32_t>& materials,
+                        Notes& notes) {
     const bool all_finite = std::all_of(mesh.vertices.begin(), mesh.vertices.end(), finite);
     std::size_t lost = 0, kept = 0;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -91,10 +93,12 @@ void leave_out_unusable(Mesh& mesh, std::vector<std::uint32_t>& items, Notes& no
         }
         if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
         if (!items.empty()) items[kept] = items[i];
+        if (!materials.empty()) materials[kept] = materials[i];
         mesh.triangles[kept++] = t;
     }
     mesh.triangles.resize(kept);
     if (!items.empty()) items.resize(kept);
+    if (!materials.empty()) materials.resize(kept);
     if (lost > 0) {
         Note n = note(NoteCode::triangle_not_finite);
         n.count = lost;
@@ -163,11 +167,11 @@ File read(std::string_view bytes, const std::string& name, int plate) {
     out.kind = recognise(bytes);
     out.mesh = read_kind(out.kind, bytes, name, plate, out);
     if (out.kind != Kind::stl_binary && out.kind != Kind::stl_ascii) weld(out.mesh);
-    leave_out_unusable(out.mesh, out.items, out.notes);
+    leave_out_unusable(out.mesh, out.items, out.materials, out.notes);
     std::vector<std::uint32_t> none;
     for (Body& b : out.bodies) {
         weld(b.mesh);
-        leave_out_unusable(b.mesh, none, out.notes);
+        leave_out_unusable(b.mesh, none, none, out.notes);
     }
     std::erase_if(out.bodies, [](const Body& b) { return b.mesh.triangles.empty(); });
     if (out.mesh.triangles.empty())

@@ -42,6 +42,8 @@ struct File {
     Kind kind = Kind::unknown;
     Notes notes;                // faults that were repaired, and parts that were left out
     std::vector<Body> bodies{}; // of a 3MF; painted faces come last
+    // Per triangle of the mesh, the number of its material or extruder, from 0; of a 3MF. Empty if all have the same.
+    std::vector<std::uint32_t> materials{};
     // Per triangle of the mesh, its build item. Filled only if a body is negative.
     std::vector<std::uint32_t> items{};
 };

@@ -6,6 +6,7 @@
 #include "geom/affine.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/items.hpp"
+#include "mesh/materials.hpp"
 #include "mesh/paint.hpp"
 #include "mesh/project.hpp"
 #include "mesh/text.hpp"
@@ -41,14 +42,6 @@ bool is(const pugi::xml_node& n, const char* name) { return threemf::local_name(
 pugi::xml_node child(const pugi::xml_node& n, const char* name) {
     return n.find_child([&](const pugi::xml_node& c) { return is(c, name); });
 }
-// The attribute "path" of the production extension, with any namespace prefix.
-std::string part_path(const pugi::xml_node& n) {
-    for (const auto& a : n.attributes())
-        if (const char* colon = std::strchr(a.name(), ':'); colon != nullptr && std::strcmp(colon, ":path") == 0)
-            return a.value();
-    return "";
-}
-
 class Archive {
   public:
     Archive(std::string_view bytes, const std::string& name, int plate, File& to)
@@ -60,7 +53,7 @@ class Archive {
         read_project();
         const std::vector<pugi::xml_node> items = wanted_items(model);
         for (const auto& item : items) {
-            const std::string path = part_path(item);
+            const std::string path = threemf::part_path(item);
             add(path.empty() ? root : path, item.attribute("objectid").value(), transform(item), {});
             ++items_;
         }
@@ -71,6 +64,7 @@ class Archive {
         tell(NoteCode::triangle_element_unknown, unknown_);
         set_down();
         take_bodies();
+        keep_if_several(to_.materials);
     }
 
   private:
@@ -82,12 +76,16 @@ class Archive {
         std::string object;                // its id in the root model; empty for objects of other files
         std::size_t body = Project::kNone; // the body that the whole mesh belongs to
         std::uint32_t item = 0;            // of the build
+        std::string path;                  // of its file in the archive
+        Materials::Material material;
     };
     // What a component inherits from the objects above it.
     struct Above {
         int depth = 0;
         bool support = false; // one of them is a support
         std::size_t body = Project::kNone;
+        std::string parent{}; // id of the object directly above
+        Materials::Material material{};
     };
 
     [[noreturn]] void bad(const std::string& why) const {
@@ -162,6 +160,7 @@ class Archive {
             bad("it requires the 3MF extension '" + name +
                 "', which Filum does not support; export the part as a mesh of triangles");
         slot->unit = unit(model.attribute("unit").value());
+        materials_.add_groups(path, child(model, "resources"));
         for (const auto& o : child(model, "resources").children())
             if (is(o, "object") && !slot->objects.emplace(o.attribute("id").value(), o).second)
                 bad("two objects have the id '" + std::string(o.attribute("id").value()) + "'");
@@ -189,11 +188,12 @@ class Archive {
         const auto found = model.objects.find(id);
         if (found == model.objects.end()) bad("object '" + id + "' is missing");
         const auto& object = found->second;
-        if (!there_.insert({&model, id, key(place)}).second) {
+        if (!there_.insert({&model, id, threemf::numbers(place)}).second) {
             ++same_.count;
             return;
         }
         const threemf::Function function = checked_function(object, id);
+        above.material = materials_.of(path, object, above.parent, above.material, project_);
         above.support = above.support || function == threemf::Function::support;
         if (const auto mesh = child(object, "mesh")) {
             if (above.support)
@@ -201,15 +201,16 @@ class Archive {
             else if (function == threemf::Function::surface)
                 ++surfaces_;
             else
-                placed_.push_back({mesh, model.unit, place, above.depth == 0 ? id : "", above.body, items_});
+                placed_.push_back(
+                    {mesh, model.unit, place, above.depth == 0 ? id : "", above.body, items_, path, above.material});
         }
         for (const auto& c : child(object, "components").children()) {
             if (!is(c, "component")) continue;
-            const std::string other = part_path(c);
+            const std::string other = threemf::part_path(c);
             const std::size_t part = project_.of_component(id, c.attribute("objectid").value());
             if (++copies_ > kMaxCopies) bad("its components ask for more than 100000 copies");
             add(other.empty() ? path : other, c.attribute("objectid").value(), then(transform(c), place),
-                {above.depth + 1, above.support, part == Project::kNone ? above.body : part});
+                {above.depth + 1, above.support, part == Project::kNone ? above.body : part, id, above.material});
         }
     }
 
@@ -253,12 +254,6 @@ class Archive {
         for (std::size_t v = 0; v < item_of_vertex_.size(); ++v) to_.mesh.vertices[v].z -= down[item_of_vertex_[v]];
     }
 
-    static std::array<double, 12> key(const Affine& place) {
-        std::array<double, 12> out{};
-        for (std::size_t i = 0; i < 12; ++i) out[i] = i < 9 ? place.a[i / 3][i % 3] : place.t[i - 9];
-        return out;
-    }
-
     // Throws, before copying any mesh, if the result would be too large.
     void reserve() {
         std::map<const void*, std::pair<std::size_t, std::size_t>> size; // per mesh: numbers of vertices and triangles
@@ -298,7 +293,8 @@ class Archive {
             }
             const std::size_t body =
                 placed.body != Project::kNone ? placed.body : project_.of_triangle(placed.object, number_of);
-            ++number_of;
+            const std::uint32_t material =
+                materials_.of_triangle(placed.path, t, number_of++, placed.material, project_);
             Triangle tri{index(t, "v1", count), index(t, "v2", count), index(t, "v3", count)};
             for (auto& v : tri) v += static_cast<std::uint32_t>(first);
             if (body == Project::kNone) take_paint(t, tri);
@@ -309,6 +305,7 @@ class Archive {
             }
             to_.mesh.triangles.push_back(tri);
             item_of_.push_back(placed.item);
+            to_.materials.push_back(material);
         }
     }
 
@@ -385,6 +382,7 @@ class Archive {
     std::size_t supports_ = 0, surfaces_ = 0, unknown_ = 0;
     Note same_{.code = NoteCode::body_repeated, .count = 0};
     Project project_;
+    Materials materials_;
     std::vector<std::map<std::uint32_t, std::vector<Triangle>>> triangles_; // per body of the project, by item
     std::vector<PaintedTriangle> paint_;
 };

@@ -56,6 +56,18 @@ std::string_view local_name(const pugi::xml_node& node) {
     return name.substr(name.find(':') == std::string_view::npos ? 0 : name.find(':') + 1);
 }
 
+std::string part_path(const pugi::xml_node& node) {
+    for (const auto& a : node.attributes())
+        if (std::string_view(a.name()).ends_with(":path")) return a.value();
+    return "";
+}
+
+std::array<double, 12> numbers(const geom::Affine& place) {
+    std::array<double, 12> out{};
+    for (std::size_t i = 0; i < 12; ++i) out[i] = i < 9 ? place.a[i / 3][i % 3] : place.t[i - 9];
+    return out;
+}
+
 bool has_another(const pugi::xml_node& node) {
     for (auto n = node.next_sibling(); n; n = n.next_sibling())
         if (n.type() == pugi::node_element) return true;

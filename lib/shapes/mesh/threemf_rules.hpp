@@ -3,6 +3,7 @@
 
 #include "geom/affine.hpp"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,6 +17,12 @@ namespace filum::mesh::threemf {
 
 // The name of an element without its namespace prefix.
 std::string_view local_name(const pugi::xml_node& node);
+
+// The attribute "path" of the production extension, with any namespace prefix; "" if there is none.
+std::string part_path(const pugi::xml_node& node);
+
+// The twelve numbers of a transform.
+std::array<double, 12> numbers(const geom::Affine& place);
 
 // True if another element follows, of any name.
 bool has_another(const pugi::xml_node& node);

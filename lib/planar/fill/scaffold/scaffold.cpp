@@ -69,6 +69,20 @@ std::vector<geom::Segment> segments(const std::vector<toolpath::Curve>& curves) 
     return out;
 }
 
+// Lets the curve begin at `from`, within the part, if its start is more than a bead away and no bead lies between. The
+// part grows there from layer to layer.
+void begin_at(toolpath::Curve& curve, Vec2 from, const Loops& part, double width) {
+    const Vec2 start = curve.points.front();
+    if (geom::distance(from, start) <= width || !polygon::contains(part, from)) return;
+    const Vec2 near =
+        geom::lerp(start, from, kLeastMove / geom::distance(from, start)); // the start itself is no obstacle
+    const auto own = segments({curve});
+    if (std::any_of(own.begin(), own.end(), [&](const auto& s) { return geom::cross_properly(from, near, s.a, s.b); }))
+        return;
+    curve.points.insert(curve.points.begin(), from);
+    if (curve.width.size() > 1) curve.width.insert(curve.width.begin(), curve.width.front());
+}
+
 // Extends an open curve, too short for a link beside it, from its end to a ring nearby and once around that. False if
 // the ring is too far away or a curve lies between.
 bool lead_on(toolpath::Curve& open, const toolpath::Curve& ring, const std::vector<geom::Segment>& all, double width) {
@@ -127,7 +141,9 @@ std::vector<toolpath::Curve> scaffold(const Loops& region, const Loops& frame, c
             next = std::min_element(parts.begin(), parts.end(), [&](const Loops& a, const Loops& b) {
                 return distance_to(a, at[0]) < distance_to(b, at[0]);
             });
+        const bool lifted = out.empty() && o.from;
         fill_with_strands(*next, turned, at.empty() ? std::nullopt : std::optional(at[0]), o, out, again);
+        if (lifted && !out.empty()) begin_at(out.front(), at[0], *next, w);
         if (!out.empty()) at = {out.back().points.back()};
         parts.erase(next);
     }

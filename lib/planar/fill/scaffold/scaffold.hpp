@@ -34,6 +34,7 @@ struct ScaffoldOptions {
 // material is right. The note NoteCode::path_runs_twice gives the length.
 //
 // With `from`, the curve begins at the nearest place of the boundary, so that plain lifts join the layers of a column.
+// If that is more than a bead away and `from` lies within the region, the curve begins at `from` and leads there.
 // Without it, the curve begins at an outermost strand.
 //
 // Returns one curve, or more if a region thinner than a bead with its rings falls apart, or if a hole cuts strands off.

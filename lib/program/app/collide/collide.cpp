@@ -8,6 +8,8 @@
 #include "stream/spool.hpp"
 #include "wire/planar.hpp"
 
+#include <algorithm>
+
 namespace filum::app::collide {
 
 namespace {
@@ -20,7 +22,11 @@ collision::CheckResult check(Things& t, std::vector<collision::Solid> beads, con
     if (o.bed) t.solids[static_cast<std::size_t>(Obstacle::bed)] = collision::bed(moves);
     const collision::Scene scene{collision::Tree(std::move(beads)), collision::Tree(std::move(t.solids[1])),
                                  collision::Tree(std::move(t.solids[2])), collision::Tree(std::move(t.solids[3]))};
-    return collision::check(scene, head, moves, o.check, threads);
+    auto out = collision::check(scene, head, moves, o.check, threads);
+    std::stable_sort(out.collisions.begin(), out.collisions.end(), [&](const auto& a, const auto& b) {
+        return moves[a.move].source < moves[b.move].source; // the moves of idle heads come last
+    });
+    return out;
 }
 
 void program(const Options& o, const machine::Profile& profile, const cli::Io& io) {
@@ -31,11 +37,13 @@ void program(const Options& o, const machine::Profile& profile, const cli::Io& i
         how.height = o.bead[1];
     }
     if (!o.shift.empty()) how.shift = {o.shift[0], o.shift[1], o.shift[2]};
+    const collision::Heads heads = heads_of(profile);
     auto read = collision::read_program(bytes.view(), mesh::spoken_name(o.program), profile, how);
     if (read.moves.empty())
         throw Error(Exit::bad_input, "cannot find a move in the program " + mesh::spoken_name(o.program));
+    collision::add_idle(heads, read.moves);
     Things t(o.part, o.fixture);
-    const auto found = check(t, std::move(read.beads), heads_of(profile), read.moves, o, io.threads);
+    const auto found = check(t, std::move(read.beads), heads, read.moves, o, io.threads);
     const collision::ReportInput answer{read.moves, found, o.check, collision::Source::line};
     write_places(o.places, answer);
     auto figures = collision::summary(answer);
@@ -71,7 +79,8 @@ void toolpath(const Options& o, const collision::Machine& machine, const cli::Io
     }
     Things t(o.part, o.fixture);
     io.settings.insert(io.settings.end(), t.settings.begin(), t.settings.end());
-    const auto& moves = walk.growth.moves;
+    auto& moves = walk.growth.moves;
+    collision::add_idle(machine.head, moves);
     const auto found = check(t, std::move(walk.growth.beads), machine.head, moves, o, io.threads);
     const collision::ReportInput answer{moves, found, o.check, collision::Source::point};
     write_places(o.places, answer);

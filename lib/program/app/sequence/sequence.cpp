@@ -21,6 +21,7 @@ void run(const Work& work, const cli::Io& given) {
     cli::Io io = given;
     filum::sequence::Options how = work.how;
     how.heads = machine::heads(work.head);
+    if (how.first != filum::sequence::Priority::strokes) io.settings.push_back({"tool-changes", "first", true});
     for (const auto& [name, value, changed] : machine::settings(how.heads.common))
         io.settings.push_back({name, value, changed});
     std::vector<stream::RawFrame> frames;

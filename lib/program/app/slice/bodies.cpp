@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
+#include <utility>
 
 namespace filum::app::slice {
 
@@ -32,6 +32,7 @@ void set(const std::string& item, const std::string& setting, BodyItem& to) {
         if (!(number >= 0 && number <= kMostTool) || number != std::floor(number))
             refuse(item, "a tool is a whole number from 0 to " + std::to_string(kMostTool));
         to.tool = static_cast<std::uint32_t>(number);
+        to.named = true;
     } else if (name == "width") {
         if (!(number >= 0.01 && number <= 100)) refuse(item, "a width is between 0.01 and 100 mm");
         to.width = number;
@@ -42,7 +43,7 @@ void set(const std::string& item, const std::string& setting, BodyItem& to) {
 
 // One item.  The last colon before a '=' divides file and settings, since names of files may hold colons.
 BodyItem body_item(const std::string& text) {
-    BodyItem out{text};
+    BodyItem out{.file = text};
     const auto equal = text.rfind('=');
     const auto colon =
         equal == std::string::npos ? std::string::npos : text.rfind(':', text.find('=', text.rfind(':')));
@@ -58,16 +59,20 @@ BodyItem body_item(const std::string& text) {
     return out;
 }
 
-// Bodies of one tool have one width: that of those that state one.  Throws Error(usage) for two different widths.
-void share_widths(std::vector<BodyItem>& items) {
-    std::map<std::uint32_t, double> width;
-    for (const BodyItem& i : items) {
-        double& own = width[i.tool];
-        if (i.width > 0 && own > 0 && i.width != own)
-            refuse(i.file, "tool " + std::to_string(i.tool) + " has beads of " + shortest_text(own) + " mm already");
-        own = std::max(own, i.width);
+// The mesh, divided by materials if the item names no tool and the file has several.
+std::map<std::uint32_t, mesh::Mesh> by_tool(const BodyItem& item, mesh::File file) {
+    std::map<std::uint32_t, mesh::Mesh> out;
+    if (item.named || file.materials.empty()) {
+        out[item.tool] = std::move(file.mesh);
+        return out;
     }
-    for (BodyItem& i : items) i.width = width[i.tool];
+    for (std::size_t i = 0; i < file.mesh.triangles.size(); ++i)
+        out[file.materials[i]].triangles.push_back(file.mesh.triangles[i]);
+    for (auto& [tool, mesh] : out) {
+        mesh.vertices = file.mesh.vertices;
+        mesh::drop_unused_vertices(mesh);
+    }
+    return out;
 }
 
 struct BodyMesh {
@@ -75,6 +80,19 @@ struct BodyMesh {
     mesh::Mesh mesh;
     Notes notes;
 };
+
+// Bodies of one tool have one width: that of those that state one.  Throws Error(usage) for two different widths.
+void share_widths(std::vector<BodyMesh>& bodies) {
+    std::map<std::uint32_t, double> width;
+    for (const BodyMesh& b : bodies) {
+        double& own = width[b.item.tool];
+        if (b.item.width > 0 && own > 0 && b.item.width != own)
+            refuse(b.item.file,
+                   "tool " + std::to_string(b.item.tool) + " has beads of " + shortest_text(own) + " mm already");
+        own = std::max(own, b.item.width);
+    }
+    for (BodyMesh& b : bodies) b.item.width = width[b.item.tool];
+}
 
 // Reads the files of the bodies.  `states_unit`: all of them state their unit.
 std::vector<BodyMesh> read(const std::vector<BodyItem>& items, const Options& o, cli::Io& self, bool& states_unit) {
@@ -90,8 +108,12 @@ std::vector<BodyMesh> read(const std::vector<BodyItem>& items, const Options& o,
         stating += mesh::states_unit(file.kind) ? 1 : 0;
         Notes notes = std::move(file.notes);
         check_precision(file.mesh, notes);
-        out.push_back({item, std::move(file.mesh), std::move(notes)});
+        for (auto& [tool, mesh] : by_tool(item, std::move(file))) {
+            out.push_back({item, std::move(mesh), std::exchange(notes, {})});
+            out.back().item.tool = tool;
+        }
     }
+    share_widths(out);
     states_unit = stating == items.size();
     if (stating > 0 && !states_unit && o.place.unit != "mm")
         throw Error(Exit::usage, "cannot use --unit " + o.place.unit +
@@ -117,15 +139,16 @@ std::vector<OnBed> read_bodies(const Options& o, cli::Io& self) {
     if (self.inputs.size() > 1)
         throw Error(Exit::usage, "cannot use --body with several parts: give each body of the part by --body");
     std::vector<BodyItem> items = body_items(o.body);
-    if (!self.inputs.empty()) items.insert(items.begin(), BodyItem{self.inputs.front()});
-    share_widths(items);
-    std::string said;
-    for (const BodyItem& i : items)
-        said += (said.empty() ? "FILE:tool=" : ";FILE:tool=") + std::to_string(i.tool) +
-                (i.width > 0 ? ",width=" + shortest_text(i.width) : "");
-    self.settings.push_back({"bodies", said, true});
+    if (!self.inputs.empty()) items.insert(items.begin(), BodyItem{.file = self.inputs.front(), .named = true});
     bool states_unit = false;
     std::vector<BodyMesh> meshes = read(items, o, self, states_unit);
+    std::string said;
+    for (const BodyMesh& b : meshes) {
+        const BodyItem& i = b.item;
+        said += (said.empty() ? "FILE:tool=" : ";FILE:tool=") + std::to_string(i.tool) +
+                (i.width > 0 ? ",width=" + shortest_text(i.width) : "");
+    }
+    self.settings.push_back({"bodies", said, true});
     mesh::Mesh whole;
     for (const BodyMesh& b : meshes) mesh::append(b.mesh, whole);
     const bool several = o.copies > 1 || in_grid(o);
@@ -181,17 +204,17 @@ OnBed joint(const std::vector<OnBed>& bodies) {
 }
 
 void cut_by_later(std::vector<polygon::Loops>& contours, const std::vector<std::uint32_t>& tools, double height,
-                  std::uint32_t layer, Notes& notes) {
+                  double hairline, std::uint32_t layer, Notes& notes) {
     for (std::size_t b = contours.size(); b-- > 0;) {
         polygon::Loops later;
         for (std::size_t c = b + 1; c < contours.size(); ++c)
             if (tools[c] != tools[b]) later.add(contours[c]);
         if (contours[b].empty() || later.empty()) continue;
         later = polygon::unite(later);
-        const polygon::Loops common = polygon::intersect(contours[b], later);
-        const double area = polygon::signed_area(common);
-        if (common.empty() || area <= 0) continue;
+        const polygon::Loops common = polygon::opened(polygon::intersect(contours[b], later), hairline / 2);
         contours[b] = polygon::subtract(contours[b], later);
+        if (common.empty()) continue; // bodies that touch overlap by rounding
+        const double area = polygon::signed_area(common);
         const Vec2 at = common.points.front();
         notes.push_back(
             {.code = NoteCode::body_overlap, .amount = area * height, .layer = layer, .x = at.x, .y = at.y});

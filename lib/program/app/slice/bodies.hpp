@@ -12,7 +12,8 @@ namespace filum::app::slice {
 struct BodyItem {
     std::string file;
     std::uint32_t tool = 0;
-    double width = 0; // mm; 0: as the stages say
+    double width = 0;   // mm; 0: as the stages say
+    bool named = false; // the tool is named; otherwise each material of a 3MF is a body with a tool of its number
 };
 
 // The items of --body, with ';' between.  Throws Error(usage) for an item that is none of these forms.
@@ -27,11 +28,11 @@ std::vector<OnBed> read_bodies(const Options& options, cli::Io& self);
 OnBed joint(const std::vector<OnBed>& bodies);
 
 // Cuts the contours of later bodies from those of earlier ones with other tools.  `tools`: per body.  Adds a note with
-// the volume that this takes.
+// the volume that this takes where they overlap by more than a `hairline` (mm).
 void cut_by_later(std::vector<polygon::Loops>& contours, const std::vector<std::uint32_t>& tools, double height,
-                  std::uint32_t layer, Notes& notes);
+                  double hairline, std::uint32_t layer, Notes& notes);
 
-// Adds a note for each body that is hidden completely.  `kept`: mm2 that are left, per body and layer.
+// Adds a note for each body that later ones hide completely.  `kept`: mm2 that are left, per body and layer.
 void tell_hidden(const std::vector<OnBed>& bodies, const std::vector<std::vector<double>>& kept,
                  std::span<const filum::slice::Level> levels, Notes& notes);
 

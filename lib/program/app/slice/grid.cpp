@@ -21,6 +21,15 @@ plate::Grid grid_of(const Options& o) {
 std::vector<cli::Option> plate_options(Options& o) {
     using cli::Option;
     return {
+        Option{"machine", &o.machine, "NAME|FILE",
+               "machine profile; a part larger than its bed is refused, and several parts are placed on its bed "
+               "(default: marlin's)"}
+            .not_a_setting(),
+        Option{"body", &o.body, "FILE:tool=N",
+               "a body of the part that another tool prints, as core.stl:tool=1 or core.stl:tool=1,width=0.6; several "
+               "times for several; later ones are cut from earlier ones"}
+            .repeated()
+            .not_a_setting(),
         Option{"plate", &o.plate, "N", "plate of a slicer's project, counted from 1"}.within(1, 1000),
         Option{"copies", &o.copies, "N", "number of copies of each part"}.within(1, 10000),
         Option{"wells", &o.wells, "N",

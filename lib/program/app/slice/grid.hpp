@@ -9,7 +9,7 @@
 
 namespace filum::app::slice {
 
-// The options that put several parts on a bed.
+// The options that put several parts on the bed of a machine, and several bodies into a part.
 std::vector<cli::Option> plate_options(Options& options);
 
 // The number of copies of each of `inputs` parts.  In a grid, a single part gets a copy in each place; several parts

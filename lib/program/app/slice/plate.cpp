@@ -49,6 +49,7 @@ OnBed read_part(const std::string& path, const Options& o, const cli::Io& io, bo
     if (file.kind != mesh::Kind::threemf) io.idle("plate", "the file is no project with plates");
     OnBed out;
     out.notes = std::move(file.notes);
+    if (!file.materials.empty()) out.notes.push_back({.code = NoteCode::materials_as_one});
     check_precision(file.mesh, out.notes);
     mesh::Placement placement = o.place;
     placement.scale = enlarged(o.place.scale, o.shrinkage);

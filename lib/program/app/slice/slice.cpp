@@ -74,7 +74,7 @@ std::vector<polygon::Layer> body_layers(Job& job, std::size_t i, std::vector<pol
     const auto index = static_cast<std::uint32_t>(i - job.wanted.first);
     std::vector<std::uint32_t> tools;
     for (const OnBed& part : job.parts) tools.push_back(part.tool);
-    cut_by_later(contours, tools, level.height, index, notes);
+    cut_by_later(contours, tools, level.height, job.o.slice.hairline, index, notes);
     std::vector<polygon::Layer> out;
     for (std::size_t b = 0; b < contours.size(); ++b) {
         job.kept[b][i] = polygon::signed_area(contours[b]);
@@ -128,6 +128,17 @@ std::vector<stream::RawFrame> cut_all(Job& job, std::size_t chunk, Notes& notes)
     return frames;
 }
 
+// Whether a note reports a layer without this body that has another one.
+auto of_other_bodies(const Job& job) {
+    return [&job](const Note& note) {
+        return note.code == NoteCode::layer_empty &&
+               std::any_of(job.parts.begin(), job.parts.end(), [&](const OnBed& part) {
+                   return static_cast<std::size_t>(note.layer) < part.area.size() &&
+                          part.area[static_cast<std::size_t>(note.layer)] > 0;
+               });
+    };
+}
+
 void tell_idle(const Job& job, const cli::Io& io) {
     if (!job.holed) io.idle("hole-compensation", "no layer has a hole");
     if (job.wanted.first == 0) io.idle("cut-below", "nothing lies below");
@@ -167,6 +178,7 @@ void run(const Options& o, const cli::Io& io) {
                 if (part.carved) continue; // its mesh includes material that is cut away
                 Notes found;
                 filum::slice::compare(part.sweep, part.measured, part.area, io.threads, found);
+                if (job.bodies()) std::erase_if(found, of_other_bodies(job));
                 take_notes(job, part, std::move(found), last);
             }
         });
