@@ -5,8 +5,10 @@ of the toolpath) between one size and the next: 1 is a cost that grows with what
 """
 import math
 import os
+import re
 import shutil
 import struct
+import subprocess
 
 from programs import BIN, PEERS, measure
 
@@ -42,7 +44,21 @@ def prusa(part, pattern, target):
             middle, "--bed-shape", "0x0,1000x0,1000x1000,0x1000", "--export-gcode", "-o", target, part]
 
 
-def chain(part, pattern, work):
+def large_machine(out):
+    """A profile like marlin's, with a bed of a metre: the largest parts are wider than an ordinary printer."""
+    path = os.path.join(out, "large.toml")
+    if os.path.exists(path):
+        os.remove(path)
+    subprocess.run([os.path.join(BIN, "filum"), "machines", "--new", path, "--from", "marlin"], check=True,
+                   capture_output=True)
+    with open(path, encoding="utf-8") as f:
+        text = f.read()
+    with open(path, "w", encoding="utf-8") as f:
+        f.write(re.sub(r"(?m)^([xyz]) = \[0, \d+\]", r"\1 = [0, 1000]", text, count=3))
+    return path
+
+
+def chain(part, pattern, work, machine):
     def at(kind):
         return os.path.join(work, "part." + kind)
 
@@ -50,12 +66,13 @@ def chain(part, pattern, work):
             ["skins", "--infill", "15%", "--infill-pattern", pattern, at("regions"), "-o", at("skins")],
             ["sequence", at("skins"), "-o", at("sequence")], ["fill", at("sequence"), "-o", at("paths")],
             ["link3d", at("paths"), "-o", at("toolpath")],
-            ["postproc", "--machine", "marlin", at("toolpath"), "-o", at("gcode")],
+            ["postproc", "--machine", machine, at("toolpath"), "-o", at("gcode")],
             ["metrics", "--regions", at("sequence"), at("toolpath"), "-o", at("metrics")]]
 
 
 def family(name, sizes, make, pattern, peer_pattern, out, repeat, peers, table):
     """One part at all sizes: a table of stages by sizes."""
+    machine = large_machine(out)
     rows, laid, programs = {}, [], []
     for size in sizes:
         work = os.path.join(out, f"{name}-{size}")
@@ -63,11 +80,11 @@ def family(name, sizes, make, pattern, peer_pattern, out, repeat, peers, table):
         part, log = os.path.join(work, "part.stl"), os.path.join(work, "log.txt")
         make(size, part)
         total = 0.0
-        for command in chain(part, pattern, work):
+        for command in chain(part, pattern, work, machine):
             cpu, _, peak = measure([os.path.join(BIN, command[0]), "--quiet", *command[1:]], repeat, log)
             rows.setdefault(command[0], []).append((cpu, peak))
             total += cpu if command[0] != "metrics" else 0
-        rows.setdefault("the print", []).append((total, max(rows[c[0]][-1][1] for c in chain(part, pattern, work))))
+        rows.setdefault("the print", []).append((total, max(rows[c[0]][-1][1] for c in chain(part, pattern, work, machine))))
         laid.append(os.path.getsize(os.path.join(work, "part.toolpath")))
         written = [os.path.getsize(os.path.join(work, "part.gcode"))]
         if peers and shutil.which("prusa-slicer"):
