@@ -94,7 +94,7 @@ double uncovered(std::span<const Bead> beads, std::span<const Bead> below, doubl
 class Carried {
   public:
     explicit Carried(const std::vector<Bead>& carriers)
-        : carrier_(carriers), reach_(reach(carriers)), grid_(segments(carriers), reach_) {}
+        : carrier_(carriers), reach_(reach(carriers)), grid_(segments(carriers), reach_, reach_) {}
 
     // The unsupported intervals of the axis a -> b, mm from a.
     const std::vector<Interval>& free(Vec2 a, Vec2 b) {
@@ -102,19 +102,17 @@ class Carried {
         const Vec2 u = (1 / l) * (b - a);
         held_.clear();
         bool all = false;
-        const double r = reach_;
-        grid_.near({std::min(a.x, b.x) - r, std::min(a.y, b.y) - r}, {std::max(a.x, b.x) + r, std::max(a.y, b.y) + r},
-                   [&](std::uint32_t i) {
-                       if (all) return;
-                       const Bead& c = carrier_[i];
-                       const auto turned = [&](Vec2 p) { return Vec2{geom::dot(p - a, u), geom::cross(u, p - a)}; };
-                       Lane lane{turned(c.a), turned(c.b), {1, 0}, c.width / 2, geom::distance(c.a, c.b), 0, 0, 0};
-                       if (lane.length > 0) lane.u = (1 / lane.length) * (lane.b - lane.a);
-                       Interval s;
-                       if (!section(lane, 0, s) || s.hi <= 0 || s.lo >= l) return;
-                       all = s.lo <= 0 && s.hi >= l;
-                       held_.push_back(s);
-                   });
+        grid_.along(a, b, [&](std::uint32_t i) {
+            if (all) return;
+            const Bead& c = carrier_[i];
+            const auto turned = [&](Vec2 p) { return Vec2{geom::dot(p - a, u), geom::cross(u, p - a)}; };
+            Lane lane{turned(c.a), turned(c.b), {1, 0}, c.width / 2, geom::distance(c.a, c.b), 0, 0, 0};
+            if (lane.length > 0) lane.u = (1 / lane.length) * (lane.b - lane.a);
+            Interval s;
+            if (!section(lane, 0, s) || s.hi <= 0 || s.lo >= l) return;
+            all = s.lo <= 0 && s.hi >= l;
+            held_.push_back(s);
+        });
         free_.clear();
         if (all) return free_;
         unite(held_);
