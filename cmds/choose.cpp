@@ -56,9 +56,8 @@ cli::Spec spec(Options& o) {
                  .one_of({"usual", "none", "hairpin", "wide"})
                  .when("algorithm=best|ortheo")
                  .a_limit(),
-             Option{"min-length", &plan.min_length, "MM", "lines of ortheo shorter than this are left out"}
+             Option{"min-length", &plan.min_length, "MM", "pieces of fibre shorter than this are left out"}
                  .within(0, 1e6)
-                 .when("algorithm=best|ortheo")
                  .a_limit(),
              Option{"report", &o.report, "FILE", "writes all candidates with their criteria, as TSV"}.not_a_setting()},
         .groups = {{"candidates", {"algorithm", "among", "finals", "weights", "cut-length"}},

@@ -39,6 +39,9 @@ cli::Spec spec(Options& o) {
                  .within(0, 1)
                  .when("strict")
                  .a_limit(),
+             Option{"min-length", &o.how.min_length, "MM", "pieces of fibre shorter than this are left out"}
+                 .within(0, 1e6)
+                 .a_limit(),
              Option{"stagger", &o.how.stagger, "", "plies of one direction are shifted against each other"}.a_limit(),
              Option{"ramp", &o.ramp, "1:N", "steepest ramp where plies end within the part"},
              Option{"turn-outside", &o.how.turn_outside, "MM",
@@ -57,7 +60,9 @@ cli::Spec spec(Options& o) {
                  .not_a_setting()},
         .groups = {{"the plies",
                     {"plies", "table", "symmetric", "reference", "keep", "layer-height", "stagger", "ramp"}},
-                   {"lines", {"spacing", "min-radius", "strict", "max-tight", "turn-outside", "trim-list", "machine"}}},
+                   {"lines",
+                    {"spacing", "min-radius", "strict", "max-tight", "min-length", "turn-outside", "trim-list",
+                     "machine"}}},
         .examples =
             {{"geodesic part.stl --cut 0,0,1,0.9 | laminate --plies 0,90 --symmetric --spacing 2 > part.toolpath",
               "four plies on a surface, here a part without its top"}},

@@ -60,7 +60,7 @@ cli::Spec spec(Options& o) {
             .out = cli::writes(stream::Payload::toolpath),
             .memory = "the model, and windows of distance",
             .options = cli::with(options, paper_options(o)),
-            .groups = {{"the path and its turns", {"spacing", "min-radius", "strict", "max-tight"}},
+            .groups = {{"the path and its turns", {"spacing", "min-radius", "strict", "max-tight", "min-length"}},
                        {"the bead", {"layer-height", "ply", "offset", "lift"}}},
             .examples = {{"geodesic part.stl --cut 0,0,1,0.9 --source plane:1,0,0,4 --method heat --paper | "
                           "surfpath-kipping2022 fina > part.toolpath",

@@ -55,10 +55,6 @@ std::vector<Option> options(Options& o) {
                           "field"}
                        .one_of({"usual", "none", "hairpin", "wide"})
                        .when("algorithm=planned|ortheo|field"),
-                   Option{"min-length", &o.plan.min_length, "MM", "lines of ortheo shorter than this are left out"}
-                       .within(0, 1e6)
-                       .when("algorithm=planned|ortheo")
-                       .a_limit(),
                    Option{"cut-length", &o.plan.cut_length, "MM",
                           "length of fibre that a cut costs; field and hybrid overlap no more to avoid one"}
                        .within(0, 1e6)
@@ -77,7 +73,7 @@ cli::Spec spec(Options& o) {
             .memory = "the model, and windows of distance",
             .options = options(o),
             .groups = {{"the path and its turns",
-                        {"spacing", "min-radius", "strict", "max-tight", "turns", "cut-length", "min-length"}},
+                        {"spacing", "min-radius", "strict", "max-tight", "min-length", "turns", "cut-length"}},
                        {"the bead", {"layer-height", "ply", "offset", "lift"}},
                        {"field", {"follow", "angle", "reference", "keep"}},
                        {"turns beyond the rims", {"turn-outside", "trim-list", "machine"}}},

@@ -66,8 +66,9 @@ Criteria plan_and_measure(const TrialPatch& ground, const Candidate& candidate) 
     metrics::surface::Fibres fibres;
     surfpath::plan::SpanOptions laying;
     laying.width = plan.spacing;
-    for (const auto& span : surfpath::plan::spans(on.surface, surfpath::plan_paths(on, plan), laying))
-        metrics::surface::add(fibres, span);
+    surfpath::Plan path = surfpath::plan_paths(on, plan);
+    surfpath::leave_out_short(path, plan.min_length);
+    for (const auto& span : surfpath::plan::spans(on.surface, path, laying)) metrics::surface::add(fibres, span);
     return measure(fibres, ground.sheet, plan.spacing, plan.least_radius, ground.stable);
 }
 

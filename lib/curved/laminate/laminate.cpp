@@ -111,6 +111,7 @@ surfpath::Options planned(const LaminateJob& job, std::size_t k) {
     how.least_radius = o.least_radius;
     how.strict = o.strict;
     how.max_tight = o.max_tight;
+    how.min_length = o.min_length;
     how.follow.angle = 1;
     how.follow.turn = geom::radians(ply.under ? -ply.angle : ply.angle); // the back is seen mirrored
     how.follow.reference = o.reference;

@@ -21,6 +21,7 @@ struct Options {
     bool stagger = true;     // plies of one direction are displaced by shares of a spacing, and their births move apart
     bool strict = false;     // fail if more than this share of a ply's length turns tighter than least_radius
     double max_tight = 0.01; //
+    double min_length = 0;   // mm: shorter pieces of fibre are left out
     double lift = 5;         // mm above the surface for travels
     double turn_outside = 0; // mm outside the rims in which rows may turn; 0: none
     double ramp = 0;         // mm of way per mm of height, at least, where plies end; 0: they end as given

@@ -122,7 +122,30 @@ Plan plan_paths(const surface::Sheet& sheet, const Options& options) {
     return sheet.surface.components > 1 ? each_component(sheet, options, of_component) : of_component(sheet, options);
 }
 
+void leave_out_short(Plan& plan, double least) {
+    Note note{.code = NoteCode::line_too_short, .count = 0};
+    std::erase_if(plan.strokes, [&](const Stroke& stroke) {
+        double length = 0;
+        for (const Section& section : stroke.sections) length += surface::curve::length(section.line);
+        if (!(length < least)) return false;
+        const Vec3& at = stroke.sections.front().line[0];
+        if (length > note.amount / std::max(1.0, static_cast<double>(note.count))) {
+            note.x = at.x;
+            note.y = at.y;
+            note.z = at.z;
+        }
+        note.amount += length;
+        ++note.count;
+        return true;
+    });
+    if (note.count == 0) return;
+    plan.notes.push_back(note);
+    for (Fact& fact : plan.facts)
+        if (fact.name == "cuts") fact.value = plan.strokes.empty() ? 0 : static_cast<double>(plan.strokes.size() - 1);
+}
+
 void finish(const Surface& surface, Plan& plan, const Options& o) {
+    leave_out_short(plan, o.min_length);
     const double beside = std::max(kBeside, o.spacing / 2);
     const plan::TightTurns tight = plan::mark_tight_turns(surface, plan, {o.least_radius, o.spacing, beside, o.offset});
     if (o.strict && tight.length > o.max_tight * tight.fibre)

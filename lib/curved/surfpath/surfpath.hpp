@@ -32,7 +32,7 @@ struct Options {
     double spacing = 1;        // mm between neighbouring lines
     double least_radius = 2.4; // mm: radius of turns where there is room
     RowTurns turns = RowTurns::usual;
-    double min_length = 0; // mm: shorter lines of ortheo are left out
+    double min_length = 0; // mm: shorter strokes, and shorter lines of ortheo, are left out
     double offset = 0;     // mm: distance of the path from the surface along its normals
     // What field follows. If nothing is set: the sheet's field of directions, else its stress, else the angle.
     field::DirectionMix follow{};
@@ -60,10 +60,13 @@ struct Options {
 // needs, as "needs a seed curve; run geodesic --source plane:NX,NY,NZ,D first".
 Plan plan_paths(const surface::Sheet& sheet, const Options& options);
 
-// Finishes a plan from any planner. Measures and marks turns tighter than the least radius (plan/declare.hpp): facts
-// "tight-turns", "tight-length", "kink-length" and "least-radius", note NoteCode::bend_too_tight. Reports voids and
-// overlap (plan/voids.hpp).
-// Throws Error(failure) with the place if more than the allowed share is too tight and the options are strict.
+// Leaves out strokes shorter than `least` mm, with NoteCode::line_too_short.
+void leave_out_short(Plan& plan, double least);
+
+// Finishes a plan from any planner. Leaves out strokes shorter than the least length, with a note. Measures and marks
+// turns tighter than the least radius (plan/declare.hpp): facts "tight-turns", "tight-length", "kink-length" and
+// "least-radius", note NoteCode::bend_too_tight. Reports voids and overlap (plan/voids.hpp). Throws Error(failure) with
+// the place if more than the allowed share is too tight and the options are strict.
 void finish(const Surface& surface, Plan& plan, const Options& options);
 
 } // namespace filum::surfpath

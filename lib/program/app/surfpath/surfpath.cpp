@@ -116,7 +116,7 @@ void tell_idle(const filum::surfpath::Algorithms& algorithms, const cli::Io& io)
     const auto idle = [&](const std::vector<const char*>& options, const char* of) {
         for (const char* option : options) io.idle(option, std::string("no surface is filled by ") + of);
     };
-    if (!used(Algorithm::ortheo)) idle({"min-length", "d-iso", "min-spacing"}, "ortheo");
+    if (!used(Algorithm::ortheo)) idle({"d-iso", "min-spacing"}, "ortheo");
     if (!used(Algorithm::ortheo) && !used(Algorithm::field)) idle({"turns"}, "ortheo or field");
     if (!used(Algorithm::field) && !used(Algorithm::hybrid)) idle({"cut-length"}, "field or hybrid");
     if (std::none_of(algorithms.begin(), algorithms.end(),
@@ -146,6 +146,9 @@ std::vector<cli::Option> line_options(Options& o) {
         Option{"max-tight", &o.plan.max_tight, "SHARE", "share of the length that may turn tighter than --min-radius"}
             .within(0, 1)
             .when("strict")
+            .a_limit(),
+        Option{"min-length", &o.plan.min_length, "MM", "pieces of fibre shorter than this are left out"}
+            .within(0, 1e6)
             .a_limit()};
 }
 
