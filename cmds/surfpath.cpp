@@ -26,7 +26,12 @@ std::vector<Option> field_options(Options& o) {
                "where directions spread, lines of field keep the spacing, or keep the angle with more births; usual: "
                "the angle if field follows nothing else"}
             .one_of({"usual", "spacing", "angle"})
-            .when("algorithm=planned|field")};
+            .when("algorithm=planned|field"),
+        Option{
+            "coarsen", &o.plan.coarsen, "",
+            "field and hybrid plan on larger triangles if those given are needlessly fine (the default; =false: never)"}
+            .when("!method=kipping2022 algorithm=planned|field|hybrid")
+            .a_limit()};
 }
 
 // How rows turn beyond the rims.
@@ -75,7 +80,7 @@ cli::Spec spec(Options& o) {
             .groups = {{"the path and its turns",
                         {"spacing", "min-radius", "strict", "max-tight", "min-length", "turns", "cut-length"}},
                        {"the bead", {"layer-height", "ply", "offset", "lift"}},
-                       {"field", {"follow", "angle", "reference", "keep"}},
+                       {"field", {"follow", "angle", "reference", "keep", "coarsen"}},
                        {"turns beyond the rims", {"turn-outside", "trim-list", "machine"}}},
             .examples = {{"geodesic part.stl --cut 0,0,1,0.9 --source boundary | surfpath geo-fiso > part.toolpath",
                           "one path over a surface, here a part without its top"}},

@@ -12,6 +12,7 @@
 #include "surfpath/geo_spiral.hpp"
 #include "surfpath/ortheo.hpp"
 #include "surfpath/plan/canonical.hpp"
+#include "surfpath/plan/coarse.hpp"
 #include "surfpath/plan/declare.hpp"
 #include "surfpath/plan/ground.hpp"
 #include "surfpath/plan/refined.hpp"
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace filum::surfpath {
@@ -29,6 +31,8 @@ namespace {
 constexpr double kLongest = 2;        // spacings: longest side of the triangles on which lines are traced
 constexpr double kLongestStriped = 1; // spacings: of those for stripes that keep the spacing
 constexpr double kLongestTrue = 0.5;  // spacings: of those for stripes that keep the angle, whose error is proportional
+// spacings: how far larger triangles may be off the given surface; lines are moved to that afterwards
+constexpr double kOffCoarse = 0.01;
 // spacings: cells of the grid that surfaces are moved to for lines of field; a power of two (plan/canonical.hpp)
 constexpr double kGrid = 1.0 / 1024;
 constexpr double kBeside = 0.5; // mm: path on either side of a tight turn that is marked with it, at least; however
@@ -72,10 +76,14 @@ std::vector<surface::Field> directions(const surface::Sheet& sheet) {
 
 bool by_field(const Options& o) { return o.algorithm == Algorithm::field || o.algorithm == Algorithm::hybrid; }
 
+// mm: how long sides of triangles may be for lines of the options.
+double longest_side(const Options& o) {
+    return o.spacing * (!by_field(o) ? kLongest : keeps_angle(o) ? kLongestTrue : kLongestStriped);
+}
+
 // The plan on the sheet as it is.
 Plan as_given(const surface::Sheet& sheet, const Options& options) {
-    const double longest = !by_field(options) ? kLongest : keeps_angle(options) ? kLongestTrue : kLongestStriped;
-    plan::RefinedSheet small = plan::refined(sheet, longest * options.spacing);
+    plan::RefinedSheet small = plan::refined(sheet, longest_side(options));
     if (by_field(options))
         small.sheet.fields = surface::curve::transferred(sheet.surface, directions(sheet), small.sheet.surface);
     Options on_small = options;
@@ -94,6 +102,18 @@ Plan as_given(const surface::Sheet& sheet, const Options& options) {
     return out;
 }
 
+// The plan on larger triangles, if those of the sheet are much finer than lines of field need.
+Plan on_needed_triangles(const surface::Sheet& sheet, const Options& options) {
+    if (!options.coarsen || !options.beyond.empty() || !sheet.sources.empty()) return as_given(sheet, options);
+    plan::RefinedSheet ordered = plan::refined(sheet, std::numeric_limits<double>::infinity());
+    ordered.sheet.fields = surface::curve::transferred(sheet.surface, directions(sheet), ordered.sheet.surface);
+    const auto coarse = plan::coarser(ordered.sheet, longest_side(options), kOffCoarse * options.spacing);
+    if (!coarse) return as_given(sheet, options);
+    Plan out = as_given(*coarse, options);
+    plan::to_given(out, coarse->surface, sheet.surface);
+    return out;
+}
+
 // The plan on a sheet without what rounding and the choice of axes add, moved to the given one. Lines of field need
 // this: on symmetric surfaces many places and turns are equally good, and the last bit would choose.
 Plan on_canonical(const surface::Sheet& given, const Options& options) {
@@ -103,7 +123,7 @@ Plan on_canonical(const surface::Sheet& given, const Options& options) {
     Options o = options;
     if (by_angle) o.follow.reference = canonical.direction;
     for (Vec3& p : o.births_apart) p = canonical.frame.into(p - canonical.frame.centre);
-    Plan out = as_given(canonical.sheet, o);
+    Plan out = on_needed_triangles(canonical.sheet, o);
     plan::from_canonical(out, canonical, given);
     return out;
 }
