@@ -15,6 +15,7 @@
 #include "surfpath/plan/coarse.hpp"
 #include "surfpath/plan/declare.hpp"
 #include "surfpath/plan/ground.hpp"
+#include "surfpath/plan/kinks.hpp"
 #include "surfpath/plan/refined.hpp"
 #include "surfpath/plan/voids.hpp"
 #include "surfpath/slits.hpp"
@@ -97,6 +98,7 @@ Plan as_given(const surface::Sheet& sheet, const Options& options) {
         to.insert(to.end(), slit.segments.begin(), slit.segments.end());
     }
     Plan out = lines(small.sheet, on_small);
+    plan::round_kinks(small.sheet.surface, out, options.spacing);
     out.notes.insert(out.notes.end(), opened.begin(), opened.end());
     plan::to_parents(out, small);
     return out;
