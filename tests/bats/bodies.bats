@@ -167,3 +167,26 @@ END
     run collide --machine syringe --flat-radius 0.25 --cone-angle 0 --cone-height 60 --margin 5 --program vessels.gcode
     [ "$status" -eq 1 ] # the check can fail
 }
+
+@test "a tool is purged after it takes over, at its place, and values differ between tools" {
+    cp "$FILUM_BUILD/share/filum/profiles/marlin.toml" purging.toml
+    cat >> purging.toml << 'END'
+[tools]
+change = "T{tool_no} ; was {tool_last}\nM109 S{nozzle_temp}"
+[purge]
+volume = 2
+place = [5, 5]
+[tool.1]
+purge.volume = 3
+values.nozzle_temp = 181
+END
+    filum print -q --body core-ring/a.stl --body core-ring/b.stl:tool=1 --machine ./purging.toml -o purging.gcode
+    grep -A6 -m1 '^T1 ; was 0' purging.gcode > first
+    grep -q '^M109 S181' first
+    grep -q '^G0 X5 Y5' first
+    python3 -c "import math; assert abs(float(open('first').read().split('G1 E')[1].split()[0]) * math.pi * 1.75**2 / 4 - 3) < 0.01"
+    [ "$(grep -c '^G0 X5 Y5' purging.gcode)" -eq 20 ]
+    sed -i 's/place = \[5, 5\]/place = [-500, 5]/' purging.toml
+    run filum print --body core-ring/a.stl --body core-ring/b.stl:tool=1 --machine ./purging.toml -o purging.gcode
+    [ "$status" -eq 3 ]
+}
