@@ -68,6 +68,24 @@ bool is_binary(std::string_view bytes) {
     return bytes.substr(0, kLookedAt).find('\0') != std::string_view::npos;
 }
 
+// The text without the mark of UTF-8 at its beginning. Every line of the result ends with LF: lines may end with CR
+// alone, which goes to `kept`.
+std::string_view plain_lines(std::string_view text, std::string& kept) {
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";
+    if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+    const auto alone = [](std::string_view t, std::size_t i) {
+        return t[i] == '\r' && (i + 1 == t.size() || t[i + 1] != '\n');
+    };
+    std::size_t i = text.find('\r');
+    while (i != text.npos && !alone(text, i)) i = text.find('\r', i + 1);
+    if (i == text.npos) return text;
+    std::string out(text);
+    for (; i < out.size(); ++i)
+        if (alone(out, i)) out[i] = '\n';
+    kept = std::move(out);
+    return kept;
+}
+
 } // namespace
 
 std::string_view program_in(std::string_view bytes, const std::string& name, std::uint32_t plate, std::string& kept,
@@ -84,7 +102,7 @@ std::string_view program_in(std::string_view bytes, const std::string& name, std
     if (is_binary(text))
         throw Error(Exit::bad_input, "cannot follow the program in " + name +
                                          ": it is not text and not binary G-code; export G-code, not a mesh");
-    return text;
+    return plain_lines(text, kept);
 }
 
 } // namespace filum::ingest

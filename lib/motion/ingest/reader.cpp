@@ -31,6 +31,15 @@ constexpr double kAlong = 1e-6;  // mm: a shorter move counts as standing
 // Higher tool numbers are codes for the firmware, such as T255 and T1000 of Bambu Lab's printers.
 constexpr std::uint32_t kMostTools = 254;
 
+constexpr const char* kRepeats = "calls or repeats a part of the program, which is not followed";
+
+// Whether a line begins a loop or a jump of a macro language (Fanuc, RepRapFirmware).
+bool repeats(std::string_view code) {
+    std::string word;
+    for (const char c : code.substr(0, code.find_first_of(" \t["))) word += static_cast<char>(c & ~0x20);
+    return word == "WHILE" || word == "GOTO" || (word == "IF" && code.find("GOTO") != code.npos);
+}
+
 class Reader {
   public:
     Reader(std::string_view program, const std::string& name, const Profile& profile, const Options& options,
@@ -79,6 +88,7 @@ class Reader {
 
     // Follows the only one of Klipper's commands that matters, and counts all of them.
     void own_command(std::string_view code) {
+        if (repeats(code)) fail(kRepeats);
         ++out_.ignored;
         constexpr std::string_view takes = "ACTIVATE_EXTRUDER EXTRUDER=extruder";
         if (!code.starts_with(takes)) return;
@@ -119,8 +129,7 @@ class Reader {
         const bool counts = machine::of_tool(p_, axes_.tool()).extrusion.feeding != Feeding::valve;
         const char extruder = p_.name.empty() ? told_.extruder : p_.extrusion.letter;
         const Line line = sorted(words_, p_, extruder, counts, modes_.unit());
-        if (line.first == 'O' && words_.words.size() > 1)
-            fail("calls or repeats a part of the program, which is not followed");
+        if (line.first == 'O' && words_.words.size() > 1) fail(kRepeats);
         if (line.tool && *line.tool >= 0 && (line.first == 'T' || std::ranges::count(line.m, 6) > 0))
             take(static_cast<std::uint32_t>(*line.tool));
         for (const double m : line.m) m_code(m, line);
@@ -185,6 +194,7 @@ class Reader {
         if (m == 221 && line.s && *line.s > 0) flow_ = *line.s / 100;
         if (m == 605 && line.s && *line.s >= 2)
             fail("asks for M605, several heads that do the same, which is not followed");
+        if (m == 98 && line.p) fail(kRepeats); // with a file's name in quotes it runs a macro of the firmware
         if (m == 128)
             fail("asks for M128, the control of the tool's tip, which is not followed; name its machine by --machine");
     }

@@ -18,6 +18,22 @@ TEST(Container, TextIsItself) {
     EXPECT_THROW((void)ingest::program_in(std::string("solid\0", 6), "test", 0, kept, notes), Error);
 }
 
+// Line ends of three systems, and the mark of UTF-8, which hid the unit of the first line.
+TEST(Container, LineEndsAndTheMarkOfUtf8DoNotMatter) {
+    const std::string lines[] = {"G20", "G28", "; layer_height = 0.2", "G1 Z.01", "M83", "G1 X1 E.1", "", "G1 Y1 E.1"};
+    double length = -1;
+    for (const std::string mark : {"", "\xEF\xBB\xBF"})
+        for (const std::string end : {"\n", "\r\n", "\r"}) {
+            std::string bytes = mark, kept;
+            for (const auto& line : lines) bytes += line + end;
+            Notes notes;
+            const auto r = ingested::read(std::string(ingest::program_in(bytes, "test", 0, kept, notes)));
+            if (length < 0) length = ingested::length(r.spans);
+            EXPECT_NEAR(ingested::length(r.spans), length, 1e-9);
+        }
+    EXPECT_NEAR(length, 2 * 25.4, 1e-9);
+}
+
 // The tables of binary G-code say what comments say in text: here the filament.
 TEST(Container, BinaryGcodeIsItsTextWithItsSettings) {
     bgcode::File file;

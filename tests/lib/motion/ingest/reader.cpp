@@ -252,6 +252,15 @@ std::string refusal(const std::string& text) {
 
 } // namespace
 
+TEST(Ingest, RefusesLoopsJumpsAndSubprograms) {
+    const std::string bead = "G28\nG1 Z0.2\nM83\nG1 X1 E1\n";
+    for (const std::string line : {"WHILE [#1 LT 5] DO1", "while iterations < 5", "GOTO 10", "IF [#1 EQ 0] GOTO 20",
+                                   "M98 P100", "M98 P1000 L3", "o100 call"})
+        EXPECT_NE(refusal(bead + line + "\n" + bead), "") << line;
+    for (const std::string line : {"M98 P\"homez.g\"", "if !move.axes[0].homed", "M99", "O1000", "IF_HOT T=200"})
+        EXPECT_EQ(refusal(bead + line + "\n" + bead), "") << line;
+}
+
 TEST(Ingest, RefusesWhatItDoesNotUnderstand) {
     EXPECT_NE(refusal("G1 X\nG1 X1 E1").find("line 1 holds a word without a proper number"), std::string::npos);
     EXPECT_NE(refusal("G1 Z1\nG5 X1 E1\n").find("line 2 asks for G5"), std::string::npos);
