@@ -60,12 +60,28 @@ Sizes checked_sizes(const Surface& s, const Options& o) {
     return out;
 }
 
+std::size_t most_splits(const Surface& s, std::span<const double> sizes) {
+    return static_cast<std::size_t>(std::ceil(kMostWork * triangles(s, sizes)));
+}
+
+// Whether triangles are so long and thin that halving their sides would make more than kMostWork times as many as the
+// sizes ask for: halving the sides of a triangle makes about as many as those of a compact one with the same sides.
+bool needles(const Surface& s, std::span<const double> sizes) {
+    double work = 0;
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+        const auto& [a, b, c] = s.triangles[t];
+        const double share = longest_side(s, t) / ((sizes[a] + sizes[b] + sizes[c]) / 3);
+        if (share > kLong) work += share * share;
+    }
+    return work > kMostWork * triangles(s, sizes);
+}
+
 } // namespace
 
 Surface evened(const Surface& s, const Options& o) {
     const Sizes size = checked_sizes(s, o);
     const Locator locator(s);
-    Fitter fitter(s, locator, size.wanted, editable(s, size.wanted, o.tolerance));
+    Fitter fitter(s, locator, size.wanted, editable(s, size.wanted, o.tolerance), most_splits(s, size.wanted));
     fitter.run_by_halves();
     return compact(fitter.result());
 }
@@ -73,14 +89,17 @@ Surface evened(const Surface& s, const Options& o) {
 FittedSurface fitted(const Surface& s, const Options& o) {
     Sizes size = checked_sizes(s, o);
     const Locator locator(s);
-    Fitter fitter(s, locator, size.wanted, editable(s, size.wanted, o.tolerance));
-    fitter.run();
+    Fitter fitter(s, locator, size.wanted, editable(s, size.wanted, o.tolerance), most_splits(s, size.wanted));
+    if (needles(s, size.wanted))
+        fitter.run_by_halves();
+    else
+        fitter.run();
     Surface now = compact(fitter.result());
     for (int k = 0; k < kCorrections; ++k) {
         const double step = mean_edge(now) / kPieces;
         if (!corrected(s, deviations(now, locator, step), now, deviations(s, Locator(now), step), o.tolerance, size))
             break;
-        fitter.resize();
+        fitter.resize(most_splits(s, size.wanted));
         fitter.run();
         now = compact(fitter.result());
     }
@@ -89,7 +108,7 @@ FittedSurface fitted(const Surface& s, const Options& o) {
     for (const auto& list : {deviations(now, locator, step), deviations(s, Locator(now), step)})
         for (const Deviation& a : list)
             if (a.far > most.far) most = a;
-    return {std::move(now), most.far, most.at};
+    return {std::move(now), most.far, most.at, fitter.splits(), most_splits(s, size.wanted)};
 }
 
 } // namespace filum::surface::fit

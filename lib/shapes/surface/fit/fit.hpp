@@ -15,7 +15,15 @@ struct FittedSurface {
     double off = 0; // mm: greatest distance between the two surfaces, measured at corners, in middles of triangles, and
                     // on sides at places an eighth of a mean side apart
     Vec3 off_at;
+    std::size_t splits = 0; // sides that were halved on the way: the work
+    std::size_t most_splits = 0;
 };
+
+// The work is bounded by construction. Let T be the number of triangles that the sizes ask for, about 2.3 area / h^2 at
+// sides of h. A pass halves at most kMostWork T sides. There are three passes, three for each of two corrections, and
+// if triangles are long and thin, one for each halving of the longest side L down to its size: log2(L / h), rounded up.
+// A pass takes n log n for the n triangles that are there, and what it did not halve is in `off`.
+inline constexpr double kMostWork = 10;
 
 // The surface with well-shaped triangles and vertices on it. Sides are `longest` mm where it is flat (at most a third
 // longer), shorter where it is curved, so that chords deviate by about the tolerance at most, and change gradually in

@@ -43,7 +43,8 @@ void Fitter::run_by_halves() {
     run();
 }
 
-void Fitter::resize() {
+void Fitter::resize(std::size_t most_splits) {
+    most_splits_ = most_splits;
     parallel::for_chunks(m_.at.size(), kVerticesAtOnce, 0, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v)
             if (m_.out[v] != kNone) m_.size[v] = size_at(locator_.nearest(m_.at[v]));
@@ -66,11 +67,13 @@ void Fitter::split_long(double scale) {
     };
     for (std::uint32_t h = 0; h < m_.twin.size(); ++h)
         if (!m_.gone(h) && m_.first(h)) add(h);
-    while (!open.empty()) {
+    for (std::size_t left = most_splits_; !open.empty() && left > 0;) {
         const auto [was, h] = open.top();
         open.pop();
         if (sizes(h) != was) continue; // it has been split since
         const std::uint32_t v = split(m_, h);
+        --left;
+        ++splits_;
         each_leaving(m_, v, [&](std::uint32_t k) { // sides around it have new numbers
             for (const std::uint32_t side : {k, next(k), prev(k)}) add(side);
         });

@@ -12,9 +12,11 @@ inline constexpr double kLong = 4.0 / 3, kShort = 4.0 / 5;
 class Fitter {
   public:
     // Vertices stay on `from`, whose places `locator` finds; `m` are the triangles. `sizes` are per vertex of `from`,
-    // linear in between. All except `m` must outlive the object.
-    Fitter(const Surface& from, const curve::Locator& locator, std::span<const double> sizes, Editable m)
-        : from_(from), locator_(locator), sizes_(sizes), m_(std::move(m)) {}
+    // linear in between. All except `m` must outlive the object. One pass of splitting makes at most `most_splits` new
+    // vertices; sides that are still long then wait for the next pass.
+    Fitter(const Surface& from, const curve::Locator& locator, std::span<const double> sizes, Editable m,
+           std::size_t most_splits)
+        : from_(from), locator_(locator), sizes_(sizes), m_(std::move(m)), most_splits_(most_splits) {}
 
     // Splits long sides, collapses short ones, flips and moves, in several rounds.
     void run();
@@ -24,9 +26,10 @@ class Fitter {
     void run_by_halves();
 
     // Updates the sizes at vertices after they have changed.
-    void resize();
+    void resize(std::size_t most_splits);
 
     [[nodiscard]] const Editable& result() const { return m_; }
+    [[nodiscard]] std::size_t splits() const { return splits_; } // in all passes
 
   private:
     [[nodiscard]] double target(std::uint32_t a, std::uint32_t b) const { return std::min(m_.size[a], m_.size[b]); }
@@ -43,6 +46,7 @@ class Fitter {
     const curve::Locator& locator_;
     std::span<const double> sizes_;
     Editable m_;
+    std::size_t most_splits_, splits_ = 0;
 };
 
 } // namespace filum::surface::fit

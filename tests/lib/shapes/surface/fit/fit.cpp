@@ -5,6 +5,7 @@
 #include "geom/angle.hpp"
 #include "geom/segment.hpp"
 #include "surface/curve/locate.hpp"
+#include "surface/fit/sizes.hpp"
 
 #include "../../../trials.hpp"
 #include "../grid.hpp"
@@ -12,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -240,6 +242,60 @@ TEST(Fit, IsTheSameEveryTime) {
 }
 
 TEST(Fit, RefusesWhatIsTooFine) { EXPECT_THROW(fitted(connected(box(7, 5, 1)), {1e-4, 1e-4}), Error); }
+
+// Meshes as CAD programs write them: as few triangles as the curves of a face allow, however long and thin.
+mesh::Mesh random_cad(std::mt19937& random) {
+    const auto within = [&](double lo, double hi) { return lo + (hi - lo) * double(random()) / double(random.max()); };
+    const auto n = static_cast<std::uint32_t>(8 * std::pow(200, within(0, 1)));
+    const double radius = within(3, 20), length = within(5, 60);
+    const std::uint32_t kind = random() % 4;
+    mesh::Mesh m;
+    const auto on_circle = [&](double z) {
+        for (std::uint32_t k = 0; k < n; ++k) {
+            const double a = 2 * std::numbers::pi * k / n;
+            m.vertices.push_back({radius * std::cos(a), radius * std::sin(a), z});
+        }
+    };
+    on_circle(0);
+    if (kind == 0) { // a tube of strips
+        on_circle(length);
+        for (std::uint32_t k = 0; k < n; ++k) {
+            const std::uint32_t j = (k + 1) % n;
+            m.triangles.insert(m.triangles.end(), {{k, j, n + j}, {k, n + j, n + k}});
+        }
+    } else if (kind == 1) { // a disc of triangles round its middle
+        m.vertices.push_back({0, 0, 0});
+        for (std::uint32_t k = 0; k < n; ++k) m.triangles.push_back({k, (k + 1) % n, n});
+    } else if (kind == 2) { // a disc of triangles from one corner
+        for (std::uint32_t k = 1; k + 1 < n; ++k) m.triangles.push_back({0, k, k + 1});
+    } else { // a face between an edge of many points and one of two
+        m.vertices.clear();
+        for (std::uint32_t k = 0; k <= n; ++k) m.vertices.push_back({length * k / n, 0, 0});
+        m.vertices.insert(m.vertices.end(), {{0, radius, 0}, {length, radius, 0}});
+        for (std::uint32_t k = 0; k < n; ++k) m.triangles.push_back({k, k + 1, n + 2});
+        m.triangles.push_back({0, n + 2, n + 1});
+    }
+    return m;
+}
+
+TEST(Fit, WorkIsBoundedHoweverLongAndThinTrianglesAre) {
+    std::mt19937 random(6);
+    const char* many = std::getenv("FILUM_TRIALS");
+    const int count = many != nullptr ? std::atoi(many) : trials(12);
+    for (int trial = 0; trial < count; ++trial) {
+        const Surface s = connected(random_cad(random));
+        const Options o{1, 0.02};
+        const FittedSurface f = fitted(s, o);
+        double longest = 0;
+        for (std::uint32_t h = 0; h < s.twin.size(); ++h) longest = std::max(longest, side_length(s, h));
+        const double passes = 9 + std::ceil(std::log2(std::max(1.0, longest / (kLeast * o.tolerance))));
+        EXPECT_LE(static_cast<double>(f.splits), passes * static_cast<double>(f.most_splits)) << trial;
+        EXPECT_LE(f.splits, f.most_splits) << trial; // all passes together stay within the bound of one
+        EXPECT_LE(f.surface.triangles.size(), 2 * f.most_splits / kMostWork + 200) << trial;
+        EXPECT_LE(f.off, 2 * o.tolerance) << trial;
+        EXPECT_NEAR(area(f.surface), area(s), 0.01 * area(s)) << trial;
+    }
+}
 
 } // namespace
 } // namespace filum::surface::fit
