@@ -71,7 +71,7 @@ struct PairSearch {
 
     // How much nearer two regions may be than the measured distance: place i of column a, place k of column c.
     [[nodiscard]] double slack(Index a, Index c, const RegionDistance& m, std::size_t i, std::size_t k) const {
-        return drifts[a].between(m.i, i) + drifts[c].between(m.k, k);
+        return relative(drifts[a], m.i, i, drifts[c], m.k, k);
     }
 
     // Whether the measured box is that of `r`, and valid for regions displaced by `most`.
@@ -84,7 +84,9 @@ struct PairSearch {
     [[nodiscard]] bool clear(Index v, Index a, Index c, const RegionDistance& m, std::size_t first,
                              std::size_t last) const {
         const std::size_t i = place(v, a);
-        const double most = std::max(slack(a, c, m, i, first), slack(a, c, m, i, last));
+        const double within =
+            drifts[a].between(m.i, i) + std::max(drifts[c].between(m.k, first), drifts[c].between(m.k, last));
+        const double most = std::min(within, slack(a, c, m, i, first) + drifts[c].between(first, last));
         if (!(most < m.distance)) return false;
         const Reach r = reach_of(v, columns.member[c][last]);
         if (r.everywhere || m.distance - most < r.radius) return false;

@@ -43,35 +43,56 @@ SimplifiedLoops straight(const polygon::Loops& of) {
 
 bool same_loops(const polygon::Loops& a, const polygon::Loops& b) { return a.start == b.start && a.points == b.points; }
 
-// Displacement between the loops, vertex by vertex; each is rotated so that its first vertex matches the nearest one.
-double vertex_displacement(const polygon::Loops& a, const polygon::Loops& b) {
-    if (a.start != b.start) return kUnknown;
-    double most = 0;
+geom::Vec2 centre(std::span<const geom::Vec2> loop) {
+    const geom::Box2 b = polygon::bounds(loop);
+    return 0.5 * (b.lo + b.hi);
+}
+
+// Calls visit(from, to) for each vertex of `a` and the one of `b` that it moves to. Each loop is rotated so that its
+// first vertex matches the nearest one, after the centre of its box has moved.
+template <class Visit>
+void each_vertex(const polygon::Loops& a, const polygon::Loops& b, const Visit& visit) {
     for (std::size_t l = 0; l < a.size(); ++l) {
         const auto from = a[l], to = b[l];
         const std::size_t n = from.size();
-        std::size_t shift = 0;
-        for (std::size_t k = 1; k < n && from[0] != to[shift]; ++k)
-            if (geom::distance(from[0], to[k]) < geom::distance(from[0], to[shift])) shift = k;
-        for (std::size_t k = 0; k < n; ++k)
-            most = std::max(most, geom::distance(from[k], to[k + shift < n ? k + shift : k + shift - n]));
+        if (n == 0) continue;
+        const geom::Vec2 first = from[0] + centre(to) - centre(from);
+        std::size_t nearest = 0;
+        for (std::size_t k = 1; k < n && first != to[nearest]; ++k)
+            if (geom::distance(first, to[k]) < geom::distance(first, to[nearest])) nearest = k;
+        for (std::size_t k = 0; k < n; ++k) visit(from[k], to[k + nearest < n ? k + nearest : k + nearest - n]);
     }
-    return most;
 }
 
-double displacement(const SimplifiedLoops& a, const SimplifiedLoops& b) {
-    return vertex_displacement(a.loops, b.loops) + a.moved + b.moved;
+// The shift is the middle of the box of all vertices' movements, so the rest is small.
+Movement movement(const SimplifiedLoops& a, const SimplifiedLoops& b) {
+    if (a.loops.start != b.loops.start) return {{}, kUnknown};
+    geom::Box2 all;
+    each_vertex(a.loops, b.loops, [&](geom::Vec2 from, geom::Vec2 to) { all.add(to - from); });
+    Movement out;
+    if (!all.empty()) out.shift = 0.5 * (all.lo + all.hi);
+    each_vertex(a.loops, b.loops, [&](geom::Vec2 from, geom::Vec2 to) {
+        out.rest = std::max(out.rest, geom::norm(to - from - out.shift));
+    });
+    out.rest += a.moved + b.moved;
+    return out;
 }
 
 } // namespace
 
-double displacement(const polygon::Loops& a, const polygon::Loops& b) {
-    if (same_loops(a, b)) return 0;
-    return displacement(straight(a), straight(b));
+Movement movement(const polygon::Loops& a, const polygon::Loops& b) {
+    if (same_loops(a, b)) return {};
+    return movement(straight(a), straight(b));
 }
 
 double Drift::between(std::size_t i, std::size_t k) const {
-    return stretch[i] == stretch[k] ? std::abs(moved[k] - moved[i]) : kUnknown;
+    return known(i, k) ? std::abs(length[k] - length[i]) : kUnknown;
+}
+
+double relative(const Drift& a, std::size_t i, std::size_t k, const Drift& c, std::size_t m, std::size_t n) {
+    if (!a.known(i, k) || !c.known(m, n)) return kUnknown;
+    const geom::Vec2 apart = (a.shift[k] - a.shift[i]) - (c.shift[n] - c.shift[m]);
+    return geom::norm(apart) + std::abs(a.rest[k] - a.rest[i]) + std::abs(c.rest[n] - c.rest[m]);
 }
 
 bool Drift::alone(std::size_t i) const {
@@ -79,16 +100,19 @@ bool Drift::alone(std::size_t i) const {
 }
 
 Drift drift(std::span<const Index> column, const std::vector<Outline>& outlines) {
-    Drift out{{0}, {0}};
+    Drift out{{{}}, {0}, {0}, {0}};
     if (column.empty()) return out;
     SimplifiedLoops last = straight(outlines[column[0]].loops);
     for (std::size_t i = 1; i < column.size(); ++i) {
         SimplifiedLoops next = straight(outlines[column[i]].loops);
         const bool same = same_loops(outlines[column[i - 1]].loops, outlines[column[i]].loops);
-        const double by = same ? 0 : displacement(last, next);
+        Movement by = same ? Movement{} : movement(last, next);
         last = std::move(next);
-        const bool known = by < kUnknown;
-        out.moved.push_back(out.moved.back() + (known ? by : 0));
+        const bool known = by.rest < kUnknown;
+        if (!known) by = {};
+        out.shift.push_back(out.shift.back() + by.shift);
+        out.rest.push_back(out.rest.back() + by.rest);
+        out.length.push_back(out.length.back() + geom::norm(by.shift) + by.rest);
         out.stretch.push_back(out.stretch.back() + (known ? 0 : 1));
     }
     return out;
