@@ -69,6 +69,45 @@ TEST(Follow, APlateAtAnyAngleIsOnePathOfStraightRows) {
     }
 }
 
+// On needlessly fine triangles lines are planned on larger ones, cover as much, and lie on those given.
+TEST(Follow, FineTrianglesDoNotCount) {
+    const auto bent = [](geom::Vec2 p) { return Vec3{p.x, p.y, 2 * std::sin(p.x / 8) * std::cos(p.y / 10)}; };
+    const auto fine = sheet_of(surface::grid(16, 16, 80, 80, bent));
+    Options o = field(0);
+    o.keep = Priority::spacing; // needs triangles of one spacing
+    const Plan coarsened = plan_paths(fine, o);
+    o.coarsen = false;
+    const Plan exact = plan_paths(fine, o);
+    EXPECT_NEAR(covered(fine.surface, coarsened), covered(fine.surface, exact), 0.03);
+    for (const Stroke& stroke : coarsened.strokes)
+        for (const Section& section : stroke.sections)
+            for (const Place& p : section.line.places)
+                EXPECT_LT(distance(surface::nearest_in(fine.surface, p.triangle, p.point), p.point), 1e-6);
+}
+
+// Pieces of fibre that are too short for the machine are left out, and a note counts them.
+TEST(Follow, ShortPiecesOfFibreAreLeftOut) {
+    const auto sheet = sheet_of(plate());
+    Options o = field(45 * geom::kDegree);
+    o.turns = RowTurns::none; // every line is a piece; they are short in two corners
+    Plan all = plan_paths(sheet, o);
+    const auto length = [](const Stroke& stroke) {
+        double out = 0;
+        for (const Section& section : stroke.sections) out += surface::curve::length(section.line);
+        return out;
+    };
+    const auto shorter = [&](const Stroke& stroke) { return length(stroke) < 10; };
+    const auto few = static_cast<std::size_t>(std::count_if(all.strokes.begin(), all.strokes.end(), shorter));
+    ASSERT_GT(few, 0U);
+    Plan some = all;
+    leave_out_short(some, 10);
+    EXPECT_EQ(some.strokes.size() + few, all.strokes.size());
+    EXPECT_EQ(fact(some, "cuts"), static_cast<double>(some.strokes.size()) - 1);
+    ASSERT_FALSE(some.notes.empty());
+    EXPECT_EQ(some.notes.back().count, few);
+    EXPECT_TRUE(std::none_of(some.strokes.begin(), some.strokes.end(), shorter));
+}
+
 // Where there is no room for wide turns, lines turn at the strip's ends, not before.
 TEST(Follow, ANarrowStripIsCoveredToItsEnds) {
     for (const double width : {3.0, 5.0}) {
@@ -77,7 +116,7 @@ TEST(Follow, ANarrowStripIsCoveredToItsEnds) {
         }));
         const Plan p = plan_paths(sheet, field(0));
         EXPECT_EQ(p.strokes.size(), 1U) << width;
-        EXPECT_GT(covered(sheet.surface, p), 0.955) << width; // of the narrower one .958 by areas, at either end
+        EXPECT_GT(covered(sheet.surface, p), 0.95) << width; // of the narrower one .957 by areas, at either end
     }
 }
 

@@ -1,0 +1,144 @@
+// Kinks of a path are rounded to half a spacing, and nothing else moves.
+#include "surfpath/plan/kinks.hpp"
+
+#include "../surface/grid.hpp"
+#include "base/mix.hpp"
+#include "surface/curve/turns.hpp"
+#include "surface/curve/walk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace filum::surfpath::kinks {
+
+using namespace plan;
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kSpacing = 1;
+
+// A plate of 60 x 40 mm, or rolled up to a part of a cylinder of radius 20 mm.
+Surface sheet(bool rolled) {
+    Notes notes;
+    return surface::connect(
+        surface::grid(
+            60, 40, 60, 40,
+            [=](Vec2 p) {
+                return rolled ? Vec3{20 * std::sin(p.x / 20), p.y, 20 * std::cos(p.x / 20)} : Vec3{p.x, p.y, 0};
+            }),
+        notes);
+}
+
+// The polyline through points of the plate as a plan of one stroke.
+Plan plan_through(const Surface& s, bool rolled, const std::vector<Vec2>& way) {
+    Line line;
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+        const int n = std::max(1, static_cast<int>(std::ceil(distance(way[i], way[i + 1]) / 0.1)));
+        for (int k = 0; k < n || (k == n && i + 2 == way.size()); ++k) {
+            const Vec2 p = lerp(way[i], way[i + 1], static_cast<double>(k) / n);
+            const auto column = static_cast<std::uint32_t>(p.x), row = static_cast<std::uint32_t>(p.y);
+            const bool upper = p.y - row > p.x - column;
+            const std::uint32_t t = 2 * (60 * row + column) + (upper ? 1 : 0);
+            const Vec3 at = rolled ? Vec3{20 * std::sin(p.x / 20), p.y, 20 * std::cos(p.x / 20)} : Vec3{p.x, p.y, 0};
+            line.places.push_back({t, surface::nearest_in(s, t, at)});
+        }
+    }
+    return Plan{{Stroke{{Section{line, false}}}}, {}, {}, {}};
+}
+
+double kink_length(const Surface& s, const Plan& plan) {
+    const auto normals = surface::curve::vertex_normals(s);
+    double out = 0;
+    for (const Stroke& stroke : plan.strokes) {
+        std::vector<Vec3> points, up;
+        for (const Section& section : stroke.sections)
+            for (const Place& p : section.line.places) {
+                points.push_back(p.point);
+                up.push_back(surface::curve::normal_at(s, normals, p));
+            }
+        const double limit = surface::curve::kKinkRadius * kSpacing;
+        const auto turns = surface::curve::tight_turns(points, up, limit, surface::curve::turn_reach(limit, kSpacing));
+        out += surface::curve::length(turns);
+    }
+    return out;
+}
+
+// mm: the farthest that a place of `a` is from the line of `b`.
+double apart(const Line& a, const Line& b) {
+    double out = 0;
+    for (const Place& p : a.places) {
+        double least = 1e9;
+        for (std::size_t i = 0; i + 1 < b.size(); ++i) {
+            const Vec3 d = b[i + 1] - b[i];
+            const double t = norm2(d) > 0 ? std::clamp(dot(p.point - b[i], d) / norm2(d), 0.0, 1.0) : 0;
+            least = std::min(least, distance(p.point, b[i] + t * d));
+        }
+        out = std::max(out, least);
+    }
+    return out;
+}
+
+void expect_rounded(bool rolled, const std::vector<Vec2>& way) {
+    const Surface s = sheet(rolled);
+    Plan plan = plan_through(s, rolled, way);
+    const Line before = plan.strokes[0].sections[0].line;
+    ASSERT_GT(kink_length(s, plan), 0);
+    round_kinks(s, plan, kSpacing);
+    ASSERT_EQ(plan.strokes.size(), 1U);
+    const Line& after = plan.strokes[0].sections[0].line;
+    EXPECT_EQ(kink_length(s, plan), 0);
+    EXPECT_EQ(after[0], before[0]);
+    EXPECT_LT(distance(after.places.back().point, before.places.back().point), 1e-9);
+    EXPECT_LT(apart(after, before), 0.51 * kSpacing);
+    for (const Place& p : after.places) EXPECT_TRUE(surface::curve::lies_in(s, p.triangle, p.point));
+}
+
+TEST(Kinks, CornersOfAnyAngleBecomeArcs) {
+    for (const bool rolled : {false, true})
+        for (const double degrees : {40.0, 60.0, 90.0, 110.0, 130.0}) {
+            const double a = degrees / 180 * pi;
+            SCOPED_TRACE(degrees);
+            expect_rounded(rolled, {{20, 20.3}, {30, 20.3}, {30 + 10 * std::cos(a), 20.3 + 10 * std::sin(a)}});
+        }
+}
+
+// Tips between lines that are nearer than a spacing, as at births: bulbs. Those of two thirds of a spacing and less
+// become wider, but not all the way.
+TEST(Kinks, NarrowTipsBecomeBulbs) {
+    for (const bool rolled : {false, true})
+        for (const double gap : {0.75, 0.8, 0.85}) {
+            std::vector<Vec2> way{{20, 20}, {30, 20}};
+            for (int i = 1; i < 12; ++i) {
+                const double a = -pi / 2 + pi * i / 12;
+                way.push_back({30 + gap / 2 * std::cos(a), 20 + gap / 2 + gap / 2 * std::sin(a)});
+            }
+            way.push_back({30, 20 + gap});
+            way.push_back({20, 20 + gap});
+            SCOPED_TRACE(gap);
+            expect_rounded(rolled, way);
+        }
+}
+
+TEST(Kinks, PathsWithoutKinksStay) {
+    const Surface s = sheet(false);
+    std::vector<Vec2> way{{20, 20}, {30, 20}};
+    for (int i = 1; i < 30; ++i) {
+        const double a = -pi / 2 + pi * i / 30;
+        way.push_back({30 + 0.5 * std::cos(a), 20.5 + 0.5 * std::sin(a)});
+    }
+    way.push_back({30, 21});
+    way.push_back({20, 21});
+    Plan plan = plan_through(s, false, way);
+    const Line before = plan.strokes[0].sections[0].line;
+    round_kinks(s, plan, kSpacing);
+    const Line& after = plan.strokes[0].sections[0].line;
+    ASSERT_EQ(after.size(), before.size());
+    for (std::size_t i = 0; i < after.size(); ++i) EXPECT_EQ(after[i], before[i]);
+}
+
+} // namespace
+} // namespace filum::surfpath::kinks
