@@ -24,4 +24,18 @@ inline std::optional<toolpath::Feature> feature_of_type(std::string_view name) {
     return std::nullopt;
 }
 
+// The name of a bead for viewers. Joins have names of their own.
+inline const char* type_name(toolpath::Role role, toolpath::Feature feature) {
+    using toolpath::Role;
+    if (role == Role::lift) return "Perimeter";
+    if (role == Role::jog) return "Gap fill";
+    if (role == Role::connector) return "Support material";
+    return kTypeNames[static_cast<std::size_t>(feature)];
+}
+
+// True if that name alone identifies role and feature.
+inline bool says_all(toolpath::Role role, toolpath::Feature feature) {
+    return role == toolpath::Role::bead && feature_of_type(type_name(role, feature)) == feature;
+}
+
 } // namespace filum::machine

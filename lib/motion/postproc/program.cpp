@@ -23,28 +23,6 @@ std::int64_t units(double value, double scale) { return static_cast<std::int64_t
 
 bool differs(double a, double b) { return std::abs(a - b) > kTold * b; }
 
-// The name of a kind of bead for viewers: that of PrusaSlicer, so that they show its colours.
-const char* type_name(Role role, Feature feature) {
-    switch (role) {
-    case Role::lift:
-        return "Perimeter";
-    case Role::jog:
-        return "Gap fill";
-    case Role::connector:
-        return "Support material";
-    case Role::bead:
-    case Role::hairpin:
-    case Role::travel:
-        break;
-    }
-    return machine::kTypeNames[static_cast<std::size_t>(feature)];
-}
-
-// True if that name alone identifies role and feature.
-bool says_all(Role role, Feature feature) {
-    return role == Role::bead && machine::feature_of_type(type_name(role, feature)) == feature;
-}
-
 } // namespace
 
 Program::Program(const machine::Profile& profile, const FirstPass& first_pass, Vec2 shift, Text out)
@@ -186,8 +164,8 @@ void Program::push() {
 void Program::bead_comments(const Step& step) {
     if (!profile_->format.viewer_comments) return;
     if (step.role != role_ || step.feature != feature_) {
-        comment(std::string("TYPE:") + type_name(step.role, step.feature));
-        if (!says_all(step.role, step.feature))
+        comment(std::string("TYPE:") + machine::type_name(step.role, step.feature));
+        if (!machine::says_all(step.role, step.feature))
             comment(std::string("ROLE:") + toolpath::kRoleNames[static_cast<std::size_t>(step.role)] + " " +
                     toolpath::kFeatureNames[static_cast<std::size_t>(step.feature)]);
     }

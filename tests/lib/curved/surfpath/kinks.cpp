@@ -1,7 +1,7 @@
 // Kinks of a path are rounded to half a spacing, and nothing else moves.
 #include "surfpath/plan/kinks.hpp"
 
-#include "../surface/grid.hpp"
+#include "../../shapes/surface/grid.hpp"
 #include "base/mix.hpp"
 #include "surface/curve/turns.hpp"
 #include "surface/curve/walk.hpp"
