@@ -89,8 +89,8 @@ void run(const Options& o, const cli::Io& io) {
         how.by_hand = true;
     }
     std::vector<surface::Sheet> sheets;
-    const cli::Whole before = cli::read_all(io.input, stream::Payload::surface,
-                                            [&](const stream::RawFrame& f) { sheets.push_back(wire::sheet(f)); });
+    const cli::WholeInput before = cli::read_all(io.input, stream::Payload::surface,
+                                                 [&](const stream::RawFrame& f) { sheets.push_back(wire::sheet(f)); });
     if (sheets.empty()) throw Error(Exit::bad_input, "cannot choose a path: the stream holds no surface");
     Notes notes;
     Facts facts;

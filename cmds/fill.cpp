@@ -117,7 +117,7 @@ void run(const Options& o, const cli::Io& io) {
     const double usual = o.how.bead_width;
     if (o.how.pattern == fill::Pattern::scaffold) {
         fill::strand_spacing(with_width(o, usual));
-        std::map<std::uint32_t, fill::Before> before; // by tool
+        std::map<std::uint32_t, fill::ScaffoldState> before; // by tool
         const auto work = [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
             const polygon::Region region = region_of(frame, usual);
             emit(wire::frame(fill::fill_scaffold(region, with_width(o, region.width), before[region.tool], notes)));

@@ -30,7 +30,7 @@ std::vector<cli::Option> options(Options& o) {
         Option{"connect", &o.link.connect, "", "how to reach a region in another place"}
             .one_of({"break", "inside", "outside"})
             .a_limit(),
-        Option{"strand", &o.link.strand, "",
+        Option{"strand", &o.link.connector_support, "",
                "free: connectors may hang in the air; carried: they must rest on the bed or on a connector below"}
             .one_of({"free", "carried"})
             .when("connect=outside")

@@ -71,8 +71,8 @@ cli::Spec spec(Options& o) {
 
 void run(const Options& o, const cli::Io& io) {
     std::vector<surface::Sheet> sheets;
-    const cli::Whole before = cli::read_all(io.input, stream::Payload::surface,
-                                            [&](const stream::RawFrame& f) { sheets.push_back(wire::sheet(f)); });
+    const cli::WholeInput before = cli::read_all(io.input, stream::Payload::surface,
+                                                 [&](const stream::RawFrame& f) { sheets.push_back(wire::sheet(f)); });
     cli::Io self = io; // with what identifies the file
     Notes notes;
     Facts facts;

@@ -15,7 +15,7 @@ using geom::Vec3;
 constexpr double kSize = 300, kWave = 25, kHigh = 4;
 
 // A field of hills, with its normal.
-collision::Stance hill(double x, double y, double above) {
+collision::ToolFrame hill(double x, double y, double above) {
     const double u = x / kWave, v = y / kWave;
     const double dx = kHigh / kWave * std::cos(u) * std::sin(v), dy = kHigh / kWave * std::sin(u) * std::cos(v);
     const double l = std::sqrt(1 + dx * dx + dy * dy);

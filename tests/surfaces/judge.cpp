@@ -21,14 +21,14 @@ constexpr double kStep = 0.05;          // mm between places of the path that ar
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 // A chain: what is laid without a break.
-struct Chain {
+struct Fibre {
     std::vector<Vec3> points, normals;
     std::vector<char> hairpin; // per stretch
     std::vector<double> way;
 };
 
-std::vector<Chain> chains(const std::vector<Span>& spans, double& jump) {
-    std::vector<Chain> out;
+std::vector<Fibre> chains(const std::vector<Span>& spans, double& jump) {
+    std::vector<Fibre> out;
     std::optional<Vec3> at;
     for (const Span& s : spans) {
         const double gap = at ? distance(*at, s.points.front()) : 0;
@@ -41,7 +41,7 @@ std::vector<Chain> chains(const std::vector<Span>& spans, double& jump) {
             continue;
         }
         if (fresh && (out.empty() || !out.back().points.empty())) out.emplace_back();
-        Chain& c = out.back();
+        Fibre& c = out.back();
         for (std::size_t i = c.points.empty() ? 0 : 1; i < s.points.size(); ++i) {
             if (!c.points.empty()) c.hairpin.push_back(s.role == toolpath::Role::hairpin);
             c.way.push_back(c.points.empty() ? 0 : c.way.back() + distance(c.points.back(), s.points[i]));
@@ -49,7 +49,7 @@ std::vector<Chain> chains(const std::vector<Span>& spans, double& jump) {
             c.normals.push_back(s.normals[i]);
         }
     }
-    std::erase_if(out, [](const Chain& c) { return c.points.size() < 2; });
+    std::erase_if(out, [](const Fibre& c) { return c.points.size() < 2; });
     return out;
 }
 
@@ -58,7 +58,7 @@ struct At {
     std::size_t stretch;
 };
 
-At at(const Chain& c, double way) {
+At at(const Fibre& c, double way) {
     const auto it = std::upper_bound(c.way.begin() + 1, c.way.end() - 1, way);
     const auto i = static_cast<std::size_t>(it - c.way.begin()) - 1;
     const double l = c.way[i + 1] - c.way[i], t = l > 0 ? std::clamp((way - c.way[i]) / l, 0.0, 1.0) : 0;
@@ -66,7 +66,7 @@ At at(const Chain& c, double way) {
 }
 
 // The circle through three points, drawn on the plane that touches the surface.
-void measure_turns(const Chain& c, const Asked& asked, Judged& out) {
+void measure_turns(const Fibre& c, const Asked& asked, Judged& out) {
     const double limit = asked.least_radius > 0 ? 1 / asked.least_radius : kFar;
     const double ripple = kRipple * asked.spacing,
                  reach = std::max(asked.spacing / 4, 2 * std::sqrt(ripple * asked.least_radius));
@@ -87,7 +87,7 @@ void measure_turns(const Chain& c, const Asked& asked, Judged& out) {
     }
 }
 
-struct Piece {
+struct FibreSegment {
     Vec3 a, b, normal;
     std::size_t chain;
     double way, along;
@@ -98,29 +98,29 @@ geom::Box3 box(const Vec3& a, const Vec3& b, double by) {
             {std::max(a.x, b.x) + by, std::max(a.y, b.y) + by, std::max(a.z, b.z) + by}};
 }
 
-class Pieces {
+class FibreSegments {
   public:
-    explicit Pieces(const std::vector<Chain>& chains) : all_(cut(chains)), tree_(boxes()) {}
+    explicit FibreSegments(const std::vector<Fibre>& chains) : all_(cut(chains)), tree_(boxes()) {}
 
     template <class F>
     void near(const Vec3& p, const Vec3& n, double reach, const F& f) const {
         tree_.visit(box(p, p, reach), [&](std::uint32_t i) {
-            const Piece& g = all_[i];
+            const FibreSegment& g = all_[i];
             const Vec3 d = g.b - g.a;
             const double l2 = dot(d, d), t = l2 > 0 ? std::clamp(dot(p - g.a, d) / l2, 0.0, 1.0) : 0;
             const double far = distance(p, g.a + t * d);
             if (far <= reach && dot(g.normal, n) > 0) f(g, far, g.way + t * g.along);
         });
     }
-    [[nodiscard]] const std::vector<Piece>& all() const { return all_; }
+    [[nodiscard]] const std::vector<FibreSegment>& all() const { return all_; }
     [[nodiscard]] const geom::Bvh& tree() const { return tree_; }
 
   private:
-    static std::vector<Piece> cut(const std::vector<Chain>& chains) {
-        std::vector<Piece> out;
+    static std::vector<FibreSegment> cut(const std::vector<Fibre>& chains) {
+        std::vector<FibreSegment> out;
         for (std::size_t c = 0; c < chains.size(); ++c)
             for (std::size_t i = 0; i + 1 < chains[c].points.size(); ++i) {
-                const Chain& k = chains[c];
+                const Fibre& k = chains[c];
                 out.push_back({k.points[i], k.points[i + 1], k.normals[i] + k.normals[i + 1], c, k.way[i],
                                k.way[i + 1] - k.way[i]});
             }
@@ -128,14 +128,14 @@ class Pieces {
     }
     std::vector<geom::Box3> boxes() const {
         std::vector<geom::Box3> out;
-        for (const Piece& g : all_) out.push_back(box(g.a, g.b, 0));
+        for (const FibreSegment& g : all_) out.push_back(box(g.a, g.b, 0));
         return out;
     }
-    std::vector<Piece> all_;
+    std::vector<FibreSegment> all_;
     geom::Bvh tree_;
 };
 
-void measure_area(const Surface& s, const Pieces& path, double width, Judged& out) {
+void measure_area(const Surface& s, const FibreSegments& path, double width, Judged& out) {
     std::vector<double> sum;
     for (const auto& [a, b, c] : s.triangles)
         sum.push_back((sum.empty() ? 0 : sum.back()) +
@@ -155,7 +155,7 @@ void measure_area(const Surface& s, const Pieces& path, double width, Judged& ou
         const Vec3 p = s.vertices[a] + u * (s.vertices[b] - s.vertices[a]) + v * (s.vertices[c] - s.vertices[a]);
         double least = kFar;
         path.near(p, surface::normal(s, t), width,
-                  [&](const Piece&, double far, double) { least = std::min(least, far); });
+                  [&](const FibreSegment&, double far, double) { least = std::min(least, far); });
         covered += least <= width / 2 ? 1 : 0;
         bare += least > width ? 1 : 0;
     }
@@ -195,7 +195,7 @@ class Rise {
 };
 
 // Path on path, and path across path.
-void measure_doubles(const std::vector<Chain>& chains, const Pieces& path, const Rise* rise, double width,
+void measure_doubles(const std::vector<Fibre>& chains, const FibreSegments& path, const Rise* rise, double width,
                      Judged& out) {
     const double step = width / 4;
     for (std::size_t c = 0; c < chains.size(); ++c)
@@ -203,7 +203,7 @@ void measure_doubles(const std::vector<Chain>& chains, const Pieces& path, const
             const At a = at(chains[c], way), b = at(chains[c], way + step);
             const Vec3 along = b.point - a.point;
             bool found = false;
-            path.near(a.point, a.normal, 0.2 * width, [&](const Piece& g, double, double on) {
+            path.near(a.point, a.normal, 0.2 * width, [&](const FibreSegment& g, double, double on) {
                 const Vec3 d = g.b - g.a;
                 if (g.chain == c ? on < way + 3 * width : g.chain < c) return; // each pair once
                 found = found || std::abs(dot(d, along)) > 0.966 * norm(d) * norm(along);
@@ -213,9 +213,9 @@ void measure_doubles(const std::vector<Chain>& chains, const Pieces& path, const
             out.doubled += found ? step : 0;
         }
     for (std::uint32_t i = 0; i < path.all().size(); ++i) {
-        const Piece& g = path.all()[i];
+        const FibreSegment& g = path.all()[i];
         path.tree().visit(box(g.a, g.b, 0.01 * width), [&](std::uint32_t k) {
-            const Piece& h = path.all()[k];
+            const FibreSegment& h = path.all()[k];
             if (k <= i || (h.chain == g.chain && h.way - g.way - g.along < width) || dot(g.normal, h.normal) <= 0)
                 return;
             const Vec3 n = g.normal + h.normal, d = g.b - g.a, e = h.b - h.a;
@@ -241,7 +241,7 @@ Judged judge(const Surface& s, const std::vector<Span>& spans, const Asked& aske
     out.least_radius = kFar;
     const auto laid = chains(spans, out.jump);
     const surface::curve::Locator ground(s);
-    for (const Chain& c : laid) {
+    for (const Fibre& c : laid) {
         out.length += c.way.back();
         measure_turns(c, asked, out);
         for (std::size_t i = 0; i + 1 < c.points.size(); ++i)
@@ -251,7 +251,7 @@ Judged judge(const Surface& s, const std::vector<Span>& spans, const Asked& aske
                     out.off_at = p;
                 }
     }
-    const Pieces path(laid);
+    const FibreSegments path(laid);
     measure_area(s, path, asked.spacing, out);
     std::optional<Rise> rise;
     if (asked.rings) rise.emplace(s, ground, asked.from);

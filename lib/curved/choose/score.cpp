@@ -40,7 +40,7 @@ Weights weights(std::string_view words) {
 
 Criteria measure(const metrics::surface::Fibres& fibres, const surface::Sheet& sheet, double spacing,
                  double least_radius, double stable) {
-    if (fibres.chains.empty()) throw Error(Exit::failure, "the path is empty");
+    if (fibres.all.empty()) throw Error(Exit::failure, "the path is empty");
     const metrics::surface::Ground ground(sheet.surface, spacing);
     auto samples = metrics::surface::samples(fibres, ground, spacing / 4, 1);
     std::erase_if(samples, [](const metrics::surface::Sample& s) { return s.beside; });
@@ -55,7 +55,7 @@ Criteria measure(const metrics::surface::Fibres& fibres, const surface::Sheet& s
     out.paper_load =
         loads.empty() ? std::nan("") : metrics::surface::paper_adequacy(samples, sheet.surface, loads).mean;
     out.angle = metrics::surface::paper_angle(fibres, spacing / 4) * kDegrees;
-    out.cuts = static_cast<double>(fibres.chains.size() - 1);
+    out.cuts = static_cast<double>(fibres.all.size() - 1);
     out.length = metrics::surface::length(fibres);
     out.overlap = std::max(0.0, 1 - area.covered / (out.length * spacing - shadow.beside_area));
     const auto normals = metrics::surface::feet(fibres, ground, 1).normals;

@@ -1,7 +1,7 @@
 // Rates a path by weighted criteria.
 #pragma once
 
-#include "metrics/surface/chains.hpp"
+#include "metrics/surface/fibres.hpp"
 #include "surface/sheet.hpp"
 
 #include <string_view>

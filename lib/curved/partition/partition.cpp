@@ -74,13 +74,13 @@ class PieceMerger {
     }
 
     // A remaining piece; triangles in their order.
-    struct Piece {
+    struct MergedPiece {
         double area = 0;
         std::uint32_t patch = 0;
         std::vector<std::uint32_t> triangles;
     };
-    [[nodiscard]] std::vector<Piece> take() const {
-        std::vector<Piece> out(area_.size());
+    [[nodiscard]] std::vector<MergedPiece> take() const {
+        std::vector<MergedPiece> out(area_.size());
         for (std::uint32_t p = 0; p < out.size(); ++p) {
             out[p].area = area_[p];
             out[p].patch = patch_[p];
@@ -90,7 +90,7 @@ class PieceMerger {
             while (into_[p] != kNone) p = into_[p];
             out[p].triangles.push_back(t);
         }
-        std::erase_if(out, [](const Piece& p) { return p.triangles.empty(); });
+        std::erase_if(out, [](const MergedPiece& p) { return p.triangles.empty(); });
         return out;
     }
 
@@ -118,7 +118,7 @@ struct LeftOut {
     Vec3 at{};
     double most = 0;
 
-    void add(const Surface& s, const PieceMerger::Piece& piece) {
+    void add(const Surface& s, const PieceMerger::MergedPiece& piece) {
         area += piece.area;
         ++count;
         if (piece.area <= most) return;
@@ -162,7 +162,7 @@ std::vector<Sheet> gathered(const Parts& parts, double least_area, Notes& notes)
     pieces.join_small(least_area);
     LeftOut left{NoteCode::face_too_small};
     auto all = pieces.take();
-    std::erase_if(all, [&](const PieceMerger::Piece& p) {
+    std::erase_if(all, [&](const PieceMerger::MergedPiece& p) {
         if (p.area < least_area) left.add(parts.sheet.surface, p);
         return p.area < least_area;
     });

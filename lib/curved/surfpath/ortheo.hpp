@@ -9,7 +9,7 @@ namespace filum::surfpath {
 // Lines along the gradient of the exact distance from the sheet's sources, which are straightest lines perpendicular
 // to them (Kipping, Kallai, Schueppstuhl 2022, 3.1.3, who march from each isoline to the closest point of the next).
 // Births and deaths of single lines or pairs keep them `spacing` apart; neighbours make way for these
-// (strands/strands.hpp). Fans around the ends of a source curve, around point sources and behind holes follow from the
+// (lines/lines.hpp). Fans around the ends of a source curve, around point sources and behind holes follow from the
 // same rule.
 // Turns "none": every line is a stroke, in alternating directions. "hairpin" and "wide" connect lines as the rows of
 // fina: by hairpins, or by turns of the least radius where there is room. Ends inside the surface are reached

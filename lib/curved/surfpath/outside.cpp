@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "surface/curve/walk.hpp"
-#include "surfpath/strands/source_lines.hpp"
+#include "surfpath/fronts/source_lines.hpp"
 
 #include <optional>
 
@@ -58,7 +58,7 @@ std::optional<Flange> flange(const surface::Sheet& sheet, const Options& o) {
     out.sheet.algorithm = sheet.algorithm;
     out.sheet.sources = sheet.sources;
     if (o.algorithm == Algorithm::fexa) return out;
-    for (Line& line : strands::source_lines(sheet.sources)) {
+    for (Line& line : fronts::source_lines(sheet.sources)) {
         Line back = line;
         surface::curve::reverse(back);
         go_on(sheet.surface, out.sheet.surface, std::move(line), kRunsOut * depth, out.sheet.sources);

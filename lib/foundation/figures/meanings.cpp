@@ -143,7 +143,7 @@ void tell(Figures& out, std::span<const Meaning> meanings, std::string_view key,
                    with(m->key, m->key.find('*') == std::string_view::npos ? of : key_text(of))});
 }
 
-Spoken spoken(std::string_view key, bool on_surface) {
+FigureLabel spoken(std::string_view key, bool on_surface) {
     for (const Meaning& m : on_surface ? surface_meanings() : planar_meanings()) {
         const auto star = std::min(m.key.find('*'), m.key.size());
         const auto before = m.key.substr(0, star), after = star < m.key.size() ? m.key.substr(star + 1) : "";

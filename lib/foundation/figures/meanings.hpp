@@ -27,10 +27,10 @@ void tell(Figures& out, std::span<const Meaning> meanings, std::string_view key,
           std::string_view of = {});
 
 // Heading and name that tables have for a key of `metrics`; both empty for any other.  Of a path on a surface its own.
-struct Spoken {
+struct FigureLabel {
     std::string group, name;
 };
-Spoken spoken(std::string_view key, bool on_surface);
+FigureLabel spoken(std::string_view key, bool on_surface);
 
 // Text as part of a key: lower case, with '_' for everything except letters, digits and points.
 std::string key_text(std::string_view text);

@@ -23,8 +23,8 @@ bool BeadGrowth::add(Move move, double width, double height) {
 
 namespace {
 
-Stance beside(const Stance& s, const Vec3& shift) {
-    Stance out = s;
+ToolFrame beside(const ToolFrame& s, const Vec3& shift) {
+    ToolFrame out = s;
     out.tip = s.tip + shift.x * s.side + shift.y * cross(s.axis, s.side) + shift.z * s.axis;
     return out;
 }
@@ -50,15 +50,15 @@ void add_idle(const Heads& heads, std::vector<Move>& moves) {
         }
 }
 
-Stance MoveReader::stance(const toolpath::Span& span, std::size_t i) const {
-    Stance out{span.points[i], {0, 0, 1}, {1, 0, 0}};
+ToolFrame MoveReader::stance(const toolpath::Span& span, std::size_t i) const {
+    ToolFrame out{span.points[i], {0, 0, 1}, {1, 0, 0}};
     if (!span.normals.empty()) out.axis = span.normals[i];
     const bool goes_on = !toolpath::extrudes(span.role) && at_.side != Vec3{} && out.axis == Vec3{0, 0, 1};
     if (machine_.rotary || !(span.normals.empty() || goes_on)) out.side = {};
     return out;
 }
 
-void MoveReader::go(const Stance& to, const toolpath::Span& span, double width, double height) {
+void MoveReader::go(const ToolFrame& to, const toolpath::Span& span, double width, double height) {
     Move move{at_, to, 0, points_, span.layer, span.stroke, !toolpath::extrudes(span.role), span.tool};
     if (move.from.side == Vec3{} || to.side == Vec3{}) move.from.side = move.to.side = {};
     growth.add(move, width, height);
@@ -95,7 +95,7 @@ void MoveReader::travel(const toolpath::Span& span) {
     const bool rises = length >= machine_.min_length;
     go(stance(span, 0), span, 0, 0);
     for (std::size_t i = 0; i < span.points.size(); ++i, ++points_) {
-        Stance over = stance(span, i);
+        ToolFrame over = stance(span, i);
         if (rises) over.tip.z = clear;
         go(over, span, 0, 0);
     }

@@ -52,12 +52,12 @@ class MoveReader {
     BeadGrowth growth;
 
   private:
-    void go(const Stance& to, const toolpath::Span& span, double width, double height);
-    [[nodiscard]] Stance stance(const toolpath::Span& span, std::size_t i) const;
+    void go(const ToolFrame& to, const toolpath::Span& span, double width, double height);
+    [[nodiscard]] ToolFrame stance(const toolpath::Span& span, std::size_t i) const;
     void travel(const toolpath::Span& span);
 
     Machine machine_;
-    Stance at_;
+    ToolFrame at_;
     double top_ = 0;
     std::uint32_t points_ = 0; // number of points read
     bool started_ = false;

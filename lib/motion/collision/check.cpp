@@ -43,7 +43,7 @@ struct Search {
         return against == Obstacle::beads ? options.margin - options.press : std::max(options.margin, kTouch);
     }
 
-    [[nodiscard]] Probe probe(const Stance& stance, const Move& m, Obstacle against, double cutoff) const {
+    [[nodiscard]] Probe probe(const ToolFrame& stance, const Move& m, Obstacle against, double cutoff) const {
         return {stance, against == Obstacle::beads ? m.before : 1, options.press, cutoff};
     }
 
@@ -85,13 +85,13 @@ struct Search {
     // False if nothing comes nearer than `cutoff` on any of these moves, bounded by their deviation from the straight
     // move from the first stance to the last; true if the tool turns far.
     [[nodiscard]] bool may_meet(std::size_t begin, std::size_t end, Obstacle against, double cutoff) const {
-        const Stance &first = moves[begin].from, &last = moves[end - 1].to;
+        const ToolFrame &first = moves[begin].from, &last = moves[end - 1].to;
         Probe p = probe(moves[begin + (end - begin) / 2].from, moves[end - 1], against, cutoff);
         Sweep sweep{first, last};
         bool round = first.side == Vec3{} || last.side == Vec3{};
         double length = 0, gone = 0, most = 0;
         for (std::size_t i = begin; i < end; ++i) length += distance(moves[i].from.tip, moves[i].to.tip);
-        const auto stretch = [&](const Stance& s, double share) {
+        const auto stretch = [&](const ToolFrame& s, double share) {
             sweep.stray = std::max(sweep.stray, norm(s.tip - first.tip - share * (last.tip - first.tip)));
             round = round || s.side == Vec3{};
             const double twist = round ? 0 : norm(s.side - first.side - share * (last.side - first.side));
@@ -153,7 +153,7 @@ struct Search {
             for (std::size_t k = 0; k < scene.size(); ++k) {
                 const auto against = static_cast<Obstacle>(k);
                 const double so_far = out.least[k] ? out.least[k]->clearance : std::numeric_limits<double>::infinity();
-                const Stance stance = at(moves[i], 0.5);
+                const ToolFrame stance = at(moves[i], 0.5);
                 const auto hit = scene[k].nearest(shapes.of(moves[i].tool), probe(stance, moves[i], against, so_far));
                 if (hit.found) out.least[k] = Place{i, 0.5, hit.distance, stance.tip, hit.piece, against};
             }
@@ -163,8 +163,8 @@ struct Search {
 
 } // namespace
 
-Stance at(const Move& m, double along) {
-    Stance out;
+ToolFrame at(const Move& m, double along) {
+    ToolFrame out;
     out.tip = m.from.tip + along * (m.to.tip - m.from.tip);
     out.axis = turned(m.from.axis, m.to.axis, along);
     out.side = {};

@@ -11,7 +11,7 @@ namespace filum::collision {
 // A straight move from one stance to another: the tip at even speed, the axis rotating evenly by the shorter way (for
 // antiparallel axes either way).
 struct Move {
-    Stance from, to;
+    ToolFrame from, to;
     std::uint32_t before = 0; // beads born earlier are obstacles; see beads.hpp
     std::uint32_t source = 0; // a point of the toolpath, counted over all, or a line of the program
     std::uint32_t layer = 0, stroke = 0;
@@ -59,7 +59,7 @@ CheckResult check(const Scene& scene, const Heads& heads, const std::vector<Move
                   int threads);
 
 // The stance at a share of a move.
-Stance at(const Move& move, double along);
+ToolFrame at(const Move& move, double along);
 
 // The extent of a whole move.
 struct Motion {

@@ -156,7 +156,7 @@ class Reader {
     // Offset of the tool: axis values refer to the tip of tool 0.
     [[nodiscard]] Vec3 offset() const { return machine::of_tool(p_, tool_).offset; }
 
-    [[nodiscard]] Stance stance(const Axes& a) const {
+    [[nodiscard]] ToolFrame stance(const Axes& a) const {
         const Joints j = joints(a);
         const auto pose = kinematics::forward(chain(), j);
         const Vec3 off = p_.axes.active() ? Vec3{} : offset();
@@ -250,13 +250,13 @@ class Reader {
     }
 
     // Halves the move until the straight way from stance to stance agrees with that of the axes.
-    void part(const Axes& a, const Axes& b, const Stance& from, const Stance& to, bool lays, int depth) {
+    void part(const Axes& a, const Axes& b, const ToolFrame& from, const ToolFrame& to, bool lays, int depth) {
         Axes middle;
         for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = (a[k] + b[k]) / 2;
         const bool turns = a[3] != b[3] || a[4] != b[4];
         if (turns && depth < kChordHalvings) {
-            const Stance true_middle = stance(middle);
-            const Stance straight = at(Move{from, to, 0, 0, 0, 0, false}, 0.5);
+            const ToolFrame true_middle = stance(middle);
+            const ToolFrame straight = at(Move{from, to, 0, 0, 0, 0, false}, 0.5);
             const bool near = distance(true_middle.tip, straight.tip) <= kChord &&
                               geom::angle(true_middle.axis, straight.axis) <= kLean &&
                               geom::angle(from.axis, to.axis) + geom::angle(from.side, to.side) <= kTurn;

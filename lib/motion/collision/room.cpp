@@ -25,13 +25,13 @@ std::optional<double> first(double begin, double end, int depth, const Look& loo
 Room::Room(const Scene& scene, const Shape& shape, const Options& options, double more)
     : scene_(&scene), shape_(&shape), options_(&options), more_(more) {}
 
-Probe Room::probe(const Stance& stance, std::uint32_t before, std::size_t kind) const {
+Probe Room::probe(const ToolFrame& stance, std::uint32_t before, std::size_t kind) const {
     const bool beads = static_cast<Obstacle>(kind) == Obstacle::beads;
     const double demanded = beads ? options_->margin - options_->press : std::max(options_->margin + more_, kTouch);
     return {stance, beads ? before : 1, options_->press, demanded};
 }
 
-bool Room::at(const Stance& stance, std::uint32_t before) const {
+bool Room::at(const ToolFrame& stance, std::uint32_t before) const {
     for (std::size_t k = 0; k < scene_->size(); ++k)
         if ((*scene_)[k].any(*shape_, probe(stance, before, k), {stance, stance}, 0) != Tree::Proximity::nothing)
             return false;

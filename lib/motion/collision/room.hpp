@@ -15,14 +15,14 @@ class Room {
     Room(const Scene& scene, const Shape& shape, const Options& options, double more = 0);
 
     // Whether the head has room at the stance, with the beads born earlier than `before`.
-    [[nodiscard]] bool at(const Stance& stance, std::uint32_t before) const;
+    [[nodiscard]] bool at(const ToolFrame& stance, std::uint32_t before) const;
 
     // The share of the move at which something first blocks it, approximately; none if nothing does. Obstacles within
     // 0.01 mm of the margin may count as blocking.
     [[nodiscard]] std::optional<double> blocked(const Move& move) const;
 
   private:
-    [[nodiscard]] Probe probe(const Stance& stance, std::uint32_t before, std::size_t kind) const;
+    [[nodiscard]] Probe probe(const ToolFrame& stance, std::uint32_t before, std::size_t kind) const;
 
     const Scene* scene_;
     const Shape* shape_;

@@ -19,7 +19,7 @@ inline constexpr std::array<const char*, 3> kPieceNames{"nozzle", "carriage", "g
 using machine::Heads;
 
 // Position and orientation of the tool in the part's frame.
-struct Stance {
+struct ToolFrame {
     Vec3 tip;           // mm
     Vec3 axis{0, 0, 1}; // unit: up the tool
     Vec3 side{1, 0, 0}; // unit, perpendicular to the axis: the carriage's x; zero if its rotation is unknown

@@ -18,7 +18,7 @@ double extent(const Vec3& half, const Vec3& d) {
     return half.x * std::abs(d.x) + half.y * std::abs(d.y) + half.z * std::abs(d.z);
 }
 
-Frame frame(const Stance& s) {
+Frame frame(const ToolFrame& s) {
     Vec3 x = s.side - dot(s.side, s.axis) * s.axis;
     if (dot(x, x) < 1e-12) { // any side, as the carriage is round
         const Vec3 other = std::abs(s.axis.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
@@ -78,7 +78,7 @@ double at_least(const Shape& shape, const Corners& polygon) {
 
 } // namespace
 
-Solid bead(const Stance& from, const Stance& to, double width, double height, std::uint32_t born) {
+Solid bead(const ToolFrame& from, const ToolFrame& to, double width, double height, std::uint32_t born) {
     const Vec3 way = to.tip - from.tip;
     const auto aside = [&](const Vec3& axis) {
         const Vec3 side = cross(axis, way);
@@ -184,7 +184,7 @@ double Tree::Node::reach(const Vec3& d) const {
 }
 
 // The frame of `to`, rotated from `from` by the shortest way.
-Frame carried(const Frame& from, const Stance& to) {
+Frame carried(const Frame& from, const ToolFrame& to) {
     const Vec3 turn = cross(from.z, to.axis);
     const double c = dot(from.z, to.axis);
     Vec3 x = from.x + cross(turn, from.x);

@@ -19,18 +19,18 @@ struct Solid {
 
 // The bead of `width` and `height` (mm) from stance `from` to `to`, whose tips are on the middle of its top: the hull
 // of two rods of half its height along its sides. A bead narrower than high counts as broad as it is high.
-Solid bead(const Stance& from, const Stance& to, double width, double height, std::uint32_t born);
+Solid bead(const ToolFrame& from, const ToolFrame& to, double width, double height, std::uint32_t born);
 
 // The motion of a head during a query: from one stance to another at even speed, the axis rotating evenly, with a
 // deviation of at most `stray` (mm) and `lean` (rad).
 struct Sweep {
-    Stance from, to;
+    ToolFrame from, to;
     double stray = 0, lean = 0;
 };
 
 // A query for the distance of obstacles from the head at `stance`.
 struct Probe {
-    Stance stance;
+    ToolFrame stance;
     std::uint32_t before = 1; // only solids born earlier
     double press = 0;         // mm: only what rises more than this above the plane through the tip across its axis
     double cutoff = 0;        // mm: only what is nearer

@@ -45,7 +45,7 @@ Place Axes::place(const AxisNumbers& a) const {
     return {tip_ ? Vec3{a[0], a[1], a[2]} : pose.tip, pose.axis};
 }
 
-void Axes::part(const AxisNumbers& to, double share, int depth, const Piece& piece) {
+void Axes::part(const AxisNumbers& to, double share, int depth, const PieceVisitor& piece) {
     const Place a = place(at), b = place(to);
     if ((at[3] != to[3] || at[4] != to[4]) && depth < kMostHalvings) {
         AxisNumbers middle{};

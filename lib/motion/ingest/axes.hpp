@@ -22,12 +22,12 @@ class Axes {
 
     // Moves the axes straight to `to`, in pieces so short that the tip moves straight, too. Calls `piece` with both
     // ends of each piece and its share of the whole move.
-    using Piece = std::function<void(const Place& from, const Place& to, double share)>;
-    void move(const machine::AxisNumbers& to, const Piece& piece) { part(to, 1, 0, piece); }
+    using PieceVisitor = std::function<void(const Place& from, const Place& to, double share)>;
+    void move(const machine::AxisNumbers& to, const PieceVisitor& piece) { part(to, 1, 0, piece); }
 
   private:
     void stand(const kinematics::Joints& joints);
-    void part(const machine::AxisNumbers& to, double share, int depth, const Piece& piece);
+    void part(const machine::AxisNumbers& to, double share, int depth, const PieceVisitor& piece);
 
     const machine::Profile* p_;
     std::uint32_t tool_ = 0;

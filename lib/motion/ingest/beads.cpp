@@ -24,7 +24,7 @@ Span span_of(const std::vector<Place>& places, bool leans) {
     return out;
 }
 
-bool alike(const Laid& a, const Laid& b) {
+bool alike(const DepositedBead& a, const DepositedBead& b) {
     return a.height == b.height && a.layer == b.layer && a.tool == b.tool && a.role == b.role && a.feature == b.feature;
 }
 
@@ -60,7 +60,7 @@ void Beads::push(double volume) {
     taking_ = false;
 }
 
-void Beads::begin_run(const Laid& what) {
+void Beads::begin_run(const DepositedBead& what) {
     run_ = {};
     run_.role = what.role;
     run_.feature = what.feature;
@@ -69,16 +69,16 @@ void Beads::begin_run(const Laid& what) {
     run_.tool = what.tool;
     run_.points = {at_.tip};
     if (leans_) run_.normals = {at_.axis};
-    laid_ = what;
-    laid_.volume = 0;
+    bead_ = what;
+    bead_.volume = 0;
     length_ = 0;
 }
 
-void Beads::lay(const Place& to, const Laid& what) {
+void Beads::lay(const Place& to, const DepositedBead& what) {
     close_gap(what);
     const double length = distance(at_.tip, to.tip);
     const double low = (what.volume - what.unsure) / length, high = (what.volume + what.unsure) / length;
-    const bool goes_on = !run_.points.empty() && alike(what, laid_) && low <= most_ && high >= least_;
+    const bool goes_on = !run_.points.empty() && alike(what, bead_) && low <= most_ && high >= least_;
     if (!goes_on) {
         close_run();
         begin_run(what);
@@ -89,7 +89,7 @@ void Beads::lay(const Place& to, const Laid& what) {
     most_ = std::min(most_, high);
     run_.points.push_back(to.tip);
     if (leans_) run_.normals.push_back(to.axis);
-    laid_.volume += what.volume;
+    bead_.volume += what.volume;
     length_ += length;
     counts_.volume += what.volume;
     counts_.extruded += length;
@@ -98,14 +98,14 @@ void Beads::lay(const Place& to, const Laid& what) {
 
 void Beads::close_run() {
     if (run_.points.empty()) return;
-    run_.width = {laid_.volume / length_ / laid_.height};
-    run_.height = {laid_.height};
+    run_.width = {bead_.volume / length_ / bead_.height};
+    run_.height = {bead_.height};
     emit_(run_);
     run_ = {};
 }
 
 // Emits the gap between the last bead and the next, if there is one.
-void Beads::close_gap(const Laid& next) {
+void Beads::close_gap(const DepositedBead& next) {
     if (!begun_) {
         begun_ = true;
         counts_.strokes = 1;
@@ -113,7 +113,7 @@ void Beads::close_gap(const Laid& next) {
     }
     if (gap_.empty()) return;
     const Vec3 from = gap_.front().tip, to = at_.tip;
-    const double up = to.z - from.z, limit = kLayers * std::min(next.height, laid_.height);
+    const double up = to.z - from.z, limit = kLayers * std::min(next.height, bead_.height);
     const bool breaks = distance(from.xy(), to.xy()) > kAside || taken_ || std::abs(up) > limit;
     if (gap_.size() < 2) gap_.push_back(gap_.front());
     Span span = span_of(gap_, leans_);
@@ -122,7 +122,7 @@ void Beads::close_gap(const Laid& next) {
     const bool lifts = gap_way_ <= kStanding && !taken_ && up > 0 && up <= limit;
     span.role = lifts ? Role::lift : Role::travel;
     if (lifts)
-        span.width = {laid_.volume / length_ / laid_.height}, span.height = {next.height};
+        span.width = {bead_.volume / length_ / bead_.height}, span.height = {next.height};
     else
         span.retraction = taken_ ? Retraction::taken : Retraction::none;
     counts_.stops += gap_way_ > kStopWay || taken_ ? 1 : 0;

@@ -17,7 +17,7 @@ struct Place {
 };
 
 // The bead that a move deposits.
-struct Laid {
+struct DepositedBead {
     double volume = 0; // mm3
     double unsure = 0; // mm3: possible error of the volume, from the program's decimals
     double height = 0; // mm
@@ -48,7 +48,7 @@ class Beads {
     Beads(bool leans, Emit emit) : leans_(leans), emit_(std::move(emit)) {}
 
     void stand(const Place& at); // sets the pose before the first bead
-    void lay(const Place& to, const Laid& what);
+    void lay(const Place& to, const DepositedBead& what);
     void go(const Place& to, bool takes = false); // `takes`: the move retracts
     void take_back(double volume);                // retracts `volume` mm3, while the tool stands or moves
     void push(double volume);                     // extrudes `volume` mm3 while the tool stands
@@ -57,15 +57,15 @@ class Beads {
 
   private:
     void close_run();
-    void close_gap(const Laid& next);
-    void begin_run(const Laid& what);
+    void close_gap(const DepositedBead& next);
+    void begin_run(const DepositedBead& what);
 
     bool leans_;
     Emit emit_;
     Counts counts_;
     Place at_;
     toolpath::Span run_;                       // the open span of beads with one cross-section
-    Laid laid_;                                // properties of the run, and its volume
+    DepositedBead bead_;                       // properties of the run, and its volume
     double length_ = 0, least_ = 0, most_ = 0; // length of the run, mm; bounds of its cross-section, mm2
     std::vector<Place> gap_;                   // poses since the last bead, starting with its end
     double gap_way_ = 0;                       // length of the gap in XY, mm

@@ -15,7 +15,7 @@ void Layers::take(const Remark& remark) {
     if (remark.height) said_ = *remark.height;
     if (!remark.layer) return;
     if (remark.layer_index)
-        index_ = static_cast<std::uint32_t>(*remark.layer_index - told_->lowest_layer);
+        index_ = static_cast<std::uint32_t>(*remark.layer_index - traits_->lowest_layer);
     else if (begun_)
         ++index_;
     begun_ = true;
@@ -26,7 +26,7 @@ void Layers::level(double z) {
     const auto found = levels_.try_emplace(at, static_cast<std::uint32_t>(levels_.size())).first;
     const double below = found == levels_.begin() ? 0 : static_cast<double>(std::prev(found)->first) / kMicro;
     if (z > below) height_ = z - below;
-    if (!told_->layers) index_ = found->second;
+    if (!traits_->layers) index_ = found->second;
     z_ = z;
 }
 

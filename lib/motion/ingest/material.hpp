@@ -8,7 +8,7 @@ namespace filum::ingest {
 
 // The volume of one unit of the extruder word, mm3. `filament`: its diameter in mm, or 0 if it is not given.
 // `volumetric`: the program counts mm3.
-double unit_volume(const machine::Profile& profile, std::uint32_t tool, double filament, const Told& told,
+double unit_volume(const machine::Profile& profile, std::uint32_t tool, double filament, const ProgramTraits& traits,
                    bool volumetric);
 
 } // namespace filum::ingest

@@ -8,7 +8,7 @@ void Origin::name(std::size_t axis, double at, double number) {
 
 void Origin::work(std::size_t system, std::size_t axis, double offset) {
     work_[system][axis] = offset;
-    told_[system] = true;
+    set_[system] = true;
 }
 
 void Origin::work_name(std::size_t system, std::size_t axis, double at, double number) {

@@ -27,11 +27,11 @@ class Origin {
     void use(std::size_t system) { system_ = system; }
 
     [[nodiscard]] std::size_t in_use() const { return system_; }
-    [[nodiscard]] bool is_told(std::size_t system) const { return told_[system]; }
+    [[nodiscard]] bool is_set(std::size_t system) const { return set_[system]; }
 
   private:
     std::array<AxisNumbers, kSystems> work_{};
-    std::array<bool, kSystems> told_{};
+    std::array<bool, kSystems> set_{};
     AxisNumbers local_{}, zero_{};
     std::size_t system_ = 0;
 };

@@ -44,19 +44,19 @@ class Reader {
   public:
     Reader(std::string_view program, const std::string& name, const Profile& profile, const Options& options,
            const Beads::Emit& emit)
-        : text_(program), name_(name), p_(profile), o_(options), told_(told_by(program)),
-          layers_(told_, options.bead.size() == 2 ? options.bead[1] : 0), modes_(profile),
+        : text_(program), name_(name), p_(profile), o_(options), traits_(traits_of(program)),
+          layers_(traits_, options.bead.size() == 2 ? options.bead[1] : 0), modes_(profile),
           tools_(machine::tool_lines(profile)), beads_(profile.axes.active(), emit), axes_(profile) {
         if (o_.bead.size() == 2) width_ = o_.bead[0];
     }
 
-    Found follow() {
+    ReadResult follow() {
         while (!text_.empty()) {
             const std::size_t end = std::min(text_.find('\n'), text_.size());
             line(text_.substr(0, end));
             text_.remove_prefix(std::min(end + 1, text_.size()));
         }
-        return found();
+        return result();
     }
 
   private:
@@ -68,7 +68,7 @@ class Reader {
     void line(std::string_view text) {
         ++number_;
         const machine::CodeLine line(text);
-        if (!line.comment().empty()) remark(remark_in(line.comment(), told_));
+        if (!line.comment().empty()) remark(remark_in(line.comment(), traits_));
         const std::string_view code = line.code();
         if (code.empty() || code == "%") return;
         if (special(code)) return void(++out_.ignored);
@@ -100,8 +100,8 @@ class Reader {
     bool special(std::string_view code) {
         if (p_.name.empty()) return false;
         if (!tools_.empty())
-            if (const auto found = tools_.find(std::string(code)); found != tools_.end()) {
-                take(found->second);
+            if (const auto result = tools_.find(std::string(code)); result != tools_.end()) {
+                take(result->second);
                 return true;
             }
         const auto is = [&](const std::string& other) {
@@ -127,7 +127,7 @@ class Reader {
         for (const machine::Word& w : words_.words)
             if (w.letter == 'G' && (w.value == 20 || w.value == 21)) modes_.inches(w.value == 20);
         const bool counts = machine::of_tool(p_, axes_.tool()).extrusion.feeding != Feeding::valve;
-        const char extruder = p_.name.empty() ? told_.extruder : p_.extrusion.letter;
+        const char extruder = p_.name.empty() ? traits_.extruder : p_.extrusion.letter;
         const Line line = sorted(words_, p_, extruder, counts, modes_.unit());
         if (line.first == 'O' && words_.words.size() > 1) fail(kRepeats);
         if (line.tool && *line.tool >= 0 && (line.first == 'T' || std::ranges::count(line.m, 6) > 0))
@@ -151,7 +151,7 @@ class Reader {
     // Follows one code.  Returns whether the line still moves: a code that owns the line's words ends that.
     bool g_code(double g, const Line& line, bool moves, bool& in_machine) {
         const bool offsets = line.l && (*line.l == 2 || *line.l == 20);
-        const Code code = code_of(g, {line.places(), offsets, told_.machinekit});
+        const Code code = code_of(g, {line.places(), offsets, traits_.machinekit});
         switch (code.action) {
         case Action::modal:
             modes_.modal(g);
@@ -214,7 +214,7 @@ class Reader {
         const std::size_t system =
             g < 59.05 ? static_cast<std::size_t>(g - 54) : 5 + static_cast<std::size_t>(std::lround((g - 59) * 10));
         if (system >= Origin::kSystems || system == origin_.in_use()) return;
-        if (laid_ && !(origin_.is_told(system) && origin_.is_told(origin_.in_use())))
+        if (laid_ && !(origin_.is_set(system) && origin_.is_set(origin_.in_use())))
             fail("goes over to the coordinates of G" + shortest_text(g) +
                  ", and the program does not tell where they begin");
         origin_.use(system);
@@ -230,7 +230,7 @@ class Reader {
         if (action == Action::zero && line.extruder) modes_.extruder = *line.extruder;
         const bool by_place = action == Action::work_offset && *line.l == 20;
         if (action == Action::work_offset && line.places() && !by_place && system == origin_.in_use() &&
-            !origin_.is_told(system)) {
+            !origin_.is_set(system)) {
             if (laid_) fail("moves the coordinates in use by G10, and the program does not tell where they were");
             ++out_.origins;
         }
@@ -280,7 +280,7 @@ class Reader {
         }
     }
 
-    [[nodiscard]] double unit() const { return unit_volume(p_, axes_.tool(), o_.filament, told_, volumetric_); }
+    [[nodiscard]] double unit() const { return unit_volume(p_, axes_.tool(), o_.filament, traits_, volumetric_); }
 
     void move(const Place& a, const Place& b, double by, double share) {
         const bool planar = !p_.axes.active();
@@ -311,7 +311,7 @@ class Reader {
         beads_.lay(b, {laid, unsure, height, layers_.index(), axes_.tool(), role_, feature_});
     }
 
-    Found found() {
+    ReadResult result() {
         const Counts counts = beads_.finish();
         if (!laid_)
             throw Error(Exit::bad_input,
@@ -324,7 +324,7 @@ class Reader {
     const std::string& name_;
     const Profile& p_;
     const Options& o_;
-    Told told_;
+    ProgramTraits traits_;
     Layers layers_;
     Modes modes_;
     std::map<std::string, std::uint32_t> tools_;
@@ -343,8 +343,8 @@ class Reader {
 
 } // namespace
 
-Found read(std::string_view program, const std::string& name, const machine::Profile& profile, const Options& options,
-           const Beads::Emit& emit) {
+ReadResult read(std::string_view program, const std::string& name, const machine::Profile& profile,
+                const Options& options, const Beads::Emit& emit) {
     return Reader(program, name, profile, options, emit).follow();
 }
 

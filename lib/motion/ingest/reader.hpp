@@ -35,7 +35,7 @@ struct Options {
 //
 // Throws Error(bad_input) with the line for words of a move without numbers, moves that are not followed, and beads of
 // unknown height. It is thrown, too, if the program deposits nothing.
-Found read(std::string_view program, const std::string& name, const machine::Profile& profile, const Options& options,
-           const Beads::Emit& emit);
+ReadResult read(std::string_view program, const std::string& name, const machine::Profile& profile,
+                const Options& options, const Beads::Emit& emit);
 
 } // namespace filum::ingest

@@ -103,7 +103,7 @@ void diameters(std::string_view text, std::vector<double>& to) {
     }
 }
 
-void maker(std::string_view comment, Told& to) {
+void maker(std::string_view comment, ProgramTraits& to) {
     if (!to.by.empty()) return;
     if (behind(comment, "filum program for")) to.by = kOwn;
     for (const auto& [sign, name] : {std::pair{"PrusaSlicer", "PrusaSlicer"},
@@ -117,11 +117,11 @@ void maker(std::string_view comment, Told& to) {
 
 } // namespace
 
-Remark remark_in(std::string_view comment, const Told& told) {
+Remark remark_in(std::string_view comment, const ProgramTraits& traits) {
     Remark out;
     if (comment.empty()) return out;
     const auto kind = [&](std::string_view name) {
-        if (told.by == kOwn) {
+        if (traits.by == kOwn) {
             out.role = Role::bead;
             out.feature = machine::feature_of_type(name).value_or(Feature::none);
             return;
@@ -137,7 +137,7 @@ Remark remark_in(std::string_view comment, const Told& told) {
         out.layer = true;
     else if (const auto type = behind(comment, "TYPE:"))
         kind(*type);
-    else if (const auto role = told.by == kOwn ? behind(comment, "ROLE:") : std::nullopt)
+    else if (const auto role = traits.by == kOwn ? behind(comment, "ROLE:") : std::nullopt)
         own_kind(*role, out);
     else if (const auto type_of_bambu = behind(comment, "FEATURE:"))
         kind(*type_of_bambu);
@@ -154,8 +154,8 @@ Remark remark_in(std::string_view comment, const Told& told) {
     return out;
 }
 
-Told told_by(std::string_view program) {
-    Told out;
+ProgramTraits traits_of(std::string_view program) {
+    ProgramTraits out;
     while (!program.empty()) {
         const std::size_t end = std::min(program.find('\n'), program.size());
         const std::string_view line = program.substr(0, end);

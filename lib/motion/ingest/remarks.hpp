@@ -11,7 +11,7 @@
 namespace filum::ingest {
 
 // Facts from comments anywhere in a program, collected before the program is followed.
-struct Told {
+struct ProgramTraits {
     std::string by;                // author of the program: "filum", "PrusaSlicer", ...; "" for unknown
     bool layers = false;           // comments mark where layers begin
     std::int64_t lowest_layer = 0; // at most 0, as Cura gives rafts negative numbers
@@ -21,7 +21,7 @@ struct Told {
     bool machinekit = false;       // the program is for MachineKit, where G22 and G23 retract and return
     char extruder = 'E';           // letter of the extruder word
 };
-Told told_by(std::string_view program);
+ProgramTraits traits_of(std::string_view program);
 
 // The changes that one comment makes to the moves after it.
 struct Remark {
@@ -31,6 +31,6 @@ struct Remark {
     std::optional<toolpath::Feature> feature;
     std::optional<toolpath::Role> role; // only in programs of Filum
 };
-Remark remark_in(std::string_view comment, const Told& told);
+Remark remark_in(std::string_view comment, const ProgramTraits& traits);
 
 } // namespace filum::ingest

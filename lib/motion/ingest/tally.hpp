@@ -21,7 +21,7 @@ struct Tally {
 Notes notes_of(const Tally& tally, const Counts& counts); // without the stage
 Facts facts_of(const Tally& tally, const Counts& counts);
 
-struct Found {
+struct ReadResult {
     Counts counts;
     Notes notes; // without the stage
     Facts facts;

@@ -51,7 +51,7 @@ Arm arm(const std::array<DhRow, kAxes>& rows, const std::array<Axis, kAxes>& lim
 geom::Frame forward(const Arm& arm, const Posture& posture); // of the flange, in the robot's base
 
 // Why a frame cannot be reached.
-struct Lack {
+struct Shortfall {
     std::size_t axis = 0; // from 0: 0 shoulder, 2 elbow, 4 wrist
     double length = 0;    // mm beyond what it reaches; 0 if unknown
 };
@@ -83,7 +83,7 @@ Configuration configuration(const Arm& arm, const Posture& posture);
 // checked. At a singularity a free axis stays as in `near`. For general geometry only the solutions that iteration
 // finds from `near` and from a fixed set of starts. Accurate to 1e-6 mm and 1e-8 rad. `lack` is set to the reason if
 // there is none.
-std::vector<Posture> inverse(const Arm& arm, const geom::Frame& flange, const Posture& near, Lack* lack = nullptr);
+std::vector<Posture> inverse(const Arm& arm, const geom::Frame& flange, const Posture& near, Shortfall* lack = nullptr);
 
 // The posture to which iteration from `from` converges in at most `steps` steps; none if it does not. Angles are not
 // wrapped.

@@ -29,10 +29,11 @@ constexpr double kSameWay = 1e-3; // rad
 constexpr int kWindings = 2;      // whole turns of the last axis, either way, at the start of a stroke
 
 // Follows the whole stroke with a given spin per stand, from a posture at the first one.
-Followed followed(const Carried& c, std::span<const Stand> stands, const Posture& first, std::vector<double> spin) {
+FollowResult followed(const ArmSetup& c, std::span<const TimedFrame> stands, const Posture& first,
+                      std::vector<double> spin) {
     const Follower follower(c);
-    Followed out;
-    const auto take = [&](const Passing& p, std::size_t i) {
+    FollowResult out;
+    const auto take = [&](const JointMove& p, std::size_t i) {
         if (p.nearest.angle < out.nearest.angle) {
             out.nearest = p.nearest;
             out.nearest_at = i;
@@ -45,11 +46,11 @@ Followed followed(const Carried& c, std::span<const Stand> stands, const Posture
         out.hindrance = p.hindrance;
         out.hindrance.stand = i;
     };
-    Passing start;
+    JointMove start;
     follower.look(first, start);
     take(start, 0);
     if (start.room < 0) {
-        out.hindrance = {Trouble::limit, 0, start.room_axis, -start.room};
+        out.hindrance = {FollowFailure::limit, 0, start.room_axis, -start.room};
         return out;
     }
     out.postures.push_back(first);
@@ -58,9 +59,9 @@ Followed followed(const Carried& c, std::span<const Stand> stands, const Posture
     Frame at = spun(stands[0].tip, spin[0]);
     for (std::size_t i = 1; i < stands.size(); ++i) {
         const Frame to = spun(stands[i].tip, spin[i]);
-        const Passing p = follower.pass(at, out.postures.back(), to);
+        const JointMove p = follower.pass(at, out.postures.back(), to);
         take(p, i);
-        if (p.hindrance.trouble != Trouble::none) return out;
+        if (p.hindrance.trouble != FollowFailure::none) return out;
         out.postures.push_back(p.to);
         out.needed.push_back(p.needed);
         out.axis.push_back(static_cast<std::uint8_t>(p.axis));
@@ -70,8 +71,8 @@ Followed followed(const Carried& c, std::span<const Stand> stands, const Posture
     return out;
 }
 
-bool easy(const Carried& c, std::span<const Stand> stands, const Followed& f) {
-    if (f.hindrance.trouble != Trouble::none || f.nearest.angle < c.singular) return false;
+bool easy(const ArmSetup& c, std::span<const TimedFrame> stands, const FollowResult& f) {
+    if (f.hindrance.trouble != FollowFailure::none || f.nearest.angle < c.singular) return false;
     for (std::size_t i = 1; i < stands.size(); ++i)
         if (f.needed[i] > stands[i].seconds) return false;
     return true;
@@ -79,8 +80,8 @@ bool easy(const Carried& c, std::span<const Stand> stands, const Followed& f) {
 
 // Postures at the first stand if it may be reached in any way: the last axis, which winds with the spin, at each whole
 // turn nearby that it allows, the others at the turn nearest to their present angle.
-std::vector<Posture> begins(const Carried& c, const Follower& follower, const Frame& tip, const Posture& before,
-                            Lack* lack) {
+std::vector<Posture> begins(const ArmSetup& c, const Follower& follower, const Frame& tip, const Posture& before,
+                            Shortfall* lack) {
     constexpr double whole = 2 * std::numbers::pi;
     std::vector<Posture> out;
     for (const Posture& way : follower.ways(tip, before, lack)) {
@@ -123,7 +124,7 @@ double angle_between(const Frame& a, const Frame& b) {
 class SpinSearch {
   public:
     // `keeps`: shoulder and elbow keep their configuration.
-    SpinSearch(const Carried& c, std::span<const Stand> stands, const Before& before, bool keeps)
+    SpinSearch(const ArmSetup& c, std::span<const TimedFrame> stands, const StartPosture& before, bool keeps)
         : c_(c), stands_(stands), before_(before), keeps_(keeps), follower_(c) {
         set_knots();
     }
@@ -132,11 +133,11 @@ class SpinSearch {
     [[nodiscard]] std::size_t reached() const { return reached_; }
 
     // The best result; hindered if there is none.
-    Followed run() {
+    FollowResult run() {
         begin();
         for (std::size_t k = 1; k < knots_.size() && !states_.back().empty(); ++k) step(k);
         if (states_.back().empty()) {
-            Followed out;
+            FollowResult out;
             out.hindrance = farthest_;
             return out;
         }
@@ -187,10 +188,10 @@ class SpinSearch {
         const int spins = c_.round ? kSpins : 1;
         for (int s = 0; s < spins; ++s) {
             const double turn = (s % 2 == 0 ? s / 2 : -(s + 1) / 2) * kSpinStep, spin = before_.spin + turn;
-            Lack lack;
+            Shortfall lack;
             for (const Posture& q : begins(c_, follower_, spun(stands_[0].tip, spin), before_.posture, &lack)) {
                 if (keeps_ && !same_arm(c_.arm, q, before_.posture)) continue;
-                Passing p;
+                JointMove p;
                 follower_.look(q, p);
                 states_.back().push_back(
                     {q, spin, turning_time(c_.arm, before_.posture, q) + kSpinCost * std::abs(turn) + uneasy(p), 0});
@@ -200,21 +201,21 @@ class SpinSearch {
     }
 
     // Records why no posture is possible at the first stand.
-    void refused(const Lack& lack) {
+    void refused(const Shortfall& lack) {
         const auto ways = follower_.ways(spun(stands_[0].tip, before_.spin), before_.posture, nullptr);
-        farthest_ = {Trouble::reach, 0, lack.axis, lack.length};
+        farthest_ = {FollowFailure::reach, 0, lack.axis, lack.length};
         double least = std::numeric_limits<double>::infinity();
         for (const Posture& q : ways) {
-            Passing p;
+            JointMove p;
             follower_.look(q, p);
             if (-p.room < least) {
                 least = -p.room;
-                farthest_ = {Trouble::limit, 0, p.room_axis, -p.room};
+                farthest_ = {FollowFailure::limit, 0, p.room_axis, -p.room};
             }
         }
     }
 
-    [[nodiscard]] double uneasy(const Passing& p) const {
+    [[nodiscard]] double uneasy(const JointMove& p) const {
         const double limit = std::max(0.0, 1 - p.room / kNearLimit);
         const double singular = c_.singular > 0 ? std::max(0.0, 1 - p.nearest.angle / c_.singular) : 0;
         return kUneasy * (limit + singular);
@@ -240,9 +241,9 @@ class SpinSearch {
         for (std::size_t look = 1; look <= n; ++look) {
             const std::size_t i = a + (b - a) * look / n;
             const Frame next = spun(stands_[i].tip, from.spin + share(k, i) * (to.spin - from.spin));
-            const Passing p = follower_.pass(at, to.posture, next);
-            if (p.hindrance.trouble != Trouble::none) {
-                if (farthest_.trouble == Trouble::none || i > farthest_.stand) {
+            const JointMove p = follower_.pass(at, to.posture, next);
+            if (p.hindrance.trouble != FollowFailure::none) {
+                if (farthest_.trouble == FollowFailure::none || i > farthest_.stand) {
                     farthest_ = p.hindrance;
                     farthest_.stand = i;
                     reached_ = last;
@@ -269,9 +270,9 @@ class SpinSearch {
         states_.back().push_back(s);
     }
 
-    const Carried& c_;
-    const std::span<const Stand> stands_;
-    const Before& before_;
+    const ArmSetup& c_;
+    const std::span<const TimedFrame> stands_;
+    const StartPosture& before_;
     const bool keeps_;
     const Follower follower_;
     // rad from the initial spin: a turn, and the rotation of the stands themselves
@@ -285,7 +286,7 @@ class SpinSearch {
 
 } // namespace
 
-void Followed::forget(std::size_t n) {
+void FollowResult::forget(std::size_t n) {
     const auto cut = [n](auto& v) {
         v.erase(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(std::min(n, v.size())));
     };
@@ -296,10 +297,10 @@ void Followed::forget(std::size_t n) {
     for (std::size_t* at : {&hindrance.stand, &nearest_at, &room_at}) *at -= std::min(n, *at);
 }
 
-Followed follow(const Carried& c, std::span<const Stand> stands, const Before& before) {
+FollowResult follow(const ArmSetup& c, std::span<const TimedFrame> stands, const StartPosture& before) {
     if (stands.empty()) return {};
-    Followed best;
-    best.hindrance = {Trouble::reach, 0, 0, 0};
+    FollowResult best;
+    best.hindrance = {FollowFailure::reach, 0, 0, 0};
     // As it is, without a change of spin.
     std::vector<Posture> firsts{before.posture};
     if (before.joint) {
@@ -313,11 +314,11 @@ Followed follow(const Carried& c, std::span<const Stand> stands, const Before& b
         if (easy(c, stands, best) || (!c.round && !before.joint)) return best;
     }
     for (const bool keeps : {true, false}) {
-        if (!keeps && (!before.joint || best.hindrance.trouble == Trouble::none)) break;
+        if (!keeps && (!before.joint || best.hindrance.trouble == FollowFailure::none)) break;
         SpinSearch search(c, stands, before, keeps);
-        Followed found = search.run();
-        const bool farther = best.hindrance.trouble != Trouble::none && search.reached() > best.hindrance.stand;
-        if (found.hindrance.trouble == Trouble::none || farther || (firsts.empty() && best.hindrance.stand == 0))
+        FollowResult found = search.run();
+        const bool farther = best.hindrance.trouble != FollowFailure::none && search.reached() > best.hindrance.stand;
+        if (found.hindrance.trouble == FollowFailure::none || farther || (firsts.empty() && best.hindrance.stand == 0))
             best = std::move(found);
     }
     return best;

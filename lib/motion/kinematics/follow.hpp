@@ -9,12 +9,12 @@
 namespace filum::kinematics {
 
 // A frame that the tool passes: straight from the one before, rotating evenly by the shorter way.
-struct Stand {
+struct TimedFrame {
     geom::Frame tip;    // in the robot's base: z out of the tool, x its direction at spin 0
     double seconds = 0; // intended time of the move to it
 };
 
-struct Carried {
+struct ArmSetup {
     Arm arm;
     geom::Frame tool;    // the tip, seen from the flange
     bool round = false;  // the tool may be rotated about its own axis: any spin is allowed
@@ -22,14 +22,14 @@ struct Carried {
 };
 
 // The state of the axes before a stroke.
-struct Before {
+struct StartPosture {
     Posture posture{};
     double spin = 0; // rad, of the tool about its z axis
     // the move to the first stand is free, so any posture is allowed there; otherwise the arm is already there
     bool joint = false;
 };
 
-enum class Trouble : std::uint8_t {
+enum class FollowFailure : std::uint8_t {
     none,
     reach, // out of reach: `amount` mm short
     limit, // `axis` would be `amount` rad beyond its limit
@@ -37,14 +37,14 @@ enum class Trouble : std::uint8_t {
 };
 
 struct Hindrance {
-    Trouble trouble = Trouble::none;
+    FollowFailure trouble = FollowFailure::none;
     std::size_t stand = 0; // the end of the move
     std::size_t axis = 0;
     double amount = 0;
 };
 
 // The result of follow(), as far as there is no hindrance.
-struct Followed {
+struct FollowResult {
     std::vector<Posture> postures;  // per stand
     std::vector<double> spin;       // rad, per stand
     std::vector<double> needed;     // s, per stand: least time of the move to it at which no axis exceeds its speed
@@ -65,7 +65,7 @@ struct Followed {
 // searches a better spin in steps of 15 degrees that change evenly: of the ways without hindrance the one of least
 // time of the axes, with penalties for exceeding the given times and for limits and singularities nearby. Ties: the
 // way found first. If all are hindered, the one that gets farthest.
-Followed follow(const Carried& carried, std::span<const Stand> stands, const Before& before);
+FollowResult follow(const ArmSetup& carried, std::span<const TimedFrame> stands, const StartPosture& before);
 
 // The tip's frame rotated by `spin` about its z axis.
 geom::Frame spun(const geom::Frame& tip, double spin);

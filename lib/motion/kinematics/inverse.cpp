@@ -52,7 +52,7 @@ double to_angle(const Vec3& w, const Vec3& from, const Vec3& to, double idle) {
 
 class InverseSolver {
   public:
-    InverseSolver(const Arm& arm, const Frame& flange, const Posture& near, Lack* lack)
+    InverseSolver(const Arm& arm, const Frame& flange, const Posture& near, Shortfall* lack)
         : arm_(arm), x_(arm.axes), to_(flange * geom::inverse(arm.flange)), flange_(flange), near_(near), lack_(lack) {}
 
     std::vector<Posture> find() {
@@ -191,7 +191,7 @@ class InverseSolver {
     const std::array<Axis, kAxes>& x_;
     const Frame to_, flange_; // motion of everything that is at rest; the intended frame of the flange
     const Posture& near_;
-    Lack* lack_;
+    Shortfall* lack_;
     bool told_ = false;
     Posture q_{};
     Frame rest_;     // of to_, behind axis 1
@@ -201,7 +201,7 @@ class InverseSolver {
 
 } // namespace
 
-std::vector<Posture> inverse(const Arm& arm, const Frame& flange, const Posture& near, Lack* lack) {
+std::vector<Posture> inverse(const Arm& arm, const Frame& flange, const Posture& near, Shortfall* lack) {
     return InverseSolver(arm, flange, near, lack).find();
 }
 

@@ -16,7 +16,7 @@ constexpr int kFollowHalvings = 7;           // most halvings of a move; if an a
 
 } // namespace
 
-void Follower::look(const Posture& q, Passing& p) const {
+void Follower::look(const Posture& q, JointMove& p) const {
     const Nearness n = nearness(c_.arm, q);
     if (n.angle < p.nearest.angle) p.nearest = n;
     for (std::size_t k = 0; k < kAxes; ++k) {
@@ -28,38 +28,38 @@ void Follower::look(const Posture& q, Passing& p) const {
     }
 }
 
-Passing Follower::pass(const Frame& a, const Posture& from, const Frame& b) const {
-    Passing out;
+JointMove Follower::pass(const Frame& a, const Posture& from, const Frame& b) const {
+    JointMove out;
     out.to = from;
     piece(a, from, b, 0, 1, 0, out);
     return out;
 }
 
-std::vector<Posture> Follower::ways(const Frame& tip, const Posture& near, Lack* lack) const {
+std::vector<Posture> Follower::ways(const Frame& tip, const Posture& near, Shortfall* lack) const {
     return inverse(c_.arm, tip * back_, near, lack);
 }
 
 // The posture at `tip` that is nearest to `near`.
-std::optional<Posture> Follower::on(const Frame& tip, const Posture& near, Passing& p) const {
+std::optional<Posture> Follower::on(const Frame& tip, const Posture& near, JointMove& p) const {
     if (c_.arm.build == Build::general) {
         constexpr int steps = 20;
         auto q = refined(c_.arm, tip * back_, near, steps);
-        if (!q) p.hindrance = {Trouble::reach, 0, 0, 0};
+        if (!q) p.hindrance = {FollowFailure::reach, 0, 0, 0};
         return q;
     }
-    Lack lack;
+    Shortfall lack;
     std::optional<Posture> best;
     for (const Posture& way : ways(tip, near, &lack)) {
         const Posture q = unwrapped(way, near);
         if (!best || apart(q, near) < apart(*best, near)) best = q;
     }
-    if (!best) p.hindrance = {Trouble::reach, 0, lack.axis, lack.length};
+    if (!best) p.hindrance = {FollowFailure::reach, 0, lack.axis, lack.length};
     return best;
 }
 
 // Continues from share `begin`, where the posture is p.to, to `end`; false if that is impossible.
 bool Follower::piece(const Frame& a, const Posture from, const Frame& b, double begin, double end, int depth,
-                     Passing& p) const {
+                     JointMove& p) const {
     const auto to = on(end < 1 ? between(a, b, end) : b, from, p);
     if (!to) return false;
     const double turned = apart(*to, from);
@@ -69,13 +69,13 @@ bool Follower::piece(const Frame& a, const Posture from, const Frame& b, double 
             return piece(a, from, b, begin, middle, depth + 1, p) && piece(a, p.to, b, middle, end, depth + 1, p);
         }
         for (std::size_t k = 0; k < kAxes; ++k)
-            if (std::abs((*to)[k] - from[k]) == turned) p.hindrance = {Trouble::jump, 0, k, turned};
+            if (std::abs((*to)[k] - from[k]) == turned) p.hindrance = {FollowFailure::jump, 0, k, turned};
         return false;
     }
     // A controller keeps the configuration along a straight move.
     if (!(configuration(c_.arm, *to) == configuration(c_.arm, from))) {
         p.nearest = nearness(c_.arm, *to);
-        p.hindrance = {Trouble::jump, 0, 2 * static_cast<std::size_t>(p.nearest.which), turned};
+        p.hindrance = {FollowFailure::jump, 0, 2 * static_cast<std::size_t>(p.nearest.which), turned};
         return false;
     }
     look(*to, p);
@@ -88,7 +88,7 @@ bool Follower::piece(const Frame& a, const Posture from, const Frame& b, double 
     }
     p.to = *to;
     if (p.room >= 0) return true;
-    p.hindrance = {Trouble::limit, 0, p.room_axis, -p.room};
+    p.hindrance = {FollowFailure::limit, 0, p.room_axis, -p.room};
     return false;
 }
 

@@ -6,7 +6,7 @@
 namespace filum::kinematics {
 
 // The result of a move.
-struct Passing {
+struct JointMove {
     Posture to{};
     double needed = 0; // s
     std::size_t axis = 0;
@@ -19,22 +19,22 @@ struct Passing {
 class Follower {
   public:
     // it refers to `carried`
-    explicit Follower(const Carried& carried) : c_(carried), back_(geom::inverse(carried.tool)) {}
+    explicit Follower(const ArmSetup& carried) : c_(carried), back_(geom::inverse(carried.tool)) {}
 
     // Updates `p` by the distances of a posture from limits and singularities.
-    void look(const Posture& q, Passing& p) const;
+    void look(const Posture& q, JointMove& p) const;
 
     // Moves straight from `a`, where the posture is `from`, to `b`; `to` of the result is the last posture reached.
-    [[nodiscard]] Passing pass(const geom::Frame& a, const Posture& from, const geom::Frame& b) const;
+    [[nodiscard]] JointMove pass(const geom::Frame& a, const Posture& from, const geom::Frame& b) const;
 
-    [[nodiscard]] std::vector<Posture> ways(const geom::Frame& tip, const Posture& near, Lack* lack) const;
+    [[nodiscard]] std::vector<Posture> ways(const geom::Frame& tip, const Posture& near, Shortfall* lack) const;
 
   private:
-    [[nodiscard]] std::optional<Posture> on(const geom::Frame& tip, const Posture& near, Passing& p) const;
+    [[nodiscard]] std::optional<Posture> on(const geom::Frame& tip, const Posture& near, JointMove& p) const;
     bool piece(const geom::Frame& a, Posture from, const geom::Frame& b, double begin, double end, int depth,
-               Passing& p) const;
+               JointMove& p) const;
 
-    const Carried& c_;
+    const ArmSetup& c_;
     const geom::Frame back_;
 };
 

@@ -128,7 +128,7 @@ Track track(const Chain& chain, std::span<const Pose> poses, const Joints& befor
             spin_on_axis(part, chain, turn);
         else
             loosen(part, tolerance, first == 0 ? geom::unwrapped(before.turn, turn[0]) : turn[0], limits, turn);
-        Piece piece{first, {}};
+        TrackStretch piece{first, {}};
         piece.joints.reserve(turn.size());
         for (std::size_t k = 0; k < turn.size(); ++k) {
             const double wanted = best_tilt(chain, part[k].axis, turn[k]), tilt = clipped(wanted, tolerance, limits);

@@ -10,13 +10,13 @@
 namespace filum::kinematics {
 
 // A stretch of a stroke without a lift.
-struct Piece {
+struct TrackStretch {
     std::size_t first = 0;      // index of its first pose, which is also the last one of the stretch before
     std::vector<Joints> joints; // one per pose
 };
 
 struct Track {
-    std::vector<Piece> pieces;
+    std::vector<TrackStretch> pieces;
     double off = 0;             // rad: the largest angle between a tool axis and the axis of its pose
     std::size_t off_at = 0;     // its pose
     double clipped = 0;         // rad: the most by which a tilt was reduced to its limit

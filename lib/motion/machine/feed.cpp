@@ -27,7 +27,7 @@ double role_feed(const Feeds& feeds, toolpath::Role role) {
 
 } // namespace
 
-Laid laid(const toolpath::Span& span, std::size_t i) {
+ExtrudingMove extruding_move(const toolpath::Span& span, std::size_t i) {
     const geom::Vec3 a = span.points[i], b = span.points[i + 1];
     return {span.role, span.layer, geom::distance(a, b), std::abs(b.z - a.z), toolpath::volume(span, i), span.feature};
 }
@@ -40,7 +40,7 @@ bool fills_area(toolpath::Feature f) {
 }
 
 // The feed without the pace of its layer.
-double full_feed(const Profile& p, const Laid& move) {
+double full_feed(const Profile& p, const ExtrudingMove& move) {
     double v = role_feed(p.feeds, move.role);
     const double own = p.feeds.feature[static_cast<std::size_t>(move.feature)];
     if (toolpath::fills(move.role) && own > 0) v = own;
@@ -78,7 +78,7 @@ double share_kept(const std::map<LayerTimes::Feed, double>& lengths, double leas
 
 } // namespace
 
-double bead_feed(const Profile& p, const Laid& move) {
+double bead_feed(const Profile& p, const ExtrudingMove& move) {
     const double v = full_feed(p, move);
     if (move.layer >= p.pace.size()) return v;
     return std::max(v * p.pace[move.layer], std::min(v, p.limits.least_feed));
@@ -89,7 +89,7 @@ void LayerTimes::add(const Profile& profile, const toolpath::Span& span) {
     if (span.layer >= layers.size()) layers.resize(span.layer + 1);
     const Profile& own = of_tool(profile, span.tool);
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
-        const Laid move = laid(span, i);
+        const ExtrudingMove move = extruding_move(span, i);
         const double full = full_feed(own, move);
         if (move.length > 0) layers[span.layer][{full, std::min(full, own.limits.least_feed)}] += move.length;
     }
@@ -101,7 +101,7 @@ std::vector<double> pace(const LayerTimes& times, double least) {
     return out;
 }
 
-double fibre_feed(const Profile& p, const Laid& move, double feed) {
+double fibre_feed(const Profile& p, const ExtrudingMove& move, double feed) {
     if (!(move.rise > 0)) return feed;
     return std::min(feed, p.motion.max_speed_z * move.length / move.rise);
 }

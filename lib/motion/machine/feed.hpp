@@ -11,20 +11,20 @@
 namespace filum::machine {
 
 // The data of an extruding move that its feed depends on.
-struct Laid {
+struct ExtrudingMove {
     toolpath::Role role = toolpath::Role::bead;
     std::uint32_t layer = 0;
     double length = 0, rise = 0; // mm
     double volume = 0;           // mm3
     toolpath::Feature feature = toolpath::Feature::none;
 };
-Laid laid(const toolpath::Span& span, std::size_t i); // of the segment i -> i + 1
+ExtrudingMove extruding_move(const toolpath::Span& span, std::size_t i); // of the segment i -> i + 1
 
 // The feed of a move, mm/s.  It is that of the feature if the move fills and the feature has a feed, else that of the
 // role.  It is at most feeds.first_layer on layer 0, and at most feeds.first_layer_infill there if the move fills an
 // area.  limits.flow and motion.max_speed_z lower it; a feed that these two limits lower is a whole number if it is 1
 // or more.  Last, the layer's pace lowers it, but not below limits.least_feed.
-double bead_feed(const Profile& profile, const Laid& move);
+double bead_feed(const Profile& profile, const ExtrudingMove& move);
 
 // The lengths of the beads of each layer by their feeds, without travels and fibre.
 struct LayerTimes {
@@ -41,6 +41,6 @@ struct LayerTimes {
 std::vector<double> pace(const LayerTimes& times, double least);
 
 // The feed of a move that lays fibre, mm/s: `feed`, lowered only to keep motion.max_speed_z.
-double fibre_feed(const Profile& profile, const Laid& move, double feed);
+double fibre_feed(const Profile& profile, const ExtrudingMove& move, double feed);
 
 } // namespace filum::machine

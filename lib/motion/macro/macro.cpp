@@ -27,21 +27,21 @@ class Writer {
     explicit Writer(Scope& scope) { variables_.scope = &scope; }
 
     void write(const Block& block) {
-        for (const Piece& piece : block) {
+        for (const TemplateNode& piece : block) {
             switch (piece.kind) {
-            case Piece::Kind::text:
+            case TemplateNode::Kind::text:
                 out_ += piece.text;
                 break;
-            case Piece::Kind::expression:
+            case TemplateNode::Kind::expression:
                 out_ += text_of(evaluate(piece.expression, variables_), variables_.scope->numbers);
                 break;
-            case Piece::Kind::bracket:
+            case TemplateNode::Kind::bracket:
                 bracket(piece);
                 break;
-            case Piece::Kind::branch:
+            case TemplateNode::Kind::branch:
                 branch(piece.branch);
                 break;
-            case Piece::Kind::assignment:
+            case TemplateNode::Kind::assignment:
                 assign(piece);
                 break;
             }
@@ -58,7 +58,7 @@ class Writer {
     }
 
     // Writes [name], for a list the item of the extruder, or [name_2], the third item.
-    void bracket(const Piece& piece) {
+    void bracket(const TemplateNode& piece) {
         const Variable* found = variables_.find(piece.text);
         std::size_t index = variables_.scope->extruder;
         if (!piece.index.empty()) {
@@ -125,7 +125,7 @@ class Writer {
         if (kept_ > kMostKept) throw FaultAt{"its variables hold more than 64 MB", at};
     }
 
-    void assign(const Piece& piece) {
+    void assign(const TemplateNode& piece) {
         const Assignment& a = piece.assignment;
         const Expression& first = a.values.empty() ? Expression{} : a.values[0];
         Variable made;
@@ -165,13 +165,13 @@ class NameCheck {
     explicit NameCheck(const std::function<bool(std::string_view)>& known) : known_(known) {}
 
     void check(const Block& block) {
-        for (const Piece& p : block) {
+        for (const TemplateNode& p : block) {
             check(p.expression);
-            if (p.kind == Piece::Kind::bracket) check(p.text, p.at);
+            if (p.kind == TemplateNode::Kind::bracket) check(p.text, p.at);
             for (const Expression& e : p.branch.conditions) check(e);
             for (const Block& b : p.branch.blocks) check(b);
             for (const Expression& e : p.assignment.values) check(e);
-            if (p.kind == Piece::Kind::assignment) own_.push_back(p.assignment.name);
+            if (p.kind == TemplateNode::Kind::assignment) own_.push_back(p.assignment.name);
         }
     }
 

@@ -33,11 +33,11 @@ class TemplateReader {
 
     static void add_text(std::string_view text, std::size_t at, Block& to) {
         if (text.empty()) return;
-        if (!to.empty() && to.back().kind == Piece::Kind::text) {
+        if (!to.empty() && to.back().kind == TemplateNode::Kind::text) {
             to.back().text += text;
             return;
         }
-        Piece piece;
+        TemplateNode piece;
         piece.text = text;
         piece.at = at;
         to.push_back(std::move(piece));
@@ -73,9 +73,9 @@ class TemplateReader {
     }
 
     // Reads [name] or [name[index]].
-    Piece bracket() {
-        Piece out;
-        out.kind = Piece::Kind::bracket;
+    TemplateNode bracket() {
+        TemplateNode out;
+        out.kind = TemplateNode::Kind::bracket;
         out.at = in_.at();
         in_.step();
         out.text = in_.name("in [...]");
@@ -105,10 +105,10 @@ class TemplateReader {
     }
 
     // Reads the rest of an `if`: conditions and their blocks, up to endif.
-    Piece branch() {
+    TemplateNode branch() {
         if (++depth_ > kDeepestTemplate) in_.fail("its conditions are nested too deep");
-        Piece out;
-        out.kind = Piece::Kind::branch;
+        TemplateNode out;
+        out.kind = TemplateNode::Kind::branch;
         out.at = in_.at();
         for (bool last = false;;) {
             if (!last) out.branch.conditions.push_back(parse_expression(in_, depth_));
@@ -146,19 +146,19 @@ class TemplateReader {
         }
     }
 
-    Piece statement() {
+    TemplateNode statement() {
         in_.blanks();
-        Piece out;
+        TemplateNode out;
         out.at = in_.at();
         const bool local = in_.take_word("local"), global = !local && in_.take_word("global");
         if (local || global || assigns()) {
-            out.kind = Piece::Kind::assignment;
+            out.kind = TemplateNode::Kind::assignment;
             out.assignment = assignment(local    ? Assignment::Scope::local
                                         : global ? Assignment::Scope::global
                                                  : Assignment::Scope::known);
             return out;
         }
-        out.kind = Piece::Kind::expression;
+        out.kind = TemplateNode::Kind::expression;
         out.expression = parse_expression(in_, depth_);
         return out;
     }

@@ -59,8 +59,8 @@ struct Expression {
     std::size_t at = 0;                   // its offset in the template, bytes
 };
 
-struct Piece;
-using Block = std::vector<Piece>;
+struct TemplateNode;
+using Block = std::vector<TemplateNode>;
 
 struct Assignment {
     enum class Scope : std::uint8_t { known, local, global } scope = Scope::known;
@@ -75,7 +75,7 @@ struct Branch {
     std::vector<Block> blocks{};
 };
 
-struct Piece {
+struct TemplateNode {
     enum class Kind : std::uint8_t { text, expression, bracket, branch, assignment } kind = Kind::text;
     std::string text{}; // the text; of a bracket, its name
     Expression expression{};

@@ -110,7 +110,7 @@ std::string merged(const machine::Profile& profile) {
 
 void totals(const machine::Profile& profile, const FirstPass& s, std::vector<std::string>& lines) {
     const auto& e = profile.extrusion;
-    const Used material = used(profile, s);
+    const MaterialUse material = used(profile, s);
     const bool filament = e.feeding == machine::Feeding::filament;
     lines.push_back("TIME:" + std::to_string(static_cast<long long>(std::ceil(std::min(s.seconds, 1e15)))));
     lines.push_back(" estimated printing time (normal mode) = " + duration(s.seconds));
@@ -164,7 +164,7 @@ std::string strokes(const FirstPass& s, const Facts& facts) {
 }
 
 std::string material(const machine::Profile& profile, const FirstPass& s) {
-    const Used used = postproc::used(profile, s);
+    const MaterialUse used = postproc::used(profile, s);
     std::string out = "prints in " + duration(s.seconds) + "; " + fixed_text(used.volume / 1000, 2) + " cm3";
     if (profile.extrusion.feeding == machine::Feeding::filament)
         out += ", " + fixed_text(used.units / 1000, 2) + " m of filament";
@@ -200,7 +200,7 @@ void remarks(const Notes& notes, Grade least, std::vector<std::string>& lines) {
 } // namespace
 
 void add_waits(const FirstPass& first_pass, Notes& notes) {
-    const Waits& w = first_pass.waits;
+    const PauseTotals& w = first_pass.waits;
     if (w.within > 0) notes.push_back({NoteCode::pause_in_stroke, static_cast<double>(w.within), w.within});
     if (w.late > 0)
         notes.push_back({NoteCode::layer_after_pause, static_cast<double>(w.late), w.late,

@@ -13,8 +13,8 @@ namespace {
 
 using geom::Frame;
 using geom::kDegree;
+using kinematics::FollowFailure;
 using kinematics::Hindrance;
-using kinematics::Trouble;
 using machine::Spin;
 
 constexpr double kLeastAcross = 0.05; // least length of a unit vector's part across the tool axis for a heading
@@ -85,12 +85,12 @@ void Carrier::part(const Motion& stroke, std::size_t begin, std::size_t end, std
     before_.joint = jointly(begin);
     // The first move starts where the last stroke ended, unless it is a joint move.
     const std::size_t ahead = before_.joint ? 0 : 1;
-    std::vector<kinematics::Stand> stands(ahead, {last_, 0});
+    std::vector<kinematics::TimedFrame> stands(ahead, {last_, 0});
     for (std::size_t i = begin; i < end; ++i)
         stands.push_back({profile_->robot.base * tip(stroke.poses[i], headings[i]), seconds[i]});
     auto f = kinematics::follow(carried_, stands, before_);
     f.forget(ahead);
-    if (f.hindrance.trouble != Trouble::none) {
+    if (f.hindrance.trouble != FollowFailure::none) {
         f.hindrance.stand += begin;
         refuse(f.hindrance, stroke);
     }
@@ -112,7 +112,7 @@ void Carrier::part(const Motion& stroke, std::size_t begin, std::size_t end, std
     last_ = profile_->robot.base * tip(stroke.poses[end - 1], heading_);
 }
 
-void Carrier::count(const kinematics::Followed& f, const Motion& stroke, std::size_t begin,
+void Carrier::count(const kinematics::FollowResult& f, const Motion& stroke, std::size_t begin,
                     std::span<const double> seconds) {
     ArmEfforts& e = efforts_;
     if (f.room < e.room) {
@@ -143,13 +143,13 @@ void Carrier::count(const kinematics::Followed& f, const Motion& stroke, std::si
 void Carrier::refuse(const Hindrance& h, const Motion& stroke) const {
     const std::string axis = "axis " + std::to_string(h.axis + 1);
     std::string why = "out of reach";
-    if (h.trouble == Trouble::reach && h.amount > 0)
+    if (h.trouble == FollowFailure::reach && h.amount > 0)
         why += (h.axis == 0 ? ": too near to axis 1 by " : ": the arm is too short, or folds too little, by ") +
                fixed_text(h.amount, 1) + " mm";
-    else if (h.trouble == Trouble::reach && h.axis == 4)
+    else if (h.trouble == FollowFailure::reach && h.axis == 4)
         why += " for the wrist";
-    if (h.trouble == Trouble::limit) why = axis + " would be " + degrees_of(h.amount) + " beyond its limit";
-    if (h.trouble == Trouble::jump)
+    if (h.trouble == FollowFailure::limit) why = axis + " would be " + degrees_of(h.amount) + " beyond its limit";
+    if (h.trouble == FollowFailure::jump)
         why = "the way there leads through a singularity, where " + axis +
               (h.amount > kDegree ? " would turn by " + degrees_of(h.amount) + " at once" : " changes its side");
     const auto& leg = stroke.legs[h.stand];

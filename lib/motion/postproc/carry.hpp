@@ -35,11 +35,12 @@ class Carrier {
     [[noreturn]] void refuse(const kinematics::Hindrance& h, const Motion& stroke) const;
     void part(const Motion& stroke, std::size_t begin, std::size_t end, std::vector<double>& seconds,
               std::vector<Vec3>& headings);
-    void count(const kinematics::Followed& f, const Motion& stroke, std::size_t begin, std::span<const double> seconds);
+    void count(const kinematics::FollowResult& f, const Motion& stroke, std::size_t begin,
+               std::span<const double> seconds);
 
     const machine::Profile* profile_;
-    kinematics::Carried carried_;
-    kinematics::Before before_;
+    kinematics::ArmSetup carried_;
+    kinematics::StartPosture before_;
     std::deque<kinematics::Posture> stood_; // where joint moves led
     std::array<std::size_t, 2> jointly_{kNone, kNone};
     Vec3 heading_{1, 0, 0};

@@ -157,7 +157,7 @@ double FirstPass::layer_seconds(std::size_t n) const {
 void Surveyor::reach_layer(const Step& step) {
     first_pass_.layers_begin.push_back(nominal_.seconds());
     first_pass_.layers = std::max(first_pass_.layers, step.layer + 1);
-    Waits& w = first_pass_.waits;
+    PauseTotals& w = first_pass_.waits;
     const std::uint64_t due = first_pass_.pauses.before(step.layer, step.to.z, step.height);
     if (due > w.count) {
         w.within += open_ ? 1 : 0;
@@ -235,7 +235,7 @@ void Surveyor::add(std::span<const Step> steps) {
 }
 
 void Surveyor::omit(const Step& step) {
-    Omitted& o = first_pass_.omitted;
+    OmittedMoves& o = first_pass_.omitted;
     if (o.count == 0 || step.length < o.shortest) {
         o.shortest = step.length;
         o.at = step.to;
@@ -248,7 +248,7 @@ void Surveyor::omit(const Step& step) {
 
 void Surveyor::check_fibre() const {
     const auto& f = profile_->fibre;
-    const Omitted& o = first_pass_.omitted;
+    const OmittedMoves& o = first_pass_.omitted;
     if (o.count > 0 && !f.omit_short)
         throw Error(Exit::failure,
                     "cannot lay " + std::to_string(o.count) + (o.count > 1 ? " fibre strokes" : " fibre stroke") +
@@ -273,8 +273,8 @@ FirstPass Surveyor::end() {
     return first_pass_;
 }
 
-Used used(const machine::Profile& profile, const FirstPass& first_pass) {
-    Used out;
+MaterialUse used(const machine::Profile& profile, const FirstPass& first_pass) {
+    MaterialUse out;
     for (const auto& [number, tool] : first_pass.tools) {
         if (tool.fibre) continue;
         const auto& e = machine::of_tool(profile, number).extrusion;
@@ -360,7 +360,7 @@ std::map<std::string, double> placeholders(const FirstPass& s, const machine::Pr
     add("travel_len", s.travel_len);
     add("time", s.seconds);
     add("strokes", static_cast<double>(s.strokes));
-    const Used material = used(profile, s);
+    const MaterialUse material = used(profile, s);
     add("material_mm3", material.volume);
     add("material_e", material.units);
     if (profile.axes.chain.carrier == kinematics::Carrier::frame) machine::add_robot(profile.robot, out);

@@ -34,7 +34,7 @@ struct ToolTotals {
 };
 
 // Fibre strokes that are too short to lay.
-struct Omitted {
+struct OmittedMoves {
     std::uint64_t count = 0;
     double length = 0;                // mm, sum
     double shortest = 0, longest = 0; // mm
@@ -43,7 +43,7 @@ struct Omitted {
 };
 
 // The places where the program waits for its user.
-struct Waits {
+struct PauseTotals {
     std::uint64_t count = 0;      // pauses
     std::uint64_t within = 0;     // pauses within a stroke
     std::uint64_t late = 0;       // layers printed after a pause that should come after them
@@ -65,11 +65,11 @@ struct FirstPass {
     std::string placed;                              // position of the program's frame in the toolpath's; may be empty
     std::array<double, toolpath::kRoles> role_len{}; // mm, by Role
     std::map<std::uint32_t, ToolTotals> tools;
-    Omitted omitted;
+    OmittedMoves omitted;
     machine::Pauses pauses; // as requested
-    Waits waits;
+    PauseTotals waits;
     std::vector<LayerValue> by_layer; // values by layer, as requested
-    std::vector<Labelled> parts;      // on the bed, if there are several
+    std::vector<LabelledPart> parts;  // on the bed, if there are several
     Timeline timeline;
     // Only for machines with a slicer's profile:
     Footprint first_layer, footprint; // of the first layer, and of all layers
@@ -111,10 +111,10 @@ class Surveyor {
 };
 
 // Material of all tools except the fibre's, flow factor included: mm3, and extruder units of the tools that count them.
-struct Used {
+struct MaterialUse {
     double volume = 0, units = 0;
 };
-Used used(const machine::Profile& profile, const FirstPass& first_pass);
+MaterialUse used(const machine::Profile& profile, const FirstPass& first_pass);
 
 // The shift of the toolpath in x and y, mm, rounded to whole um; 0 for Place::as_is.
 Vec2 placement(const FirstPass& first_pass, const machine::Bed& bed, Place place);

@@ -109,7 +109,7 @@ std::vector<std::string> job_lines(const machine::Profile& profile, const FirstP
 }
 
 Notes omissions(const FirstPass& first_pass) {
-    const Omitted& o = first_pass.omitted;
+    const OmittedMoves& o = first_pass.omitted;
     if (o.count == 0) return {};
     return {{NoteCode::fibre_too_short, o.length, o.count, static_cast<std::int64_t>(o.layer), o.at.x, o.at.y}};
 }

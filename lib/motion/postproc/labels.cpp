@@ -12,7 +12,7 @@ namespace filum::postproc {
 namespace {
 
 // The distance from a part's outline, mm; 0 within it.
-double distance_to(const Labelled& part, Vec2 at) {
+double distance_to(const LabelledPart& part, Vec2 at) {
     const auto& ring = part.outline;
     bool within = true;
     double nearest = std::numeric_limits<double>::infinity();
@@ -28,16 +28,16 @@ std::string point(Vec2 p) { return fixed_text(p.x, 3) + "," + fixed_text(p.y, 3)
 
 } // namespace
 
-std::vector<Labelled> with_plain_names(std::vector<Labelled> parts) {
+std::vector<LabelledPart> with_plain_names(std::vector<LabelledPart> parts) {
     std::vector<std::string> words;
     words.reserve(parts.size());
-    for (const Labelled& part : parts) words.push_back(plain_word(part.name, "part"));
+    for (const LabelledPart& part : parts) words.push_back(plain_word(part.name, "part"));
     words = told_apart(words);
     for (std::size_t i = 0; i < parts.size(); ++i) parts[i].name = std::move(words[i]);
     return parts;
 }
 
-std::size_t part_at(const std::vector<Labelled>& parts, Vec2 at) {
+std::size_t part_at(const std::vector<LabelledPart>& parts, Vec2 at) {
     std::size_t best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -50,10 +50,10 @@ std::size_t part_at(const std::vector<Labelled>& parts, Vec2 at) {
     return best;
 }
 
-std::vector<std::string> define_parts(machine::Objects how, const std::vector<Labelled>& parts, Vec2 shift) {
+std::vector<std::string> define_parts(machine::Objects how, const std::vector<LabelledPart>& parts, Vec2 shift) {
     if (how == machine::Objects::m486) return {"M486 T" + std::to_string(parts.size())};
     std::vector<std::string> out;
-    for (const Labelled& part : parts) {
+    for (const LabelledPart& part : parts) {
         geom::Box2 box;
         std::string ring;
         for (const Vec2& p : part.outline) {
@@ -66,7 +66,7 @@ std::vector<std::string> define_parts(machine::Objects how, const std::vector<La
     return out;
 }
 
-std::vector<std::string> begin_part(machine::Objects how, const std::vector<Labelled>& parts, std::size_t part,
+std::vector<std::string> begin_part(machine::Objects how, const std::vector<LabelledPart>& parts, std::size_t part,
                                     bool first) {
     if (how == machine::Objects::exclude_object) return {"EXCLUDE_OBJECT_START NAME=" + parts[part].name};
     std::vector<std::string> out{"M486 S" + std::to_string(part)};
@@ -74,7 +74,7 @@ std::vector<std::string> begin_part(machine::Objects how, const std::vector<Labe
     return out;
 }
 
-std::string end_part(machine::Objects how, const std::vector<Labelled>& parts, std::size_t part) {
+std::string end_part(machine::Objects how, const std::vector<LabelledPart>& parts, std::size_t part) {
     return how == machine::Objects::exclude_object ? "EXCLUDE_OBJECT_END NAME=" + parts[part].name : "M486 S-1";
 }
 

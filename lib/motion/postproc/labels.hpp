@@ -12,22 +12,22 @@ namespace filum::postproc {
 using geom::Vec2;
 
 // A part on the bed.
-struct Labelled {
+struct LabelledPart {
     std::string name;
     std::vector<Vec2> outline; // convex, counter-clockwise, mm, in the toolpath's frame
 };
 
 // The same parts with names that are safe in a program: letters, digits, '-' and '_', and no name twice.
-std::vector<Labelled> with_plain_names(std::vector<Labelled> parts);
+std::vector<LabelledPart> with_plain_names(std::vector<LabelledPart> parts);
 
 // The index of the part that `at` lies in, or else of the nearest; the first of equals.  `parts` must not be empty.
-std::size_t part_at(const std::vector<Labelled>& parts, Vec2 at);
+std::size_t part_at(const std::vector<LabelledPart>& parts, Vec2 at);
 
 // Lines of a program in the language `how`: define_parts declares the parts, moved by `shift`; begin_part and end_part
 // mark where a part begins and ends.  With `first`, begin_part gives the part's name, too.
-std::vector<std::string> define_parts(machine::Objects how, const std::vector<Labelled>& parts, Vec2 shift);
-std::vector<std::string> begin_part(machine::Objects how, const std::vector<Labelled>& parts, std::size_t part,
+std::vector<std::string> define_parts(machine::Objects how, const std::vector<LabelledPart>& parts, Vec2 shift);
+std::vector<std::string> begin_part(machine::Objects how, const std::vector<LabelledPart>& parts, std::size_t part,
                                     bool first);
-std::string end_part(machine::Objects how, const std::vector<Labelled>& parts, std::size_t part);
+std::string end_part(machine::Objects how, const std::vector<LabelledPart>& parts, std::size_t part);
 
 } // namespace filum::postproc

@@ -43,7 +43,7 @@ toolpath::Span Measure::turned(toolpath::Span span) const {
     return span;
 }
 
-void Measure::add(const toolpath::Span& span, const toolpath::Merged* merged) {
+void Measure::add(const toolpath::Span& span, const toolpath::MergeResult* merged) {
     if (walk_) return turning_.none() ? walk_->add(span, merged) : walk_->add(turned(span));
     joins_.add(span);
     if (!automatic_) part_.add(turning_.none() ? span : turned(span));

@@ -23,7 +23,7 @@ class Measure {
     Measure(const machine::Profile& profile, Place place, const Orient& orient = {}, bool flatten = false,
             machine::Pauses pauses = {});
     // `merged`: see Walker::add.
-    void add(const toolpath::Span& span, const toolpath::Merged* merged = nullptr);
+    void add(const toolpath::Span& span, const toolpath::MergeResult* merged = nullptr);
     // Ends a reading; true if another one is needed.  Throws Error(failure) with the tilt needed if a bead leans the
     // tool farther than the machine tilts, or farther than an upright nozzle allows.
     bool again();

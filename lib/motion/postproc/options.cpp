@@ -92,7 +92,7 @@ machine::Profile profile_for(const Options& o) {
     check_fit(o, out);
     check_sizes(o, out);
     if (!o.z_offset.empty()) out.bed.z_offset = o.z_offset.front();
-    out.fibre.omit_short = o.short_strokes == Short::drop;
+    out.fibre.omit_short = o.short_strokes == ShortMoves::drop;
     auto merging = machine::standard_merging();
     if (!o.path_tolerance.empty()) merging.planar = merging.surface = o.path_tolerance.front();
     if (!o.axis_tolerance.empty()) merging.axis = geom::radians(o.axis_tolerance.front());

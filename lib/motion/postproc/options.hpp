@@ -13,28 +13,28 @@ enum class Place : std::uint8_t {
     as_is,  // coordinates stay
 };
 
-enum class Short : std::uint8_t { error, drop };
+enum class ShortMoves : std::uint8_t { error, drop };
 
 struct Options {
     std::string machine = "marlin"; // profile: name or file
     Place place = Place::center;
-    std::string orient = "as-is";       // see parse_orient
-    std::string set;                    // "key=value,..."
-    Short short_strokes = Short::error; // fibre strokes below fibre.least_path
-    std::string job;                    // file
-    std::string summary;                // file
-    std::string modules;                // folder
-    bool flatten = false;               // an upright nozzle may follow a path that leans the tool
-    std::vector<double> diameter;       // mm, of filament or bore; none: the profile's
-    std::vector<double> nozzle;         // mm; none: the profile's
-    std::vector<double> layer_time;     // s, minimum per layer; none: the profile's
-    std::vector<double> wall_height;    // mm, of wells or fixtures around the part; none: travel.above
-    std::vector<double> z_offset;       // mm; none: the profile's
-    std::string pause_at;               // see machine::parse_pauses
-    std::string by_layer;               // see parse_by_layer
-    std::string thumbnails;             // "220x124,16x16": sizes of pictures at the program's head, pixels
-    std::vector<double> path_tolerance; // mm; none: machine::standard_merging
-    std::vector<double> axis_tolerance; // degrees; none: machine::standard_merging
+    std::string orient = "as-is";                 // see parse_orient
+    std::string set;                              // "key=value,..."
+    ShortMoves short_strokes = ShortMoves::error; // fibre strokes below fibre.least_path
+    std::string job;                              // file
+    std::string summary;                          // file
+    std::string modules;                          // folder
+    bool flatten = false;                         // an upright nozzle may follow a path that leans the tool
+    std::vector<double> diameter;                 // mm, of filament or bore; none: the profile's
+    std::vector<double> nozzle;                   // mm; none: the profile's
+    std::vector<double> layer_time;               // s, minimum per layer; none: the profile's
+    std::vector<double> wall_height;              // mm, of wells or fixtures around the part; none: travel.above
+    std::vector<double> z_offset;                 // mm; none: the profile's
+    std::string pause_at;                         // see machine::parse_pauses
+    std::string by_layer;                         // see parse_by_layer
+    std::string thumbnails;                       // "220x124,16x16": sizes of pictures at the program's head, pixels
+    std::vector<double> path_tolerance;           // mm; none: machine::standard_merging
+    std::vector<double> axis_tolerance;           // degrees; none: machine::standard_merging
 };
 
 // A new value for a name of the profile's [values], from a layer on.

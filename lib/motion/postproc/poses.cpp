@@ -67,9 +67,9 @@ Leg part_of(const Leg& leg, std::uint32_t k, std::uint32_t n) {
 }
 
 // The poses of one stroke, for merging.
-class Course {
+class StrokePoses {
   public:
-    Course(const machine::Profile& profile, const Motion& motion, std::size_t stay, std::size_t landing)
+    StrokePoses(const machine::Profile& profile, const Motion& motion, std::size_t stay, std::size_t landing)
         : p_(profile), m_(motion), frames_(profile.axes.chain.carrier == kinematics::Carrier::frame),
           tips_(frames_ || profile.axes.numbers == machine::Numbers::tip), at_(motion.poses.size(), 0),
           stays_(motion.poses.size(), 0) {
@@ -218,9 +218,9 @@ Motion refined(const machine::Profile& p, Motion m, std::size_t stay, std::size_
 
 Motion fewer(const machine::Profile& p, Motion m, std::size_t stay, std::size_t& landing, double& off) {
     if (m.poses.size() < 3 || (p.merging.planar <= 0 && p.merging.surface <= 0)) return m;
-    Course course(p, m, stay, landing);
+    StrokePoses stroke_poses(p, m, stay, landing);
     const auto kept = toolpath::greedy_steps(static_cast<std::uint32_t>(m.poses.size()),
-                                             [&](std::uint32_t i, std::uint32_t j) { return course.fits(i, j); });
+                                             [&](std::uint32_t i, std::uint32_t j) { return stroke_poses.fits(i, j); });
     Motion out;
     for (std::size_t k = 0; k < kept.size(); ++k) {
         out.poses.push_back(m.poses[kept[k]]);
@@ -228,7 +228,7 @@ Motion fewer(const machine::Profile& p, Motion m, std::size_t stay, std::size_t&
         out.legs.push_back(k == 0 ? m.legs[0] : whole(m, kept[k - 1], kept[k]));
     }
     landing = static_cast<std::size_t>(std::lower_bound(kept.begin(), kept.end(), landing) - kept.begin());
-    off = std::max(off, course.off());
+    off = std::max(off, stroke_poses.off());
     return out;
 }
 

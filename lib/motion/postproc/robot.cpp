@@ -54,7 +54,7 @@ void RobotProgram::begin_module() {
     in_module_ = 0;
     redirect(modules_(machine::expand(profile_->robot.module_file, values_)));
     code(profile_->robot.module_start);
-    said_ = {};
+    modal_ = {};
 }
 
 void RobotProgram::end_module() {
@@ -102,7 +102,7 @@ void RobotProgram::write(const Step& step, double blend) {
     if (counts()) line.extruder = fed_;
     line.extruder_speed = extruder_speed_;
     line.trigger = trigger_;
-    append_robot_line(text_, line, *profile_, profile_->format.crlf ? "\r\n" : "\n", said_);
+    append_robot_line(text_, line, *profile_, profile_->format.crlf ? "\r\n" : "\n", modal_);
     last_ = step;
     ++lines_;
     ++in_module_;
@@ -186,7 +186,7 @@ void RobotProgram::prime() { laid_ += own().travel.retract + own().travel.extra;
 void RobotProgram::change_tool(const Step& step) {
     settle(0);
     tool(step);
-    said_ = {};
+    modal_ = {};
 }
 
 void RobotProgram::cut() { codes(profile_->fibre.cut); }

@@ -50,7 +50,7 @@ class RobotProgram final : public Writer {
     void run_modules();
     [[nodiscard]] double blend(double shorter) const;
     double laid_ = 0; // extruder units
-    Said said_;
+    ModalState modal_;
     double extruder_speed_;       // mm/s, maximum
     std::optional<Step> pending_; // the move not yet written: its end depends on what follows
     double fed_ = 0;              // extruder position at its end

@@ -16,7 +16,7 @@ using kinematics::kAxes;
 using machine::Dialect;
 
 constexpr double kJointShare = 0.2;      // share of the axes' speed that a joint move uses
-constexpr double kSaid = 1e-6;           // mm/s, mm: least difference that needs a new line
+constexpr double kLeastChange = 1e-6;    // mm/s, mm: least difference that needs a new line
 constexpr double kUrAcceleration = 1;    // rad/s2, of joint moves
 constexpr int kVectorDecimals = 7;       // of quaternions and rotation vectors
 constexpr double kExtruderOrient = 1000; // degrees/s, of turning external axes: too high to limit a move
@@ -25,10 +25,10 @@ class Lines {
   public:
     Lines(std::string& out, const machine::Profile& profile, const char* end) : out_(out), p_(profile), end_(end) {}
 
-    void krl(const RobotLine& l, Said& said) {
+    void krl(const RobotLine& l, ModalState& modal) {
         if (!l.joint) {
-            says("$VEL.CP=", l.feed, said.feed, 1000, 6);
-            if (l.blend > 0) says("$APO.CDIS=", l.blend, said.blend, 1, 3);
+            says("$VEL.CP=", l.feed, modal.feed, 1000, 6);
+            if (l.blend > 0) says("$APO.CDIS=", l.blend, modal.blend, 1, 3);
         }
         const int d = p_.format.xyz_decimals;
         const auto angles = geom::euler_zyx(l.tip.turn);
@@ -145,12 +145,12 @@ class Lines {
         list(v, p_.axes.angle_decimals);
     }
 
-    void says(const char* what, double value, double& said, double per, int decimals) {
-        if (std::abs(value - said) <= kSaid) return;
+    void says(const char* what, double value, double& modal, double per, int decimals) {
+        if (std::abs(value - modal) <= kLeastChange) return;
         out_ += what;
         number(value / per, decimals);
         out_ += end_;
-        said = value;
+        modal = value;
     }
 
     void zone(const RobotLine& l) {
@@ -185,11 +185,11 @@ int krl_turn(const kinematics::Posture& q) {
 }
 
 void append_robot_line(std::string& out, const RobotLine& line, const machine::Profile& profile, const char* end,
-                       Said& said) {
+                       ModalState& modal) {
     Lines lines(out, profile, end);
     switch (profile.format.dialect) {
     case Dialect::krl:
-        return lines.krl(line, said);
+        return lines.krl(line, modal);
     case Dialect::rapid:
         return lines.rapid(line);
     case Dialect::urscript:

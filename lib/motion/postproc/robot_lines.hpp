@@ -23,7 +23,7 @@ struct RobotLine {
 };
 
 // The settings that earlier lines made and that still hold; -1: none.
-struct Said {
+struct ModalState {
     double feed = -1, blend = -1;
 };
 
@@ -35,7 +35,7 @@ struct Said {
 // URScript:    movel(pose_trans(filum_part,p[0.001,0.002,0.003,3.14,0,0]),a=1,v=0.02,r=0.0005)     m, rad
 //              movej([1,...,6],a=1,v=0.5)
 void append_robot_line(std::string& out, const RobotLine& line, const machine::Profile& profile, const char* end,
-                       Said& said);
+                       ModalState& modal);
 
 // KUKA's Status of a posture is a sum.  It holds 1 if the wrist is behind axis 1.  It holds 2 if the wrist is in front
 // of the line through axes 2 and 3, and 4 if axis 5 is negative.

@@ -166,11 +166,11 @@ void TiltedWalk::extrude(const toolpath::Span& span) {
     Act first = before();
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
         if (distance(span.points[i], span.points[i + 1]) == 0) continue;
-        machine::Laid laid = machine::laid(span, i);
-        laid.volume *= profile_->features[span.feature].flow;
-        const Laying how = laying(tip_, span.tool, laid, i + 2 == span.points.size());
+        machine::ExtrudingMove bead = machine::extruding_move(span, i);
+        bead.volume *= profile_->features[span.feature].flow;
+        const Laying how = laying(tip_, span.tool, bead, i + 2 == span.points.size());
         go(pose(span, i + 1, shift_),
-           {Act::extrude, span.role, span.layer, how.feed, laid.volume, (span.width_at(i) + span.width_at(i + 1)) / 2,
+           {Act::extrude, span.role, span.layer, how.feed, bead.volume, (span.width_at(i) + span.width_at(i + 1)) / 2,
             (span.height_at(i) + span.height_at(i + 1)) / 2, span.tool, how.fed, how.halt,
             std::exchange(first, Act::extrude), true, !span.normals.empty(), span.feature});
         top_ = std::max(top_, stroke_.poses.back().tip.z);

@@ -45,7 +45,7 @@ Walk::~Walk() = default;
 
 void Walk::put(const Step& step) { steps_->add(step); }
 
-Walker::Laying Walker::laying(const machine::Profile& profile, std::uint32_t tool, const machine::Laid& move,
+Walker::Laying Walker::laying(const machine::Profile& profile, std::uint32_t tool, const machine::ExtrudingMove& move,
                               bool last) const {
     if (!profile.fibre.lays(tool)) return {machine::bead_feed(machine::of_tool(profile, tool), move), 0, false};
     return {machine::fibre_feed(profile, move, how_.feed), how_.fed * move.length, halt_ && last};
@@ -66,12 +66,12 @@ Act Walker::before() const {
                                                     : Act::extrude;
 }
 
-toolpath::Merged merged(const machine::Profile& profile, const toolpath::Span& span, const Joins* joins) {
+toolpath::MergeResult merged(const machine::Profile& profile, const toolpath::Span& span, const Joins* joins) {
     const auto others = joins != nullptr ? joins->near(span.layer) : std::span<const geom::Segment>{};
     return toolpath::merge(span, tolerance(profile, span), others);
 }
 
-void Walker::add(const toolpath::Span& span, const toolpath::Merged* merged) {
+void Walker::add(const toolpath::Span& span, const toolpath::MergeResult* merged) {
     how_ = {};
     halt_ = false;
     merged_ = merged;
@@ -258,9 +258,9 @@ void Walk::extrude(const toolpath::Span& span) {
     if (!open_) begin_stroke(span);
     if (before() != Act::extrude) put({.act = before(), .layer = span.layer, .to = at_, .tool = tool_});
     layer_ = span.layer;
-    toolpath::Merged own_moves;
+    toolpath::MergeResult own_moves;
     if (known() == nullptr) own_moves = merged(*profile_, span, joins_);
-    const toolpath::Merged& moves = known() != nullptr ? *known() : own_moves;
+    const toolpath::MergeResult& moves = known() != nullptr ? *known() : own_moves;
     efforts_.given += span.points.size() - 1;
     efforts_.off = std::max(efforts_.off, moves.off);
     double z = span.points.front().z;

@@ -98,7 +98,7 @@ class Walker {
     virtual ~Walker() = default;
     // Throws Error(bad_input) with the place if the span does not begin where the last one ended.
     // `merged`: the moves of the span, as merged() gives them, if they are known already; may be null.
-    void add(const toolpath::Span& span, const toolpath::Merged* merged = nullptr);
+    void add(const toolpath::Span& span, const toolpath::MergeResult* merged = nullptr);
     // Adds a span of fibre with the feed and fibre of `how`; if `halt`, the tool stops at its end.  Throws as add().
     void add_fibre(const toolpath::Span& span, const machine::Stretch& how, bool halt);
     virtual void end() = 0;                                                   // closes the last stroke
@@ -110,19 +110,19 @@ class Walker {
         double feed = 0, fed = 0; // mm/s; mm of fibre
         bool halt = false;
     };
-    [[nodiscard]] Laying laying(const machine::Profile& profile, std::uint32_t tool, const machine::Laid& move,
+    [[nodiscard]] Laying laying(const machine::Profile& profile, std::uint32_t tool, const machine::ExtrudingMove& move,
                                 bool last) const;
     [[nodiscard]] Act before() const; // the act before the span's first move; Act::extrude: none
     virtual void travel(const toolpath::Span& span) = 0;
     virtual void extrude(const toolpath::Span& span) = 0;
-    [[nodiscard]] bool started() const { return started_; }                 // there was a span before
-    [[nodiscard]] const toolpath::Merged* known() const { return merged_; } // of the current span; may be null
+    [[nodiscard]] bool started() const { return started_; }                      // there was a span before
+    [[nodiscard]] const toolpath::MergeResult* known() const { return merged_; } // of the current span; may be null
     Efforts efforts_;
 
   private:
     void lay(const toolpath::Span& span);
     Vec3 path_; // end of the last span
-    const toolpath::Merged* merged_ = nullptr;
+    const toolpath::MergeResult* merged_ = nullptr;
     bool started_ = false;
     machine::Stretch how_;
     bool halt_ = false;
@@ -137,7 +137,7 @@ std::unique_ptr<Walker> walker(const machine::Profile& profile, Vec2 shift, Step
 toolpath::Tolerance tolerance(const machine::Profile& profile, const toolpath::Span& span);
 
 // The moves of a span on a machine with three axes.  `joins` may be null.
-toolpath::Merged merged(const machine::Profile& profile, const toolpath::Span& span, const Joins* joins);
+toolpath::MergeResult merged(const machine::Profile& profile, const toolpath::Span& span, const Joins* joins);
 
 class Throughput;
 

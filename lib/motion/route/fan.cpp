@@ -17,14 +17,14 @@ Vec3 across(const Vec3& way, const Vec3& axis) {
 
 } // namespace
 
-Fan::Fan(const collision::Room& room, const Stance& from, const Stance& to, std::uint32_t before)
+Fan::Fan(const collision::Room& room, const ToolFrame& from, const ToolFrame& to, std::uint32_t before)
     : room_(&room), chord_{from, to, before}, length_(geom::distance(from.tip, to.tip)), before_(before) {
     side_ = across(to.tip - from.tip, collision::at(chord_, 0.5).axis);
 }
 
-Stance Fan::at(const Knot& knot) const {
+ToolFrame Fan::at(const Knot& knot) const {
     const double share = std::clamp(knot.share, 0.0, 1.0);
-    Stance out = share == 0 ? chord_.from : share == 1 ? chord_.to : collision::at(chord_, share);
+    ToolFrame out = share == 0 ? chord_.from : share == 1 ? chord_.to : collision::at(chord_, share);
     out.tip =
         out.tip + (knot.share - share) * (chord_.to.tip - chord_.from.tip) + knot.aside * side_ + knot.rise * out.axis;
     return out;

@@ -8,7 +8,7 @@
 
 namespace filum::route {
 
-using collision::Stance;
+using collision::ToolFrame;
 using geom::Vec3;
 
 // Coordinates on a fan.
@@ -23,9 +23,9 @@ struct Knot {
 class Fan {
   public:
     // `before`: beads born earlier are obstacles. `room` must outlive the object.
-    Fan(const collision::Room& room, const Stance& from, const Stance& to, std::uint32_t before);
+    Fan(const collision::Room& room, const ToolFrame& from, const ToolFrame& to, std::uint32_t before);
 
-    [[nodiscard]] Stance at(const Knot& knot) const;
+    [[nodiscard]] ToolFrame at(const Knot& knot) const;
     [[nodiscard]] double chord() const { return length_; } // mm
     [[nodiscard]] bool free(const Knot& knot) const { return room_->at(at(knot), before_); }
     // The share of the straight move from one knot to another at which it is first blocked.

@@ -94,7 +94,7 @@ class Router {
     }
 
     // The stances at which a travel begins and ends; the carriage's rotation is known as in collision::MoveReader.
-    [[nodiscard]] std::pair<Stance, Stance> ends(const TravelGap& gap) const {
+    [[nodiscard]] std::pair<ToolFrame, ToolFrame> ends(const TravelGap& gap) const {
         const Span &a = spans_[gap.first - 1], &b = spans_[gap.last < spans_.size() ? gap.last : gap.last - 1];
         const std::size_t i = lays(b) ? 0 : b.points.size() - 1;
         const bool known = !o_.machine.rotary && a.normals.empty() && axis(b, i) == Vec3{0, 0, 1};
@@ -111,7 +111,7 @@ class Router {
             span.tool = spans_[gaps[i].last - 1].tool; // that of the bead that follows
             span.points.clear();
             span.normals.clear();
-            for (const Stance& s : ways[i].stances) {
+            for (const ToolFrame& s : ways[i].stances) {
                 if (!span.points.empty() && span.points.back() == s.tip && span.normals.back() == s.axis &&
                     span.points.size() > 1)
                     continue;

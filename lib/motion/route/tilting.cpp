@@ -31,7 +31,7 @@ std::uint32_t StrokeTilter::origin(const Attempt& a, std::size_t span, std::uint
     return a.now.origin.empty() ? segment : a.now.origin[span - a.first][segment];
 }
 
-collision::Stance StrokeTilter::stance(const Span& span, std::size_t i) const {
+collision::ToolFrame StrokeTilter::stance(const Span& span, std::size_t i) const {
     const Vec3 side = span.normals.empty() && !rotary_ ? Vec3{1, 0, 0} : Vec3{};
     return {span.points[i], span.normals.empty() ? Vec3{0, 0, 1} : span.normals[i], side};
 }

@@ -40,7 +40,7 @@ class StrokeTilter {
     [[nodiscard]] static std::uint32_t origin(const Attempt& a, std::size_t span, std::uint32_t segment);
 
     // As in collision::MoveReader.
-    [[nodiscard]] collision::Stance stance(const toolpath::Span& span, std::size_t i) const;
+    [[nodiscard]] collision::ToolFrame stance(const toolpath::Span& span, std::size_t i) const;
 
     std::vector<toolpath::Span> given_;
     std::vector<Attempt> strokes_;

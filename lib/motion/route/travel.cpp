@@ -119,7 +119,7 @@ class TravelSearch {
         const bool ends = fan_.free({0, 0, 0}) && fan_.free({1, 0, 0});
         Travel out{.stances = {}, .kind = kind, .length = whole(way), .free = free && ends};
         for (std::size_t i = 0; i < way.size(); ++i) {
-            const Stance to = fan_.at(way[i]);
+            const ToolFrame to = fan_.at(way[i]);
             const std::size_t parts = i == 0 ? 1 : turns(out.stances.back(), to);
             const collision::Move leg{i == 0 ? to : out.stances.back(), to};
             for (std::size_t k = 1; k < parts; ++k)
@@ -129,7 +129,7 @@ class TravelSearch {
         return out;
     }
 
-    [[nodiscard]] std::size_t turns(const Stance& a, const Stance& b) const {
+    [[nodiscard]] std::size_t turns(const ToolFrame& a, const ToolFrame& b) const {
         return static_cast<std::size_t>(std::max(1.0, std::ceil(geom::angle(a.axis, b.axis) / o_.most_turn)));
     }
 
@@ -141,7 +141,7 @@ class TravelSearch {
 
 } // namespace
 
-Travel travel(const collision::Room& room, const Stance& from, const Stance& to, std::uint32_t before,
+Travel travel(const collision::Room& room, const ToolFrame& from, const ToolFrame& to, std::uint32_t before,
               const TravelOptions& options) {
     const bool same = from.tip == to.tip && geom::angle(from.axis, to.axis) < 1e-6;
     const Fan fan(room, from, to, before);

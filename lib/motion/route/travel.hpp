@@ -21,7 +21,7 @@ struct TravelOptions {
 };
 
 struct Travel {
-    std::vector<Stance> stances; // from the first to the last
+    std::vector<ToolFrame> stances; // from the first to the last
     Kind kind = Kind::straight;
     double length = 0; // mm
     bool free = false; // the whole way
@@ -38,7 +38,7 @@ struct Travel {
 // `before`: beads born earlier are obstacles. If no way is free, the way over as far as it was found; from an end
 // without room it first leads along the axis. Deterministic; a way over has at most 64 corners; see around.hpp for the
 // other.
-Travel travel(const collision::Room& room, const Stance& from, const Stance& to, std::uint32_t before,
+Travel travel(const collision::Room& room, const ToolFrame& from, const ToolFrame& to, std::uint32_t before,
               const TravelOptions& options);
 
 } // namespace filum::route

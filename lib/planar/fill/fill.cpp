@@ -115,7 +115,7 @@ void place(const polygon::Region& r, Notes& notes, std::size_t first, toolpath::
 }
 
 // The index of the column that r belongs to. Adds a column if r begins one.
-std::size_t column(const polygon::Region& r, Before& before) {
+std::size_t column(const polygon::Region& r, ScaffoldState& before) {
     if (r.join == Join::vertical && !before.columns.empty()) return before.column;
     const auto box = polygon::bounds(r.loops[0]);
     const auto middle = geom::lerp(box.lo, box.hi, 0.5);
@@ -137,7 +137,7 @@ bool has_area(const polygon::Region& r, Notes& notes) {
 
 toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& notes) {
     if (o.pattern == Pattern::scaffold) {
-        Before before;
+        ScaffoldState before;
         return fill_scaffold(r, o, before, notes);
     }
     toolpath::RegionPaths out;
@@ -169,7 +169,7 @@ double strand_spacing(const Options& o) {
     return spacing;
 }
 
-toolpath::RegionPaths fill_scaffold(const polygon::Region& region, const Options& options, Before& before,
+toolpath::RegionPaths fill_scaffold(const polygon::Region& region, const Options& options, ScaffoldState& before,
                                     Notes& notes) {
     Options o = options;
     if (o.angles_deg.empty()) o.angles_deg = {0, 90};

@@ -50,7 +50,7 @@ using Lay = std::function<std::vector<toolpath::Curve>(const polygon::Region&, N
 toolpath::RegionPaths fill_by(const Lay& lay, const polygon::Region& region, Notes& notes);
 
 // What a scaffold needs to know about the regions before: where the last curve ended, and the lattices of the columns.
-struct Before {
+struct ScaffoldState {
     struct Column {
         geom::Box2 box;        // bounding box of the outline of its first region
         polygon::Loops region; // its first region
@@ -64,7 +64,7 @@ struct Before {
 // vertically to the previous one begins where that one ended, and belongs to its column. Any other region belongs to
 // the first column whose box contains the centre of its own; without one it begins a column. All regions of a column
 // share one lattice.
-toolpath::RegionPaths fill_scaffold(const polygon::Region& region, const Options& options, Before& before,
+toolpath::RegionPaths fill_scaffold(const polygon::Region& region, const Options& options, ScaffoldState& before,
                                     Notes& notes);
 
 // The distance between strands in mm. Throws Error(usage) if strands would overlap.

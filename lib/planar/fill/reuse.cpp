@@ -41,7 +41,7 @@ polygon::Region content(const polygon::Region& r) {
     out.walls = r.walls;
     out.is = r.is;
     out.areas = r.areas;
-    const auto depends = [](const polygon::Area& a) { return a.pattern == polygon::Pattern::wave; };
+    const auto depends = [](const polygon::Area& a) { return a.pattern == polygon::InfillPattern::wave; };
     if (std::any_of(r.areas.begin(), r.areas.end(), depends)) out.z = r.z;
     return out;
 }
@@ -87,8 +87,8 @@ Reuse::Reuse(Options options, std::size_t most)
             },
             most) {}
 
-std::shared_ptr<Reuse::Filled> Reuse::find(const polygon::Region& region) {
-    auto fresh = std::make_shared<Filled>();
+std::shared_ptr<Reuse::CachedFill> Reuse::find(const polygon::Region& region) {
+    auto fresh = std::make_shared<CachedFill>();
     fresh->region = content(region);
     fresh->layer = of_layer_(region.layer);
     fresh->key = key_of(fresh->region, fresh->layer);
@@ -99,7 +99,7 @@ std::shared_ptr<Reuse::Filled> Reuse::find(const polygon::Region& region) {
     return equal ? before : fresh;
 }
 
-void Reuse::work_out(const polygon::Region& region, const std::shared_ptr<Filled>& filled) {
+void Reuse::work_out(const polygon::Region& region, const std::shared_ptr<CachedFill>& filled) {
     const std::scoped_lock lock(filled->mutex);
     if (filled->done) return;
     filled->paths = work_(region, filled->notes);
@@ -110,12 +110,12 @@ void Reuse::work_out(const polygon::Region& region, const std::shared_ptr<Filled
     hold(filled);
 }
 
-void Reuse::hold(const std::shared_ptr<Filled>& filled) {
+void Reuse::hold(const std::shared_ptr<CachedFill>& filled) {
     const std::scoped_lock lock(mutex_);
     done_.push_back(filled);
     held_ += filled->points;
     for (; held_ > most_; done_.pop_front()) {
-        const Filled& oldest = *done_.front();
+        const CachedFill& oldest = *done_.front();
         held_ -= oldest.points;
         const auto it = filled_.find(oldest.key);
         if (it != filled_.end() && it->second == done_.front()) filled_.erase(it);

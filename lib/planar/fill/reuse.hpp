@@ -32,7 +32,7 @@ class Reuse {
 
   private:
     static constexpr std::size_t kMost = std::size_t{1} << 20;
-    struct Filled {
+    struct CachedFill {
         std::uint64_t key = 0;
         polygon::Region region;
         double layer = 0; // what the result depends on in a layer: the angle of rows, the shift of starts
@@ -42,16 +42,16 @@ class Reuse {
         Notes notes;
         std::size_t points = 0;
     };
-    std::shared_ptr<Filled> find(const polygon::Region& region); // adds an entry if there is none
-    void work_out(const polygon::Region& region, const std::shared_ptr<Filled>& filled);
-    void hold(const std::shared_ptr<Filled>& filled);
+    std::shared_ptr<CachedFill> find(const polygon::Region& region); // adds an entry if there is none
+    void work_out(const polygon::Region& region, const std::shared_ptr<CachedFill>& filled);
+    void hold(const std::shared_ptr<CachedFill>& filled);
 
     Work work_;
     OfLayer of_layer_;
     std::size_t most_, held_ = 0; // points
     std::mutex mutex_;
-    std::unordered_map<std::uint64_t, std::shared_ptr<Filled>> filled_; // looked up by key, never traversed
-    std::deque<std::shared_ptr<Filled>> done_;                          // oldest result first
+    std::unordered_map<std::uint64_t, std::shared_ptr<CachedFill>> filled_; // looked up by key, never traversed
+    std::deque<std::shared_ptr<CachedFill>> done_;                          // oldest result first
 };
 
 // Fills of regions with bead widths of their own: one Reuse for each width. Can be used from any number of threads.

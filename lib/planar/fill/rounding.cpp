@@ -12,9 +12,9 @@ namespace filum::fill {
 namespace {
 
 // A closed line by arc length. Queries near the previous one are fast.
-class Course {
+class ArcLengthCurve {
   public:
-    explicit Course(const toolpath::Curve& line) : line_(&line), n_(line.points.size()) {
+    explicit ArcLengthCurve(const toolpath::Curve& line) : line_(&line), n_(line.points.size()) {
         s_.reserve(n_ + 1);
         sum_.reserve(n_ + 1);
         s_.push_back(0);
@@ -75,7 +75,7 @@ double reach_for(double open) { return std::sqrt(6 * open); }
 class Rounding {
   public:
     Rounding(const toolpath::Curve& line, double width, const Corners& how, const std::function<double(Vec2)>& room)
-        : line_(&line), course_(line), width_(width), reach_(reach_for(how.open)),
+        : line_(&line), curve_(line), width_(width), reach_(reach_for(how.open)),
           step_(std::sqrt(2 * reach_ * how.tolerance)), outline_(how.round == Rounded::everywhere), room_(&room) {
         find_corners();
     }
@@ -93,25 +93,25 @@ class Rounding {
         out_.width.reserve(points);
         std::size_t next = 0;
         const auto keep_until = [&](double s) {
-            for (; next < n && course_.s(next) < s; ++next) out_.add(line_->points[next], line_->width[next]);
+            for (; next < n && curve_.s(next) < s; ++next) out_.add(line_->points[next], line_->width[next]);
         };
         for (const RoundedStretch& part : parts_) {
             if (part.begin >= 0) keep_until(part.begin);
             smooth(part);
-            while (next < n && course_.s(next) <= part.end) ++next;
+            while (next < n && curve_.s(next) <= part.end) ++next;
         }
-        keep_until(about_begin ? parts_.front().begin + course_.length() : course_.length() + 1);
+        keep_until(about_begin ? parts_.front().begin + curve_.length() : curve_.length() + 1);
         return std::move(out_);
     }
 
   private:
     // The stretch of line within a reach of a place.
-    struct Window {
+    struct Neighbourhood {
         Vec2 mean;
         double slower; // its length divided by that of its chord
     };
-    [[nodiscard]] Window window(double s, double reach) {
-        const auto a = course_.at(s - reach, behind_), b = course_.at(s + reach, ahead_);
+    [[nodiscard]] Neighbourhood neighbourhood(double s, double reach) {
+        const auto a = curve_.at(s - reach, behind_), b = curve_.at(s + reach, ahead_);
         return {(1 / (2 * reach)) * (b.sum - a.sum), 2 * reach / std::max(1e-9, geom::distance(a.point, b.point))};
     }
     // The reach of the corner at a vertex; 0 if there is none.
@@ -119,7 +119,7 @@ class Rounding {
         const Vec2 p = line_->points[vertex];
         const double w = line_->width[vertex], most = rings::kMostOff * w;
         const double reach = reach_ * std::min(1.0, 2 * w / width_); // narrow lanes are near each other
-        const double moved = geom::distance(p, window(course_.s(vertex), reach).mean);
+        const double moved = geom::distance(p, neighbourhood(curve_.s(vertex), reach).mean);
         if (2 * moved < most) return 0;
         if ((*room_)(p) >= std::min(w, width_)) return reach; // else it lies along the outline
         return outline_ ? reach * std::min(1.0, most / moved) : 0;
@@ -140,14 +140,14 @@ class Rounding {
         turned.reserve(n + 1);
         turned.push_back(0);
         for (std::size_t i = 0; i < n; ++i) turned.push_back(turned.back() + turn(i));
-        // The middle of a window with a smaller sum of turns moves by less than that of a corner.
+        // The middle of a neighbourhood with a smaller sum of turns moves by less than that of a corner.
         const double least = 2 * rings::kMostOff * width_ / reach_;
         std::size_t first = 0, last = 0; // vertices within the reach
         for (std::size_t i = 0; i < n; ++i) {
-            const double s = course_.s(i);
-            while (course_.s(first) < s - reach_) ++first;
-            while (last < n && course_.s(last) <= s + reach_) ++last;
-            const bool whole = s > reach_ && s < course_.length() - reach_;
+            const double s = curve_.s(i);
+            while (curve_.s(first) < s - reach_) ++first;
+            while (last < n && curve_.s(last) <= s + reach_) ++last;
+            const bool whole = s > reach_ && s < curve_.length() - reach_;
             if (whole && turned[last] - turned[first] < least) continue;
             const double reach = reach_at(i);
             if (reach == 0) continue;
@@ -156,14 +156,14 @@ class Rounding {
             parts_.back().corner.push_back({s, reach});
             turned_ += turn(i);
         }
-        while (parts_.size() > 1 && parts_.back().end >= parts_.front().begin + course_.length()) {
+        while (parts_.size() > 1 && parts_.back().end >= parts_.front().begin + curve_.length()) {
             RoundedStretch& first = parts_.front();
             for (Corner c : parts_.back().corner) {
-                c.s -= course_.length();
+                c.s -= curve_.length();
                 first.corner.push_back(c);
             }
-            first.begin = std::min(first.begin, parts_.back().begin - course_.length());
-            first.end = std::max(first.end, parts_.back().end - course_.length());
+            first.begin = std::min(first.begin, parts_.back().begin - curve_.length());
+            first.end = std::max(first.end, parts_.back().end - curve_.length());
             parts_.pop_back();
         }
     }
@@ -175,14 +175,14 @@ class Rounding {
         const int n = steps(part);
         for (int k = 0; k <= n; ++k) {
             const double s = part.begin + (part.end - part.begin) * k / n;
-            const auto [mean, slower] = window(s, std::max(1e-6, part.reach(s)));
-            const double w = course_.at(s, here_).width;
+            const auto [mean, slower] = neighbourhood(s, std::max(1e-6, part.reach(s)));
+            const double w = curve_.at(s, here_).width;
             out_.add(mean, std::max(w, std::min(w * std::min(slower, rings::kWidest), 2 * (*room_)(mean))));
         }
     }
 
     const toolpath::Curve* line_;
-    Course course_;
+    ArcLengthCurve curve_;
     double width_, reach_, step_; // mm; points step_ apart are off by at most a quarter of the tolerance
     bool outline_;
     const std::function<double(Vec2)>* room_;

@@ -37,13 +37,13 @@ constexpr double kOfSkins = 0.75;   // of the tolerance: no other bead covers th
 constexpr double kStripGive = 0.25; // of a strip's height: rows are 0.75 to 1.25 beads wide
 
 // Closed curves, each of one feature.
-struct Loose {
+struct LooseCurves {
     rings::Rings rings;
     std::vector<Feature> feature; // per loop
 };
 
 // Adds rings. The first `walls` lanes become walls, lane 1 with the feature `first`; other lanes are solid.
-void add(Loose& to, const rings::Rings& from, std::uint32_t walls, Feature first = Feature::outer_wall) {
+void add(LooseCurves& to, const rings::Rings& from, std::uint32_t walls, Feature first = Feature::outer_wall) {
     to.rings.add(from);
     for (const int lane : from.lane) {
         const bool wall = static_cast<std::uint32_t>(lane) <= walls;
@@ -51,7 +51,7 @@ void add(Loose& to, const rings::Rings& from, std::uint32_t walls, Feature first
     }
 }
 
-void add(Loose& to, const Loops& from, double width, Feature feature) {
+void add(LooseCurves& to, const Loops& from, double width, Feature feature) {
     to.rings.add({from.points, std::vector(from.points.size(), width), from.start, std::vector<int>(from.size(), 1)});
     to.feature.resize(to.rings.size(), feature);
 }
@@ -101,7 +101,7 @@ void take_bridges(const Region& r, double depth, double w, Loops& solid, Divisio
 }
 
 // Adds a ring in each strip, two beads high, along the bridge: rows that turn where the bridge is carried.
-void add_rows(Loose& to, const Loops& bridge, double direction, double w, double tolerance) {
+void add_rows(LooseCurves& to, const Loops& bridge, double direction, double w, double tolerance) {
     const Loops level = polygon::rotated(bridge, -direction);
     const auto cuts = polygon::strip_bounds(level, 2 * w, kStripGive);
     const auto box = polygon::bounds(level);
@@ -151,7 +151,7 @@ bool has(const Region& r, AreaKind kind) {
 }
 
 // Adds the curves inside walls that are `depth` mm wide in total, with beads w mm wide.
-void add_inside(Loose& to, const Loops& rest, const Region& r, double depth, double w, double tolerance) {
+void add_inside(LooseCurves& to, const Loops& rest, const Region& r, double depth, double w, double tolerance) {
     const Division parts = divided(polygon::simplify(rest, kTolerance), r, depth, w);
     Loops rim;
     if (!parts.sparse.empty()) rim = polygon::offset(polygon::simplify(r.loops, kTolerance), -depth, kTolerance);
@@ -167,7 +167,7 @@ void add_inside(Loose& to, const Loops& rest, const Region& r, double depth, dou
 }
 
 // Adds the curves of a piece inside walls of `depth` mm: the walls of the piece and what lies inside them.
-void add_piece(Loose& to, const Piece& piece, const Region& r, double depth, double tolerance) {
+void add_piece(LooseCurves& to, const RegionPiece& piece, const Region& r, double depth, double tolerance) {
     if (piece.walls == 0) return add_inside(to, piece.where, r, depth, piece.width, tolerance);
     const auto walls = rings::first_lanes(
         piece.where, {.width = piece.width, .most = static_cast<int>(piece.walls), .tolerance = tolerance});
@@ -184,8 +184,8 @@ bool stays_empty(const Loops& rest, const Region& r) {
 }
 
 // All closed curves of the region, not joined yet.
-Loose closed_curves(const Region& r, double w, double tolerance) {
-    Loose out;
+LooseCurves closed_curves(const Region& r, double w, double tolerance) {
+    LooseCurves out;
     if (!has(r, AreaKind::sparse) && !has(r, AreaKind::bridge) && !has(r, AreaKind::zone)) {
         add(out, rings::lanes(r.loops, {.width = w, .tolerance = tolerance}), r.walls);
         return out;
@@ -200,7 +200,7 @@ Loose closed_curves(const Region& r, double w, double tolerance) {
         else if (!has(r, AreaKind::zone))
             add_inside(out, rest, r, depth, w, tolerance);
         else
-            for (const Piece& piece : pieces(polygon::simplify(rest, kTolerance), r, w))
+            for (const RegionPiece& piece : pieces(polygon::simplify(rest, kTolerance), r, w))
                 add_piece(out, piece, r, depth, tolerance);
     return out;
 }
@@ -228,7 +228,7 @@ Feature feature_beside(const Region& r, const TopSkin& top, Vec2 p) {
 
 // Sets the feature of every segment of the curves: that of the loop nearest to its middle. Solid segments on a top
 // surface become `top`. Regions that are not of the part get one of the features of supports and skirts.
-void tell_features(const Region& r, const Loose& from, double w, std::vector<toolpath::Curve>& curves) {
+void tell_features(const Region& r, const LooseCurves& from, double w, std::vector<toolpath::Curve>& curves) {
     const auto segments = polygon::segments(Loops{from.rings.points, from.rings.start});
     std::vector<std::uint32_t> loop_of;
     for (std::uint32_t l = 0; l < from.rings.size(); ++l) loop_of.resize(from.rings.start[l + 1], l);
@@ -287,13 +287,13 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
     const Widths width = widths(r, o.bead_width);
     const auto hung = hanging(r, width.widest);
     const auto inside = fill::Rounded::inside; // outer walls are visible and keep sharp corners
-    Loose loose;
+    LooseCurves loose;
     // the numbers of crossings and of curves
     constexpr std::size_t kMost = std::numeric_limits<std::size_t>::max();
     std::pair fewest{kMost, kMost};
     for (const fill::join::Attempt& how : fill::join::kAttempts) {
         const double tolerance = how.share * kTolerance;
-        Loose parts = closed_curves(r, o.bead_width, tolerance);
+        LooseCurves parts = closed_curves(r, o.bead_width, tolerance);
         auto curves = fill::finished(parts.rings, r.loops,
                                      {.bead_width = width.narrowest,
                                       .tolerance = kOfSkins * tolerance,

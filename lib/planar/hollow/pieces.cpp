@@ -15,7 +15,7 @@ namespace {
 
 // Adds the connected parts of `where` as pieces. Parts of at most rings::kLeastVoid bead widths squared are left open.
 // Without walls, so are parts nowhere as wide as half a bead.
-void add_parts(const Loops& where, std::uint32_t walls, double width, std::vector<Piece>& to) {
+void add_parts(const Loops& where, std::uint32_t walls, double width, std::vector<RegionPiece>& to) {
     for (Loops& part : polygon::split(where).part) {
         if (polygon::signed_area(part) <= rings::kLeastVoid * width * width) continue;
         if (walls > 0 || !polygon::offset(part, -width / 4, kBeadArc).empty())
@@ -32,8 +32,8 @@ Loops slivers(const Loops& piece, const Loops& rest, double width) {
 
 } // namespace
 
-std::vector<Piece> pieces(const Loops& rest, const polygon::Region& region, double bead_width) {
-    std::vector<Piece> out;
+std::vector<RegionPiece> pieces(const Loops& rest, const polygon::Region& region, double bead_width) {
+    std::vector<RegionPiece> out;
     Loops left = rest;
     for (const polygon::Area& zone : region.areas) {
         if (zone.kind != AreaKind::zone) continue;

@@ -6,7 +6,7 @@
 namespace filum::hollow {
 
 // One piece of the area inside the walls of the region.
-struct Piece {
+struct RegionPiece {
     polygon::Loops where;    // connected
     std::uint32_t walls = 0; // further rings along its own outline
     double width = 0;        // mm, bead width
@@ -21,7 +21,7 @@ struct Piece {
 //
 // Order: the zones in the order of the region, then the area outside all zones; parts of each in the order of
 // polygon::split.
-std::vector<Piece> pieces(const polygon::Loops& rest, const polygon::Region& region, double bead_width);
+std::vector<RegionPiece> pieces(const polygon::Loops& rest, const polygon::Region& region, double bead_width);
 
 // The narrowest and the widest bead of the region in mm: `bead_width` and the widths of its zones.
 struct Widths {

@@ -15,7 +15,7 @@ namespace filum::infill {
 namespace {
 
 using geom::Vec2;
-using polygon::Pattern;
+using polygon::InfillPattern;
 
 constexpr double kBeyond = 1; // mm that cells reach beyond the area
 
@@ -114,20 +114,20 @@ double even_length_rows(const Loops& area, const Lines& o) {
 
 Loops even_cells(const Loops& area, const Lines& o) {
     if (area.empty()) return {}; // an empty area has no box
-    if (o.pattern == Pattern::wave) return even_waves(area, o);
-    return o.pattern == Pattern::concentric ? even_bands(o) : even_rows(area, o);
+    if (o.pattern == InfillPattern::wave) return even_waves(area, o);
+    return o.pattern == InfillPattern::concentric ? even_bands(o) : even_rows(area, o);
 }
 
 Loops cells_in(const Loops& area, const Lines& o) {
-    if (o.pattern != Pattern::concentric)
+    if (o.pattern != InfillPattern::concentric)
         if (auto cells = in_even_cells(area, o)) return std::move(*cells);
     return polygon::intersect(area, even_cells(area, o));
 }
 
 double even_length(const Loops& area, const Lines& o) {
-    if (o.pattern == Pattern::rows) return even_length_rows(area, o);
+    if (o.pattern == InfillPattern::rows) return even_length_rows(area, o);
     const double endless = polygon::signed_area(area) / near_enough(o);
-    if (o.pattern == Pattern::concentric) return endless;
+    if (o.pattern == InfillPattern::concentric) return endless;
     const double spacing = near_enough(o),
                  followed = even_width(o, spacing) / (2 * spacing); // of the outline, on average
     return endless + followed * length(area);

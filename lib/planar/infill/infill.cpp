@@ -14,7 +14,7 @@ namespace filum::infill {
 
 namespace {
 
-using polygon::Pattern;
+using polygon::InfillPattern;
 
 constexpr double kWidest = 64; // spacings of endless lines: the widest that is tried
 constexpr double kSame = 1e-3; // relative precision of the spacing
@@ -49,12 +49,13 @@ Loops linked(const Loops& cells, const Loops& room, double w) {
 Loops loops_in(const Loops& room, const Loops& area, const Lines& o) {
     if (o.spacing >= kHollow || room.empty()) return {};
     const Loops cells = cells_in(room, drawn_in(area, o));
-    return o.pattern == Pattern::concentric ? linked(cells, room, o.bead_width) : opened_cells(cells, o.bead_width / 2);
+    return o.pattern == InfillPattern::concentric ? linked(cells, room, o.bead_width)
+                                                  : opened_cells(cells, o.bead_width / 2);
 }
 
 // True if two areas have the same loops.
 bool alike(const Task& a, const Task& b) {
-    const bool waves = a.lines.pattern == Pattern::wave, circles = a.lines.pattern == Pattern::concentric;
+    const bool waves = a.lines.pattern == InfillPattern::wave, circles = a.lines.pattern == InfillPattern::concentric;
     return a.lines.pattern == b.lines.pattern && a.lines.direction == b.lines.direction &&
            (!waves || a.lines.z == b.lines.z) && a.area->start == b.area->start && a.area->points == b.area->points &&
            (!circles || a.lines.rim == b.lines.rim ||
@@ -209,7 +210,8 @@ Loops loops(const Loops& area, std::span<const Task> parts) {
     if (cells.empty()) return {};
     const Loops room = inner(area, w);
     const Loops within = polygon::intersect(polygon::unite(cells), room);
-    if (std::any_of(parts.begin(), parts.end(), [](const Task& t) { return t.lines.pattern == Pattern::concentric; }))
+    if (std::any_of(parts.begin(), parts.end(),
+                    [](const Task& t) { return t.lines.pattern == InfillPattern::concentric; }))
         return linked(within, room, w);
     return with_corridors(polygon::opened(within, w / 2, polygon::kBeadArc), room, w);
 }
@@ -245,7 +247,7 @@ double spacing_for(std::span<const Task> tasks, double density, double bead_widt
         if (real > 0) laid = real / calculated;
         spacing = bisected(bead_width, kWidest * endless, wanted / laid, by_calculation);
     }
-    const auto circles = [](const Task& t) { return t.lines.pattern == Pattern::concentric; };
+    const auto circles = [](const Task& t) { return t.lines.pattern == InfillPattern::concentric; };
     if (density >= kFew && std::none_of(tasks.begin(), tasks.end(), circles)) return spacing;
     return nearest_by_filling(sample, spacing, density, bead_width);
 }

@@ -17,7 +17,7 @@ using polygon::Loops;
 inline constexpr double kHollow = 1e6;
 
 struct Lines {
-    polygon::Pattern pattern = polygon::Pattern::rows;
+    polygon::InfillPattern pattern = polygon::InfillPattern::rows;
     double direction = 0;       // rad from the x axis, of rows
     double spacing = 2;         // mm between lines on average: an area A has lines of length A / spacing
     double bead_width = 0.4;    // mm

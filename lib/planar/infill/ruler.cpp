@@ -25,7 +25,7 @@ std::vector<double> cells(const Lines& o, bool divided) {
 } // namespace
 
 double even_width(const Lines& o, double spacing) {
-    return o.pattern == polygon::Pattern::concentric ? spacing : std::min(spacing, kWidestCell * o.bead_width);
+    return o.pattern == polygon::InfillPattern::concentric ? spacing : std::min(spacing, kWidestCell * o.bead_width);
 }
 
 Ruler::Ruler(const Lines& o) : Ruler(o, false) {}

@@ -216,7 +216,7 @@ std::optional<Loops> in_waves(const Loops& area, const Lines& lines) {
 
 std::optional<Loops> in_even_cells(const Loops& area, const Lines& lines) {
     if (area.empty()) return Loops{};
-    if (lines.pattern == polygon::Pattern::rows) {
+    if (lines.pattern == polygon::InfillPattern::rows) {
         const Rows rows(lines);
         auto out = Cutter(polygon::rotated(area, -lines.direction), rows).joined();
         if (out) *out = polygon::rotated(*out, lines.direction);

@@ -76,12 +76,12 @@ std::optional<Entry> climb(State& state) {
     if (!state.before.printed || !rises(state)) return std::nullopt;
     auto entry = climb_to(state);
     if (!entry) return std::nullopt;
-    if (state.options.interlace == Interlace::none && !state.column.turn)
+    if (state.options.interlace == Interlace::none && !state.column.lap)
         *entry = drift(state, *entry); // with interlacing, lanes lead to the planned starts
     keep_join(state, entry->place.point);
     ++state.counts.lifts;
     state.counts.lift_length += entry->place.distance;
-    if (state.column.turn || winds_on(state, *entry)) {
+    if (state.column.lap || winds_on(state, *entry)) {
         state.front.winds = true;
         if (entry->place.distance > kSamePoint) begin_turn(state, entry->place.point);
         return entry;

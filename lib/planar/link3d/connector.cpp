@@ -148,7 +148,8 @@ std::optional<Entry> go_around(State& state) {
     if (!best) return std::nullopt;
     auto& [way, entry] = *best;
     const double free = uncarried(state, way);
-    if (state.options.strand == Strand::carried && free > kUncarried * length_xy(way)) return std::nullopt;
+    if (state.options.connector_support == ConnectorSupport::carried && free > kUncarried * length_xy(way))
+        return std::nullopt;
     ++state.counts.connectors;
     state.counts.connector_length += length_xy(way);
     state.counts.connector_free += free;

@@ -1,8 +1,8 @@
 #include "link3d/curve.hpp"
 
+#include "link3d/connecting_lane.hpp"
 #include "link3d/features.hpp"
 #include "link3d/helix.hpp"
-#include "link3d/lane.hpp"
 #include "link3d/shift.hpp"
 
 #include <utility>
@@ -20,13 +20,13 @@ void print(State& state, const Bead& bead, const Ramp& ramp) {
     const auto& r = state.region();
     auto& walls = state.front.stacked;
     if (!walls && !r.paths.stacked.empty()) walls.emplace(r.paths.stacked);
-    Laid laid = walls ? walls->lay(bead, r.paths.z, r.paths.height, r.width / 2)
-                      : lay(bead, r.paths.z, r.paths.height, ramp, r.width / 2);
-    if (geom::distance(laid.points.front(), *state.at) < kSamePoint) laid.points.front() = *state.at; // spans join
+    SpatialBead raised = walls ? walls->lay(bead, r.paths.z, r.paths.height, r.width / 2)
+                               : lay(bead, r.paths.z, r.paths.height, ramp, r.width / 2);
+    if (geom::distance(raised.points.front(), *state.at) < kSamePoint) raised.points.front() = *state.at; // spans join
     Span out = span(state, Role::bead);
-    out.points = std::move(laid.points);
-    out.width = std::move(laid.width);
-    out.height = std::move(laid.height);
+    out.points = std::move(raised.points);
+    out.width = std::move(raised.width);
+    out.height = std::move(raised.height);
     emit_by_feature(std::move(out), r.paths.curves, r.index, [&](const Span& piece) { put(state, piece); });
 }
 
@@ -34,7 +34,7 @@ void print(State& state, const Bead& bead, const Ramp& ramp) {
 // away anyway. Nothing, with a note, if there is no such lane.
 std::optional<std::vector<Vec2>> lane_to_start(State& state, std::uint32_t c, const Bead& bead) {
     const auto& r = state.region().paths;
-    if (state.front.next != Next::above || leads_in(state) || !r.curves[c].closed ||
+    if (state.front.next != NextPlace::above || leads_in(state) || !r.curves[c].closed ||
         state.options.interlace == Interlace::none || apart(state, bead))
         return std::nullopt;
     auto way = shift(state, c, bead);

@@ -110,7 +110,7 @@ Entry start_entry(const State& state) {
 std::optional<Entry> other_end(const State& state, const Entry& entry) {
     const auto& curves = state.region().paths.curves;
     const toolpath::Curve& curve = curves[entry.place.curve];
-    if (curve.closed || curves.size() > 1 || state.front.next != Next::above) return std::nullopt;
+    if (curve.closed || curves.size() > 1 || state.front.next != NextPlace::above) return std::nullopt;
     const auto left = [&](Vec2 end) { // mm from there to the next region
         return nearest_entry(state.window[1], end)->place.distance;
     };

@@ -16,8 +16,8 @@ constexpr double kSeam = 0.9;               // of a turn; places farther apart t
 constexpr double kTurnStep = 5;             // bead widths between the points of a turn, at most
 
 // The region's curve from `entry` once around, in pieces of at most kTurnStep bead widths.
-Turn turn(const Waiting& r, const Entry& entry) {
-    Turn out;
+HelixLap turn(const Waiting& r, const Entry& entry) {
+    HelixLap out;
     const Bead b = cut(r.paths.curves[entry.place.curve], entry.place, false, 0);
     const double all = length(b.points);
     double s = 0;
@@ -39,7 +39,7 @@ Turn turn(const Waiting& r, const Entry& entry) {
 
 // The share of the turn, 0 to 1, at which the place nearest to p lies; nothing if that is more than `reach` mm away.
 // Where the turn's ends meet, the end nearer to `t` counts.
-std::optional<double> at(const Turn& turn, const SegmentIndex& index, Vec2 p, double t, double reach) {
+std::optional<double> at(const HelixLap& turn, const SegmentIndex& index, Vec2 p, double t, double reach) {
     const auto place = index.nearest(p, reach);
     if (!place) return std::nullopt;
     const double at =
@@ -57,7 +57,7 @@ bool winds_on(const State& state, const Entry& entry) {
     const auto next =
         nearest_entry(above, entry.place.point, reaches(state, above).front() * (here.width + above.width) / 2);
     if (!next) return false;
-    const Turn below = turn(here, entry), on = turn(above, *next);
+    const HelixLap below = turn(here, entry), on = turn(above, *next);
     const SegmentIndex index(std::span(&below.line, 1));
     std::size_t misfits = 0;
     for (std::size_t i = 0; i < on.along.size(); ++i) {
@@ -70,9 +70,9 @@ bool winds_on(const State& state, const Entry& entry) {
 
 Bead wind(State& state, const Entry& entry, bool goes_on) {
     const auto& r = state.region();
-    const Turn now = turn(r, entry);
+    const HelixLap now = turn(r, entry);
     const double from = state.at->z, rise = r.paths.z - from, h = r.paths.height;
-    std::optional<Turn>& under = state.column.turn;
+    std::optional<HelixLap>& under = state.column.lap;
     std::optional<SegmentIndex> below;
     if (under) below.emplace(std::span(&under->line, 1));
     Span rising = span(state, Role::bead);

@@ -87,12 +87,13 @@ void print_region(State& state) {
 }
 
 // Where the nozzle must get to from the front region.
-Next next(const State& state) {
-    if (state.window.size() < 2 || state.window[1].paths.curves.empty()) return Next::anywhere;
-    if (goes_on(state.window[1])) return Next::above;
+NextPlace next(const State& state) {
+    if (state.window.size() < 2 || state.window[1].paths.curves.empty()) return NextPlace::anywhere;
+    if (goes_on(state.window[1])) return NextPlace::above;
     const Connect connect = state.options.connect;
     const bool same_layer = state.window[1].paths.layer == state.region().paths.layer;
-    return connect == Connect::outside || (connect == Connect::inside && same_layer) ? Next::outside : Next::anywhere;
+    return connect == Connect::outside || (connect == Connect::inside && same_layer) ? NextPlace::outside
+                                                                                     : NextPlace::anywhere;
 }
 
 } // namespace

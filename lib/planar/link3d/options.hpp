@@ -17,7 +17,7 @@ enum class Connect : std::uint8_t {
 };
 
 // What a connector outside the part must rest on.
-enum class Strand : std::uint8_t {
+enum class ConnectorSupport : std::uint8_t {
     free,    // anything; it may hang in the air
     carried, // the bed, or a connector one layer below, so that connectors form a fin
 };
@@ -41,7 +41,7 @@ struct Options {
     double reach = 1.5;           // bead widths; the longest jog
     std::int64_t look_ahead = 16; // regions, >= 1
     Connect connect = Connect::stop;
-    Strand strand = Strand::free;
+    ConnectorSupport connector_support = ConnectorSupport::free;
     Seam seam = Seam::nearest;
     geom::Vec2 seam_at{}; // mm, for Seam::place
     Interlace interlace = Interlace::none;

@@ -45,8 +45,8 @@ struct Splitter {
 
 } // namespace
 
-Laid lay(const Bead& bead, double z, double height, const Ramp& ramp, double step) {
-    Laid out;
+SpatialBead lay(const Bead& bead, double z, double height, const Ramp& ramp, double step) {
+    SpatialBead out;
     if (ramp.length == 0) {
         for (const auto p : bead.points) out.points.push_back({p.x, p.y, z});
         out.width = bead.width;

@@ -16,10 +16,10 @@ struct Ramp {
 
 // The bead at height z, `height` mm thick. On a ramp it rises or gets thinner, and its points are at most `step` mm
 // apart.
-struct Laid {
+struct SpatialBead {
     std::vector<geom::Vec3> points;
     std::vector<double> width, height; // mm, per point, or one for all
 };
-Laid lay(const Bead& bead, double z, double height, const Ramp& ramp, double step);
+SpatialBead lay(const Bead& bead, double z, double height, const Ramp& ramp, double step);
 
 } // namespace filum::link3d

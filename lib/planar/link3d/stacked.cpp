@@ -43,8 +43,8 @@ Stacked::Pass Stacked::pass(Vec2 a, Vec2 b) {
     return Pass::lower;
 }
 
-Laid Stacked::lay(const Bead& bead, double z, double height, double ramp) {
-    Laid out;
+SpatialBead Stacked::lay(const Bead& bead, double z, double height, double ramp) {
+    SpatialBead out;
     const auto push = [&](Vec2 p, double width, Pass pass) {
         const bool half = pass != Pass::plain;
         out.points.push_back({p.x, p.y, pass == Pass::lower ? z - height / 2 : z});

@@ -19,7 +19,7 @@ class Stacked {
     // The bead in a layer that ends at `z` and is `height` mm thick. The first pass along a wall lies half a layer
     // lower than the rest, and the second pass lies on it. Both are half as thick and twice as wide as the bead says.
     // The nozzle changes its height over `ramp` mm, at most half a segment. The bead begins at z.
-    Laid lay(const Bead& bead, double z, double height, double ramp);
+    SpatialBead lay(const Bead& bead, double z, double height, double ramp);
 
   private:
     enum class Pass { plain, lower, upper };

@@ -23,17 +23,17 @@ inline constexpr double kEnds = 0.01;    // mm at the ends of a join, which lie 
 inline constexpr double kOn = 0.02;      // mm; a nozzle this close to a bead counts as on it
 
 // One turn of a helix.
-struct Turn {
+struct HelixLap {
     toolpath::Curve line;      // open
     std::vector<double> along; // share of its length, 0 to 1, per point
 };
 
 // Where the nozzle must get to from the front region: `outside` is beyond the outline of this region.
-enum class Next : std::uint8_t { anywhere, above, outside };
+enum class NextPlace : std::uint8_t { anywhere, above, outside };
 
 // The region that is being printed.
 struct Front {
-    Next next = Next::anywhere;
+    NextPlace next = NextPlace::anywhere;
     Vec2 start;                         // where it was entered
     Ramp ramp;                          // the ramp by which it was entered, until its first curve is printed
     bool winds = false;                 // it is printed as a turn of a helix
@@ -44,7 +44,7 @@ struct Front {
 };
 
 // The region before.
-struct Before {
+struct PreviousRegion {
     bool printed = false; // something of it was printed
     double width = 0;     // mm, of its beads
     // The lines of all regions printed on its layer, as printed; its own are the last. Kept only if joins on that layer
@@ -55,9 +55,9 @@ struct Before {
 
 // The column that is being climbed.
 struct Column {
-    Vec2 home;                // where it began
-    double offset = 0;        // bead widths, from `home` to the layer's start
-    std::optional<Turn> turn; // turn of a helix below the front region
+    Vec2 home;                   // where it began
+    double offset = 0;           // bead widths, from `home` to the layer's start
+    std::optional<HelixLap> lap; // turn of a helix below the front region
 };
 
 struct State {
@@ -68,9 +68,9 @@ struct State {
     std::optional<Vec3> at;     // position of the nozzle
     std::uint32_t stroke = 0;
     Front front;
-    Before before;
+    PreviousRegion before;
     Column column;
-    Printed printed;
+    PrintedBodies printed;
     std::vector<std::pair<Vec3, Vec3>> strands; // strands, and legs of connectors
     Box2 around;                                // the box that connectors go around
     Counts counts;

@@ -62,7 +62,7 @@ std::vector<Share> shares(const Bead& bead, std::span<const Vec2> lane, double l
 }
 
 // A bead, split where it gives up material.
-struct Thinned {
+struct ThinnedBead {
     Bead bead;
     std::vector<double> take; // mm2 per point
     std::vector<Vec2> away;   // directions away from the lane, weighted by the area taken
@@ -86,8 +86,8 @@ struct Thinned {
     }
 };
 
-Thinned split_at_shares(const Bead& bead, const std::vector<Share>& cuts, double step) {
-    Thinned out;
+ThinnedBead split_at_shares(const Bead& bead, const std::vector<Share>& cuts, double step) {
+    ThinnedBead out;
     const auto width = [&](std::size_t i) { return bead.width.size() == 1 ? bead.width[0] : bead.width[i]; };
     out.push(bead.points[0], width(0));
     auto next = cuts.begin();
@@ -113,7 +113,7 @@ Thinned split_at_shares(const Bead& bead, const std::vector<Share>& cuts, double
 
 // Limits what each point gives, so that no width falls below `least` times its value. The rest moves on along the bead,
 // then back.
-void settle(Thinned& t, double least) {
+void settle(ThinnedBead& t, double least) {
     double carry = 0;
     const auto give = [&](std::size_t i) {
         const double can = std::max(0.0, (1 - least) * t.bead.width[i] * t.mass(i));
@@ -140,7 +140,7 @@ void stay_apart(const std::vector<Vec2>& from, double cell, std::vector<Vec2>& t
 // The moved points of the bead: each moves away from the lane by half of `less`, its loss of width in mm, so that the
 // far edge stays in place. Points stay where `lines` leave no room, or where the bead would fold or cross itself. The
 // ends and a point at `fixed` stay too.
-std::vector<Vec2> aside(const Thinned& t, const std::vector<double>& less, double reach, const SegmentIndex& lines,
+std::vector<Vec2> aside(const ThinnedBead& t, const std::vector<double>& less, double reach, const SegmentIndex& lines,
                         std::optional<Vec2> fixed) {
     const auto& from = t.bead.points;
     const std::size_t n = from.size();
@@ -178,7 +178,7 @@ std::vector<Vec2> aside(const Thinned& t, const std::vector<double>& less, doubl
 
 double thin_beside(Bead& bead, std::span<const Vec2> lane, double lane_width, double reach, double least,
                    const SegmentIndex& lines, std::optional<Vec2> fixed) {
-    Thinned t = split_at_shares(bead, shares(bead, lane, lane_width, reach), reach / 2);
+    ThinnedBead t = split_at_shares(bead, shares(bead, lane, lane_width, reach), reach / 2);
     settle(t, least);
     const std::size_t n = t.take.size();
     std::vector<double> less(n, 0), mass(n);

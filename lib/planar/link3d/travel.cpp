@@ -27,13 +27,13 @@ bool passes(Vec2 a, Vec2 b, const Box2& box, double margin) {
 
 } // namespace
 
-void Printed::add(const Box2& box, double top) {
+void PrintedBodies::add(const Box2& box, double top) {
     bodies.back().box.add(box.lo);
     bodies.back().box.add(box.hi);
     bodies.back().top = std::max(bodies.back().top, top);
 }
 
-Box2 Printed::bounds() const {
+Box2 PrintedBodies::bounds() const {
     Box2 out;
     for (const auto& b : bodies)
         if (b.part && !b.box.empty()) {
@@ -43,13 +43,13 @@ Box2 Printed::bounds() const {
     return out;
 }
 
-bool Printed::blocks(Vec3 a, Vec3 b, double z, double margin, bool own) const {
+bool PrintedBodies::blocks(Vec3 a, Vec3 b, double z, double margin, bool own) const {
     for (std::size_t i = 0; i + (own ? 1 : 0) < bodies.size(); ++i)
         if (bodies[i].top > z && passes(a.xy(), b.xy(), bodies[i].box, margin)) return true;
     return false;
 }
 
-void Printed::connector(std::span<const Vec3> way) {
+void PrintedBodies::connector(std::span<const Vec3> way) {
     for (std::size_t i = 0; i + 1 < way.size(); ++i) {
         Box2 box;
         box.add(way[i].xy());
@@ -58,7 +58,7 @@ void Printed::connector(std::span<const Vec3> way) {
     }
 }
 
-bool Printed::hits(Vec3 a, Vec3 b, const machine::Head& head) const {
+bool PrintedBodies::hits(Vec3 a, Vec3 b, const machine::Head& head) const {
     if (head.none) return false;
     const double z = std::min(a.z, b.z), carriage = std::max(head.carriage_x, head.carriage_y) / 2;
     return std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
@@ -69,7 +69,7 @@ bool Printed::hits(Vec3 a, Vec3 b, const machine::Head& head) const {
     });
 }
 
-std::vector<Vec3> travel(const Printed& printed, Vec3 from, Vec3 to, const machine::Head& head) {
+std::vector<Vec3> travel(const PrintedBodies& printed, Vec3 from, Vec3 to, const machine::Head& head) {
     const double level = std::max(from.z, to.z);
     const double cone = head.cone_radius(head.cone_height), carriage = std::max(head.carriage_x, head.carriage_y) / 2;
     double z = level;

@@ -16,7 +16,7 @@ using geom::Vec2;
 using geom::Vec3;
 
 // Printed material as boxes: one for each stroke, which grows with it, and one for each leg of a connector.
-struct Printed {
+struct PrintedBodies {
     struct Body {
         Box2 box;
         double top = 0;   // mm
@@ -38,7 +38,7 @@ struct Printed {
 // A path from `from` to `to` without extruding, of upright and level moves only. It runs level at the higher of both
 // heights. It rises to the top of bodies that the nozzle's cone would touch, and over bodies under the carriage until
 // the carriage clears them. It is never below `from` or `to` in between.
-std::vector<Vec3> travel(const Printed& printed, Vec3 from, Vec3 to, const machine::Head& head);
+std::vector<Vec3> travel(const PrintedBodies& printed, Vec3 from, Vec3 to, const machine::Head& head);
 
 // A path for a connector: straight out to `box` grown by `margin` mm, around it in the shorter direction, and straight
 // in. The height changes evenly on the way around. Nothing if no straight way out (at from.z) or in (at to.z) satisfies

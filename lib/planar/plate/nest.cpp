@@ -15,7 +15,7 @@ const double kQuarter = std::acos(0.0); // rad
 
 } // namespace
 
-Nested nest(const std::vector<Corners>& polygons, double width, double depth, bool turn) {
+Nesting nest(const std::vector<Corners>& polygons, double width, double depth, bool turn) {
     using namespace libnest2d;
     std::vector<Item> items;
     items.reserve(polygons.size());
@@ -31,7 +31,7 @@ Nested nest(const std::vector<Corners>& polygons, double width, double depth, bo
         for (int k = 1; k < 4; ++k) how.placer_config.rotations.emplace_back(k * kQuarter);
     how.placer_config.parallel = false; // threads would save only milliseconds
     libnest2d::nest(items, Box(mm(width), mm(depth), {0, 0}), 0, how);
-    Nested out;
+    Nesting out;
     const auto to_mm = [](Coord c) { return static_cast<double>(c) / static_cast<double>(mm(1.0)); };
     for (const Item& item : items) {
         out.x.push_back(to_mm(item.translation().X));

@@ -12,7 +12,7 @@ struct Corners {
     std::vector<double> x, y;
 };
 
-struct Nested {
+struct Nesting {
     std::vector<double> x, y;        // mm, per polygon: its move after the turn
     std::vector<int> quarters;       // per polygon: its quarter turns to the left about (0, 0)
     std::vector<std::size_t> on_bed; // per polygon: 0 on the first bed, 1 on the next, and so on
@@ -21,6 +21,6 @@ struct Nested {
 // Places the polygons on beds of width x depth mm, the largest first, so that they touch but do not overlap. With
 // `turn`, all but the first may be rotated by quarter turns where that is more compact. Equal input gives equal places.
 // Uses no-fit polygons and a local search for the best place (libnest2d 5.0, T. Meszaros).
-Nested nest(const std::vector<Corners>& polygons, double width, double depth, bool turn);
+Nesting nest(const std::vector<Corners>& polygons, double width, double depth, bool turn);
 
 } // namespace filum::plate

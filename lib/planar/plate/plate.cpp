@@ -65,10 +65,10 @@ Spacing spacing(double apart, std::span<const Thing> things, const machine::Head
     return {apart, apart, whole && apart >= whole->x && apart >= whole->y};
 }
 
-Packed pack(std::span<const Thing> things, const Spacing& apart, Vec2 size, Turn turn) {
+Packing pack(std::span<const Thing> things, const Spacing& apart, Vec2 size, QuarterTurns turn) {
     Spacing keep = apart;
-    if (turn == Turn::each) keep.x = keep.y = std::max(apart.x, apart.y);
-    const Place first{{0, 0}, turn == Turn::all ? 1 : 0};
+    if (turn == QuarterTurns::each) keep.x = keep.y = std::max(apart.x, apart.y);
+    const Place first{{0, 0}, turn == QuarterTurns::all ? 1 : 0};
     std::vector<Corners> polygons;
     for (Thing t : things) {
         for (Vec2& p : t.outline) p = first(p);
@@ -76,8 +76,9 @@ Packed pack(std::span<const Thing> things, const Spacing& apart, Vec2 size, Turn
     }
     // Grown outlines may reach over the edge of the bed by half the spacing. The bed is reduced by the rounding of
     // places.
-    const Nested nested = nest(polygons, size.x + keep.x - 2 * kGrid, size.y + keep.y - 2 * kGrid, turn == Turn::each);
-    Packed out;
+    const Nesting nested =
+        nest(polygons, size.x + keep.x - 2 * kGrid, size.y + keep.y - 2 * kGrid, turn == QuarterTurns::each);
+    Packing out;
     geom::Box2 box;
     for (std::size_t i = 0; i < things.size(); ++i) {
         if (nested.on_bed[i] > 0) out.left.push_back(i);

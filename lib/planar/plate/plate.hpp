@@ -44,15 +44,15 @@ struct Place {
     bool operator==(const Place&) const = default;
 };
 
-enum class Turn { none, all, each }; // all: every part by one quarter turn; each: every part as it fits best
+enum class QuarterTurns { none, all, each }; // all: every part by one quarter turn; each: every part as it fits best
 
 // Places all parts around (0, 0) within `size` of the bed, `apart` from each other. Places are rounded to whole um.
-// With Turn::each, the larger of the two distances applies in x and y. If some parts do not fit, `left` holds their
-// indices and `place` is empty.
-struct Packed {
+// With QuarterTurns::each, the larger of the two distances applies in x and y. If some parts do not fit, `left` holds
+// their indices and `place` is empty.
+struct Packing {
     std::vector<Place> place;
     std::vector<std::size_t> left;
 };
-Packed pack(std::span<const Thing> things, const Spacing& apart, Vec2 size, Turn turn = Turn::none);
+Packing pack(std::span<const Thing> things, const Spacing& apart, Vec2 size, QuarterTurns turn = QuarterTurns::none);
 
 } // namespace filum::plate

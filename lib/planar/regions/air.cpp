@@ -82,8 +82,8 @@ std::size_t owner(std::span<const Region> upper, const std::vector<std::size_t>&
 
 } // namespace
 
-void hang(std::span<Region> upper, std::span<const Region> lower, std::span<const double> covered, const Carried& how,
-          Air& air) {
+void hang(std::span<Region> upper, std::span<const Region> lower, std::span<const double> covered,
+          const CarrierOptions& how, Air& air) {
     const double allowed = how.bead_width / 2, arc = kArc * how.bead_width;
     const double dot = std::numbers::pi * allowed * allowed; // mm2, least area of a bead; corners and tips are smaller
     Loops free;

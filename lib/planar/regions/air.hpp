@@ -10,7 +10,7 @@
 namespace filum::regions {
 
 // How beads are carried: a bead is carried if half of its width lies on the layer below.
-struct Carried {
+struct CarrierOptions {
     double bead_width = 0; // mm
     double hairline = 0;   // mm; narrower unsupported pieces do not count
 };
@@ -30,7 +30,7 @@ struct Air {
 // `covered` is the area of each region that lies on the layer below, mm2. Adds to `air`; the worst place is found to a
 // hairline. Tie: the first.
 void hang(std::span<polygon::Region> upper, std::span<const polygon::Region> lower, std::span<const double> covered,
-          const Carried& how, Air& air);
+          const CarrierOptions& how, Air& air);
 
 // Adds the overhang of further layers. `further` must have begun with a `reach` that `all` had before, so that it holds
 // only worse places.

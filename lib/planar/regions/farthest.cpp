@@ -20,9 +20,9 @@ using polygon::Loops;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 // An area, and the distances of points from its outline.
-class Outlined {
+class OutlinedArea {
   public:
-    explicit Outlined(Loops loops)
+    explicit OutlinedArea(Loops loops)
         : loops_(std::move(loops)), edges_(polygon::segments(loops_)), tree_(boxes(edges_)) {}
 
     [[nodiscard]] bool contains(Vec2 p) const { return polygon::contains(loops_, p); }
@@ -64,7 +64,7 @@ std::optional<Farthest> farthest(const Loops& area, std::span<const polygon::Reg
     if (others.empty()) return Farthest{kFar, area.points.front()};
     Loops all;
     for (const polygon::Region& r : others) all.add(r.loops);
-    const Outlined inside(area), under(std::move(all));
+    const OutlinedArea inside(area), under(std::move(all));
     const auto reach = [&](Vec2 p) { return under.contains(p) ? 0 : under.to_outline(p); };
     Farthest best{least, {}};
     const auto offer = [&](Vec2 p, double far) {

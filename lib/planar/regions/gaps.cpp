@@ -20,14 +20,14 @@ using polygon::Loops;
 constexpr double kReachIn = 0.001; // mm that a patch reaches into the solid, so that rounding leaves no slit
 
 // The places of the edges along their loops.
-struct Course {
+struct EdgePlaces {
     std::vector<std::uint32_t> loop; // the loop of each edge
     std::vector<double> at;          // mm, from the loop's first point to the edge's first
     std::vector<double> around;      // mm, perimeter of each loop
 };
 
-Course course(const Loops& loops) {
-    Course out;
+EdgePlaces edge_places(const Loops& loops) {
+    EdgePlaces out;
     for (std::uint32_t l = 0; l < loops.size(); ++l) {
         const auto loop = loops[l];
         double s = 0;
@@ -42,7 +42,7 @@ Course course(const Loops& loops) {
 }
 
 // The length of the shorter way along the outline between points of two edges, mm; infinite on different outlines.
-double way(const Course& c, std::uint32_t e, double on_e, std::uint32_t f, double on_f) {
+double way(const EdgePlaces& c, std::uint32_t e, double on_e, std::uint32_t f, double on_f) {
     if (c.loop[e] != c.loop[f]) return std::numeric_limits<double>::infinity();
     const double d = std::abs(c.at[e] + on_e - c.at[f] - on_f);
     return std::min(d, c.around[c.loop[e]] - d);
@@ -139,7 +139,7 @@ Loops bridges(const Loops& loops, double width) {
     Loops out;
     const auto edges = polygon::segments(loops);
     if (edges.empty()) return out;
-    const Course along = course(loops);
+    const EdgePlaces along = edge_places(loops);
     double length = 0;
     for (const double l : along.around) length += l;
     const double cell = std::max(2 * width, length / static_cast<double>(edges.size()));

@@ -1,4 +1,4 @@
-#include "sequence/cuts.hpp"
+#include "sequence/cutting_planes.hpp"
 
 #include <algorithm>
 #include <queue>
@@ -14,7 +14,7 @@ constexpr std::uint64_t kMostWork = 4'000'000; // per call; the next one continu
 // Searches shortest paths over the runs of regions without a break. From the lowest region of a run a path leads for
 // free to what must follow it in each other column, and from a run to the next lower one of its column for the price
 // of the break in between. A path back to its start for less than 1 is a violated circle.
-struct Cuts::CircleSearch {
+struct CuttingPlanes::CircleSearch {
     struct Run {
         Index column, bottom; // column; place of its lowest region
         double below = 0;     // price of the break below it; infinite for the lowest
@@ -34,13 +34,13 @@ struct Cuts::CircleSearch {
             return a.cost > b.cost || (a.cost == b.cost && a.run > b.run);
         }
     };
-    Cuts& cuts;
+    CuttingPlanes& cuts;
     std::vector<Run> run;
     std::vector<Index> of; // the run of each region
     std::vector<PathLabel> reached;
     std::priority_queue<QueueEntry> open;
 
-    explicit CircleSearch(Cuts& c) : cuts(c), of(c.g_.size()) {
+    explicit CircleSearch(CuttingPlanes& c) : cuts(c), of(c.g_.size()) {
         for (Index k = 0; k < cuts.columns_.member.size(); ++k)
             for (Index p = 0; p < cuts.columns_.member[k].size(); ++p) {
                 const Index v = cuts.columns_.member[k][p];
@@ -107,7 +107,7 @@ struct Cuts::CircleSearch {
     }
 };
 
-std::vector<Cuts::Violation> Cuts::circles() {
+std::vector<CuttingPlanes::Violation> CuttingPlanes::circles() {
     CircleSearch w(*this);
     std::vector<Violation> out;
     const auto n = static_cast<Index>(w.run.size());

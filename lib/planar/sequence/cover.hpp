@@ -1,7 +1,7 @@
 // The linear program over cuts: the least number of links left unused if links can be used in part.
 #pragma once
 
-#include "sequence/cuts.hpp"
+#include "sequence/cutting_planes.hpp"
 
 #include <memory>
 

@@ -39,7 +39,7 @@ Columns along_links(const Graph& g, std::span<const double> unused) {
 struct Relaxation::Program {
     const Graph& g;
     Columns columns;
-    std::optional<Cuts> cuts; // of `columns`
+    std::optional<CuttingPlanes> cuts; // of `columns`
     Cover cover;
     Index unused = 0;         // number of links proven unused
     bool done = false;        // no cut is left

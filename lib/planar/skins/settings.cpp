@@ -78,10 +78,10 @@ double share(const std::string& text) {
     return out;
 }
 
-polygon::Pattern pattern(const std::string& text) {
-    if (text == "rows") return polygon::Pattern::rows;
-    if (text == "wave") return polygon::Pattern::wave;
-    if (text == "concentric") return polygon::Pattern::concentric;
+polygon::InfillPattern pattern(const std::string& text) {
+    if (text == "rows") return polygon::InfillPattern::rows;
+    if (text == "wave") return polygon::InfillPattern::wave;
+    if (text == "concentric") return polygon::InfillPattern::concentric;
     throw Error(Exit::usage, "cannot use '" + text + "' as --infill-pattern: it is rows, wave or concentric");
 }
 

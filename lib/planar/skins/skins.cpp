@@ -136,7 +136,7 @@ Loops seen(const Loops& outline, const Loops& other, const Options& o) {
 }
 
 // A note if the bead width or the walls of a modifier have no effect in a region.
-Notes ignored(const Region& r, const Cut& cut, double width, bool any_sparse) {
+Notes ignored(const Region& r, const RegionZones& cut, double width, bool any_sparse) {
     Notes out;
     const auto put = [&](const Loops& where, NoteCode code) {
         out.push_back({code, 1, 1, r.layer, where.points[0].x, where.points[0].y});
@@ -150,7 +150,7 @@ Notes ignored(const Region& r, const Cut& cut, double width, bool any_sparse) {
 }
 
 // The notes of `ignored` for all regions of the part. An empty `any_sparse` means that no region is sparse.
-Notes ignored(const std::vector<Region>& regions, const std::vector<Cut>& cuts, double width,
+Notes ignored(const std::vector<Region>& regions, const std::vector<RegionZones>& cuts, double width,
               const std::vector<char>& any_sparse) {
     Notes out;
     for (std::size_t i = 0; i < regions.size(); ++i) {
@@ -163,7 +163,7 @@ Notes ignored(const std::vector<Region>& regions, const std::vector<Cut>& cuts, 
 
 // Sets walls, zones, top and bottom surfaces and bridges of a region. If nothing is sparse and all bead widths are
 // equal, zones have no effect and are left out.
-void tell_solid(Region& r, const std::vector<Loops>& layers, const Options& o, Cut& cut, bool any_sparse) {
+void tell_solid(Region& r, const std::vector<Loops>& layers, const Options& o, RegionZones& cut, bool any_sparse) {
     if (r.is != polygon::RegionClass::part) return;
     const bool zones = any_sparse || cut.mixed;
     r.walls = zones ? cut.walls : static_cast<std::uint32_t>(o.walls);
@@ -190,7 +190,7 @@ double spacing_of(const std::vector<Region>& regions, const std::vector<Loops>& 
                   const Options& o, double depth, const std::string& whose, Facts& facts) {
     if (o.infill == 0) return infill::kHollow;
     std::vector<Loops> rims(regions.size());
-    if (o.pattern == polygon::Pattern::concentric)
+    if (o.pattern == polygon::InfillPattern::concentric)
         parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
             if (!plain[i].empty() || !dense[i].empty()) rims[i] = within_walls(regions[i], depth);
         });
@@ -204,7 +204,7 @@ double spacing_of(const std::vector<Region>& regions, const std::vector<Loops>& 
         if (tasks.empty()) continue;
         const double spacing = infill::spacing_for(tasks, o.infill, o.bead_width);
         facts.push_back({"", whose + "infill-spacing", spacing, "mm"});
-        if (o.pattern == polygon::Pattern::concentric)
+        if (o.pattern == polygon::InfillPattern::concentric)
             facts.push_back({"", whose + "infill-share", 100 * infill::share_laid(tasks, spacing, o.bead_width), "%"});
         return spacing;
     }
@@ -243,7 +243,7 @@ void part_dense(std::vector<Sparse>& settings, const std::vector<Region>& region
 
 // Extends dense areas to whole squares, so that rows below skins begin and end on rows of the layer below.
 void take_squares(Sparse& s, const std::vector<Region>& regions, double spacing) {
-    if (s.how.pattern != polygon::Pattern::rows) return;
+    if (s.how.pattern != polygon::InfillPattern::rows) return;
     parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
         if (s.dense[i].empty()) return;
         const Loops all = polygon::unite(s.plain[i], s.dense[i]);
@@ -288,7 +288,7 @@ Notes skins(std::vector<Region>& regions, const Options& o, std::span<const Modi
         check_density(polygon::signed_area(r.loops), o.bead_width, Exit::usage, "--bead-width");
     const auto layers = coarse(polygon::materials(regions, polygon::RegionClass::part));
     const Zones zones(o, modifiers, layers.size());
-    std::vector<Cut> cuts(regions.size());
+    std::vector<RegionZones> cuts(regions.size());
     parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) { cuts[i] = zones.cut(regions[i]); });
     if (std::ranges::all_of(settings, solid) && !zones.widths_differ()) return ignored(regions, cuts, o.bead_width, {});
     for (std::size_t k = 0; k < settings.size(); ++k) {

@@ -18,7 +18,7 @@ struct Options {
     double infill = 0.15;             // share of the volume of sparse areas that beads fill; 0: they stay empty
     double solid_below = 70;          // mm2: sparse parts smaller than this become solid
     double bridge = 2; // mm: the widest gap that a skin crosses without a bridge or denser lines below it
-    polygon::Pattern pattern = polygon::Pattern::rows;
+    polygon::InfillPattern pattern = polygon::InfillPattern::rows;
 };
 
 // The number of layers, up and down, that can influence a region. It holds for the settings of all modifiers that have
@@ -43,7 +43,7 @@ inline const std::vector<std::string> kModifierSettings = {"infill", "infill-pat
 Options modified(Options options, const std::string& settings);
 
 // Reads a pattern: rows, wave or concentric. Throws Error(usage) for any other text.
-polygon::Pattern pattern(const std::string& text);
+polygon::InfillPattern pattern(const std::string& text);
 
 // Sets the areas and walls of all regions of a part. Regions come in the order of their layers. Nothing changes if the
 // infill is 1 and there are no modifiers.

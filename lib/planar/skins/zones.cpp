@@ -42,8 +42,8 @@ bool Zones::widths_differ() const {
     return std::ranges::any_of(kinds_, [&](const Kind& k) { return k.width != kinds_[0].width; });
 }
 
-Cut Zones::cut(const polygon::Region& region) const {
-    Cut out;
+RegionZones Zones::cut(const polygon::Region& region) const {
+    RegionZones out;
     out.walls = static_cast<std::uint32_t>(kinds_[0].walls);
     if (kinds_.size() == 1) return out;
     const Loops outline = polygon::simplify(region.loops, kBeadArc);
@@ -76,7 +76,7 @@ Cut Zones::cut(const polygon::Region& region) const {
     return out;
 }
 
-Loops Zones::of(std::size_t setting, const polygon::Region& region, const Cut& cut, const Loops& area) const {
+Loops Zones::of(std::size_t setting, const polygon::Region& region, const RegionZones& cut, const Loops& area) const {
     Loops out = area;
     if (setting > 0)
         out = polygon::intersect(out, deep_[setting - 1][region.layer]);

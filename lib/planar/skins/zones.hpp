@@ -6,7 +6,7 @@
 namespace filum::skins {
 
 // The zones of a region: its parts with other walls or bead widths.
-struct Cut {
+struct RegionZones {
     std::uint32_t walls = 0;          // rings along the whole outline
     std::vector<polygon::Area> zones; // with walls and bead widths of their own; none if the whole region is alike
     std::vector<std::size_t> kind;    // the kind of each zone
@@ -26,12 +26,12 @@ class Zones {
     // The zones of `region`: one for each kind that has room for a bead in it. A kind that needs no walls and no bead
     // width of its own gets none. The region keeps as many walls as the kind with the fewest. If bead widths differ it
     // keeps one wall, as wide as the part's beads. The zones have the remaining walls.
-    [[nodiscard]] Cut cut(const polygon::Region& region) const;
+    [[nodiscard]] RegionZones cut(const polygon::Region& region) const;
 
     // The part of `area` where `setting` holds, in a region with the zones `cut`. A modifier of the part's kind keeps
     // one bead away from the border, and so does the part: a wall fits between them. Settings of other kinds stay
     // inside the walls of their zone.
-    [[nodiscard]] polygon::Loops of(std::size_t setting, const polygon::Region& region, const Cut& cut,
+    [[nodiscard]] polygon::Loops of(std::size_t setting, const polygon::Region& region, const RegionZones& cut,
                                     const polygon::Loops& area) const;
 
   private:

@@ -34,7 +34,7 @@ Loops open_solid(const Sweep& sweep, std::size_t layer, Loops loops, std::vector
     for (const OpenContour& c : contours)
         for (std::size_t i = 1; i < c.points.size(); ++i) walls.push_back({c.points[i - 1], c.points[i], 1, true});
     const auto number = static_cast<std::int64_t>(layer);
-    const Closed closed = close_contours(
+    const ClosedContours closed = close_contours(
         std::move(contours), [&] { return lid_contours(sweep, layer); }, sweep.options, number, notes);
     add_walls(closed.guessed, false, walls);
     for (const Loops* more : {&closed.whole, &closed.guessed})
@@ -59,8 +59,8 @@ Loops contours(const Sweep& sweep, std::size_t layer, Section section, Notes& no
 
 } // namespace
 
-Cut cut(const Sweep& sweep, std::size_t chunk) {
-    Cut out;
+SlicedChunk cut(const Sweep& sweep, std::size_t chunk) {
+    SlicedChunk out;
     std::size_t i = chunk * kChunk;
     for (Section& section : sections(sweep, chunk)) {
         const Level& level = sweep.levels[i];

@@ -204,7 +204,8 @@ OpenContour walk(const std::vector<OpenContour>& contours, const Mates& mates, s
 
 // Joins contours as `mates` says. Adds closed ones to `out` and returns the others. Adds to `lid` the length over lids,
 // mm.
-std::vector<OpenContour> join(const std::vector<OpenContour>& contours, const Mates& mates, Closed& out, double& lid) {
+std::vector<OpenContour> join(const std::vector<OpenContour>& contours, const Mates& mates, ClosedContours& out,
+                              double& lid) {
     std::vector<OpenContour> open;
     std::vector<char> done(contours.size(), 0);
     const auto take = [&](std::uint32_t end) {
@@ -251,9 +252,9 @@ void note_joints(const std::vector<OpenContour>& contours, const Mates& mates, N
 
 double length(const OpenContour& contour) { return geom::length(contour.points); }
 
-Closed close_contours(std::vector<OpenContour> contours, const std::function<std::vector<OpenContour>()>& lids,
-                      const Options& o, std::int64_t layer, Notes& notes) {
-    Closed out;
+ClosedContours close_contours(std::vector<OpenContour> contours, const std::function<std::vector<OpenContour>()>& lids,
+                              const Options& o, std::int64_t layer, Notes& notes) {
+    ClosedContours out;
     double lid = 0;
     const auto tell = [&](NoteCode code, double amount, Vec2 at) {
         notes.push_back({.code = code, .amount = amount, .layer = layer, .x = at.x, .y = at.y});

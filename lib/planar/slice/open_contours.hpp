@@ -29,7 +29,7 @@ struct OpenContour {
 double length(const OpenContour& contour);
 
 // Closed contours: those on the surface all along, and those that bridge gaps, holes or openings.
-struct Closed {
+struct ClosedContours {
     Loops whole, guessed;
     double turned = 0; // mm of them that run against their triangles' orientation
 };
@@ -42,7 +42,7 @@ struct Closed {
 // Two ends are not joined if they are near because their contours run beside each other: those are copies. A closed
 // contour takes the direction of most of its length. Notes report what was closed, turned round or left open on
 // `layer`. Ties: by position in `contours`.
-Closed close_contours(std::vector<OpenContour> contours, const std::function<std::vector<OpenContour>()>& lids,
-                      const Options& options, std::int64_t layer, Notes& notes);
+ClosedContours close_contours(std::vector<OpenContour> contours, const std::function<std::vector<OpenContour>()>& lids,
+                              const Options& options, std::int64_t layer, Notes& notes);
 
 } // namespace filum::slice

@@ -12,14 +12,14 @@ namespace {
 constexpr double kGrid = polygon::kGridPerMm;
 
 // The line where one triangle meets the plane: from one edge to another, solid on the left.
-struct Piece {
+struct SectionSegment {
     EdgeKey from, to;
 };
 
 EdgeKey key(std::uint32_t a, std::uint32_t b) { return a < b ? EdgeKey{a} << 32 | b : EdgeKey{b} << 32 | a; }
 
 // Precondition: the plane is between the triangle's lowest and highest vertex.
-Piece piece(const mesh::Triangle& t, bool a, bool b, bool c) {
+SectionSegment piece(const mesh::Triangle& t, bool a, bool b, bool c) {
     // k: the only vertex on its side of the plane; its edges are k-1 -> k and k -> k+1
     const unsigned above = (a ? 1U : 0U) | (b ? 2U : 0U) | (c ? 4U : 0U);
     const bool alone_above = above == 1 || above == 2 || above == 4;
@@ -47,7 +47,7 @@ struct Order {
     std::vector<std::uint32_t> next;
     std::vector<char> continues;
 };
-Order put_in_order(const std::vector<Piece>& pieces) {
+Order put_in_order(const std::vector<SectionSegment>& pieces) {
     const std::size_t size = std::bit_ceil(2 * pieces.size() + 1), mask = size - 1;
     std::vector<std::uint32_t> slot(size, kNone);
     const auto hash = [](EdgeKey k) { return static_cast<std::size_t>((k * 0x9e3779b97f4a7c15ULL) >> 32); };
@@ -74,7 +74,7 @@ void append(std::vector<Vec2>& points, std::size_t first, Vec2 p) {
 
 // Links pieces to open contours, which start at pieces without a predecessor, and the rest to loops. Both are in the
 // order of their first pieces.
-Section link(const Part& part, double plane, const std::vector<Piece>& pieces) {
+Section link(const Part& part, double plane, const std::vector<SectionSegment>& pieces) {
     Section out;
     const mesh::Mesh& mesh = part.mesh;
     Loops& loops = out.loops;
@@ -113,7 +113,7 @@ Section link(const Part& part, double plane, const std::vector<Piece>& pieces) {
 
 std::vector<Section> sections(const Sweep& sweep, std::size_t chunk) {
     const std::size_t first = chunk * kChunk, last = std::min(first + kChunk, sweep.levels.size());
-    std::vector<std::vector<Piece>> pieces(last - first);
+    std::vector<std::vector<SectionSegment>> pieces(last - first);
     for (std::uint64_t k = sweep.chunk_start[chunk]; k < sweep.chunk_start[chunk + 1]; ++k) {
         const auto& t = sweep.part->mesh.triangles[sweep.triangles[k]];
         const std::uint32_t a = sweep.rank[t[0]], b = sweep.rank[t[1]], c = sweep.rank[t[2]];
@@ -130,7 +130,7 @@ std::vector<Section> sections(const Sweep& sweep, std::size_t chunk) {
 }
 
 std::vector<OpenContour> lid_contours(const Sweep& sweep, std::size_t layer) {
-    std::vector<Piece> pieces;
+    std::vector<SectionSegment> pieces;
     for (const auto& t : sweep.part->lids) {
         const bool a = sweep.rank[t[0]] > layer, b = sweep.rank[t[1]] > layer, c = sweep.rank[t[2]] > layer;
         if (a != b || b != c) pieces.push_back(piece(t, a, b, c));

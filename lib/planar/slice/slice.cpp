@@ -96,12 +96,12 @@ Sweep prepare(const Part& part, const Options& options, int threads, Notes& note
 std::vector<polygon::Layer> slice(const Part& part, const Options& options, Notes& notes, int threads) {
     const Sweep s = prepare(part, options, threads, notes);
     const auto measured = judge(s, threads, notes);
-    std::vector<Cut> cuts(s.chunks());
+    std::vector<SlicedChunk> cuts(s.chunks());
     parallel::for_chunks(cuts.size(), 1, threads, [&](std::size_t from, std::size_t to) {
         for (std::size_t c = from; c < to; ++c) cuts[c] = cut(s, c);
     });
     std::vector<polygon::Layer> out;
-    for (Cut& c : cuts) {
+    for (SlicedChunk& c : cuts) {
         std::move(c.layers.begin(), c.layers.end(), std::back_inserter(out));
         std::move(c.notes.begin(), c.notes.end(), std::back_inserter(notes));
     }

@@ -96,11 +96,11 @@ Sweep sweep_over(const Part& part, const Options& options, std::vector<Level> le
 
 // The layers of one chunk, lowest first, with notes on their repairs. Chunks are independent, and contours do not
 // depend on the chunking. Contours are simple, on a grid of 0.1 um, with the solid on the left.
-struct Cut {
+struct SlicedChunk {
     std::vector<polygon::Layer> layers;
     Notes notes;
 };
-Cut cut(const Sweep& sweep, std::size_t chunk);
+SlicedChunk cut(const Sweep& sweep, std::size_t chunk);
 
 // Slices the whole part.  Returns its layers, lowest first, judged and compared (see volume.hpp).
 std::vector<polygon::Layer> slice(const Part& part, const Options& options, Notes& notes, int threads = 1);

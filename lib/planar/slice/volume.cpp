@@ -125,7 +125,7 @@ std::string percent(double share) { return fixed_text(100 * share, 1) + " %"; }
     throw Error(Exit::bad_input, what + why + "; close or repair the mesh");
 }
 
-void note_undecided(const Measured& m, Notes& notes) {
+void note_undecided(const VolumeSamples& m, Notes& notes) {
     const double solid = sum(m.solid), undecided = sum(m.undecided);
     if (!(undecided > kTold * solid)) return;
     const auto worst =
@@ -174,10 +174,10 @@ void note_empty(const Sweep& sweep, std::span<const double> area, Notes& notes) 
 
 } // namespace
 
-Measured measure(const Sweep& sweep, std::size_t planes, std::size_t points, int threads) {
+VolumeSamples measure(const Sweep& sweep, std::size_t planes, std::size_t points, int threads) {
     const std::size_t n = sweep.levels.size(), asked = std::min(n, std::max<std::size_t>(1, planes / 2));
     const std::size_t each = std::max<std::size_t>(2, planes / 4 / asked);
-    Measured out;
+    VolumeSamples out;
     for (std::size_t k = 0; k < asked; ++k) { // one random layer out of each of `asked` equal stretches
         const double at =
             (static_cast<double>(k) + (asked < n ? as_share(mixed(k + 1)) : 0.5)) / static_cast<double>(asked);
@@ -222,10 +222,10 @@ Measured measure(const Sweep& sweep, std::size_t planes, std::size_t points, int
     return out;
 }
 
-std::optional<Measured> judge(const Sweep& sweep, int threads, Notes& notes) {
+std::optional<VolumeSamples> judge(const Sweep& sweep, int threads, Notes& notes) {
     if (sweep.part->winding == nullptr) return std::nullopt;
     for (const bool first : {true, false}) {
-        Measured m =
+        VolumeSamples m =
             first ? measure(sweep, kFirstPlanes, kFirstPoints, threads) : measure(sweep, kPlanes, kPoints, threads);
         const double solid = sum(m.solid);
         if (!(solid > m.baseless)) no_solid(solid, m.baseless);
@@ -237,8 +237,8 @@ std::optional<Measured> judge(const Sweep& sweep, int threads, Notes& notes) {
     return std::nullopt;
 }
 
-void compare(const Sweep& sweep, const std::optional<Measured>& measured, std::span<const double> area, int threads,
-             Notes& notes) {
+void compare(const Sweep& sweep, const std::optional<VolumeSamples>& measured, std::span<const double> area,
+             int threads, Notes& notes) {
     note_empty(sweep, area, notes);
     double all = 0;
     for (std::size_t i = 0; i < area.size(); ++i) all += area[i] * sweep.levels[i].height;
@@ -246,7 +246,7 @@ void compare(const Sweep& sweep, const std::optional<Measured>& measured, std::s
         const double solid = mesh::volume(sweep.part->mesh);
         if (std::abs(all - solid) <= kTold * solid) return;
     }
-    const Measured m = measured ? *measured : measure(sweep, kPlanes, kPoints, threads);
+    const VolumeSamples m = measured ? *measured : measure(sweep, kPlanes, kPoints, threads);
     double printed = 0, solid = 0, most = 0;
     std::size_t worst = 0;
     for (std::size_t k = 0; k < m.layers.size(); ++k) {

@@ -38,20 +38,20 @@ Loops kept_free(const std::vector<Loops>& layers, std::size_t j, const Options& 
 }
 
 // One column in the current layer, before the gaps to the part are cut out. Its top lies at `top` mm.
-struct Piece {
+struct ColumnSection {
     Loops area;
     double top = 0;
 };
 
 // Adds `over` at height `top` to `pieces`. Pieces nearer than twice `merge` become one, with the highest `top` of them.
-void join(std::vector<Piece>& pieces, const Loops& over, double top, double merge) {
+void join(std::vector<ColumnSection>& pieces, const Loops& over, double top, double merge) {
     pieces.push_back({over, top});
     Loops all;
-    for (const Piece& p : pieces) all.add(p.area);
-    std::vector<Piece> out;
+    for (const ColumnSection& p : pieces) all.add(p.area);
+    std::vector<ColumnSection> out;
     for (Loops& area : polygon::split(polygon::closed(polygon::unite(all), merge, kBeadArc)).part) {
         double highest = 0;
-        for (const Piece& p : pieces)
+        for (const ColumnSection& p : pieces)
             if (p.top > highest && !both(area, p.area).empty()) highest = p.top;
         out.push_back({std::move(area), highest});
     }
@@ -95,7 +95,7 @@ Columns columns(const std::vector<Loops>& layers, const std::vector<double>& hei
     for (std::size_t j = 0; j < n; ++j) top[j] = (j > 0 ? top[j - 1] : 0) + height[j];
     const double merge = kMerge * o.bead_width, thin = kThin * o.bead_width;
     Columns out{std::vector<Loops>(n), std::vector<Loops>(n)};
-    std::vector<Piece> down;
+    std::vector<ColumnSection> down;
     for (std::size_t j = n; j-- > 0;) {
         const double by = j + 1 < n ? taper(height[j + 1], o) : 0;
         parallel::for_chunks(down.size(), 1, 0, [&](std::size_t k, std::size_t) {
@@ -104,11 +104,11 @@ Columns columns(const std::vector<Loops>& layers, const std::vector<double>& hei
         if (const std::size_t from = j + 1 + gap; from < n && !over[from].empty())
             join(down, over[from], top[j], merge);
         Loops all;
-        for (Piece& p : down) {
+        for (ColumnSection& p : down) {
             p.area = polygon::simplify(less(p.area, layers[j]), kBeadArc);
             all.add(p.area);
         }
-        std::erase_if(down, [](const Piece& p) { return p.area.empty(); });
+        std::erase_if(down, [](const ColumnSection& p) { return p.area.empty(); });
         if (!all.empty()) out.all[j] = polygon::opened(less(all, free[j]), thin, kBeadArc);
     }
     if (!o.on_part) { // keep only columns that stand on the bed

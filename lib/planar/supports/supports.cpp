@@ -106,7 +106,7 @@ std::vector<Region> carriers(const Columns& c, std::size_t layer, const Region& 
         const Loops near = c.interface[layer].empty() ? Loops{} : polygon::intersect(inside, c.interface[layer]);
         const Loops rest = near.empty() ? inside : polygon::subtract(inside, near);
         const auto put = [&](const Loops& loops, double spacing) {
-            if (!loops.empty()) r.areas.push_back({AreaKind::sparse, loops, 0, spacing, polygon::Pattern::rows});
+            if (!loops.empty()) r.areas.push_back({AreaKind::sparse, loops, 0, spacing, polygon::InfillPattern::rows});
         };
         put(near, std::min(o.spacing, kInterfaceLines * o.bead_width));
         put(rest, o.spacing);

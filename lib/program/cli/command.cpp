@@ -155,12 +155,13 @@ void source_stage(const Io& io, const stream::Header& header, std::size_t parts,
     output.close();
 }
 
-Whole read_all(const std::string& path, stream::Payload expected, const std::function<void(stream::RawFrame)>& frame) {
+WholeInput read_all(const std::string& path, stream::Payload expected,
+                    const std::function<void(stream::RawFrame)>& frame) {
     return read_all(stream::Reader(path, expected), frame);
 }
 
-Whole read_all(stream::Reader reader, const std::function<void(stream::RawFrame)>& frame) {
-    Whole out{reader.header(), {}, {}};
+WholeInput read_all(stream::Reader reader, const std::function<void(stream::RawFrame)>& frame) {
+    WholeInput out{reader.header(), {}, {}};
     while (auto f = reader.next()) {
         if (f->tag == stream::Tag::note)
             out.notes.push_back(stream::parse_note(f->body));
@@ -193,8 +194,8 @@ int fail(const std::string& program, Exit exit, const std::string& what) {
 
 } // namespace
 
-void write_all(const Io& io, const stream::Header& header, const Whole& before, const Notes& notes, const Facts& facts,
-               std::span<const stream::RawFrame> frames) {
+void write_all(const Io& io, const stream::Header& header, const WholeInput& before, const Notes& notes,
+               const Facts& facts, std::span<const stream::RawFrame> frames) {
     Output output(io, header);
     output.pass_on(before);
     output.add(notes);

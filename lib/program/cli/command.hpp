@@ -83,20 +83,21 @@ void source_stage(const Io& io, const stream::Header& header, std::size_t parts,
 
 // Reads a whole stream: calls `frame` for each payload frame and collects the notes and facts. For folds and sinks.
 // Throws Error as stream::Reader does.
-struct Whole {
+struct WholeInput {
     stream::Header header;
     Notes notes;
     Facts facts;
 };
-Whole read_all(const std::string& path, stream::Payload expected, const std::function<void(stream::RawFrame)>& frame);
-Whole read_all(stream::Reader reader, const std::function<void(stream::RawFrame)>& frame);
+WholeInput read_all(const std::string& path, stream::Payload expected,
+                    const std::function<void(stream::RawFrame)>& frame);
+WholeInput read_all(stream::Reader reader, const std::function<void(stream::RawFrame)>& frame);
 
 // Writes a text file as stream::Sink does: it appears only when it is complete. Throws Error(io).
 void write_text(const std::string& file, const std::string& text);
 // Writes the output of a stage of shape "fold": the notes and facts of the stream `before`, then those of this program,
 // then all frames.
-void write_all(const Io& io, const stream::Header& header, const Whole& before, const Notes& notes, const Facts& facts,
-               std::span<const stream::RawFrame> frames);
+void write_all(const Io& io, const stream::Header& header, const WholeInput& before, const Notes& notes,
+               const Facts& facts, std::span<const stream::RawFrame> frames);
 
 // Runs `work` as the program of that name. Returns its exit code; if it throws, prints the message on standard error
 // and returns the code of the Error, or Exit::failure for other exceptions.

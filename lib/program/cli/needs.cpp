@@ -71,7 +71,7 @@ std::string typed(const Need& need) {
 }
 
 bool is_so(const Setting& s, const Lookup& lookup) {
-    const Standing now = lookup(s.option);
+    const OptionState now = lookup(s.option);
     if (s.values.empty()) return now.changed;
     return std::find(s.values.begin(), s.values.end(), now.value) != s.values.end();
 }

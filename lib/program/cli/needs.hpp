@@ -11,11 +11,11 @@
 namespace filum::cli {
 
 // The value of an option in this run.
-struct Standing {
+struct OptionState {
     std::string value;
     bool changed = false; // whether it differs from the default
 };
-using Lookup = std::function<Standing(const std::string& option)>;
+using Lookup = std::function<OptionState(const std::string& option)>;
 
 // The conditions in words: "with --pattern scaffold, not with --surface"; "" without conditions.
 std::string needs_text(const std::string& needs);

@@ -8,7 +8,7 @@ Output::Output(const Io& io, const stream::Header& header) : io_(io), writer_(io
     add(disagreements(io, header));
 }
 
-void Output::pass_on(const Whole& before, const std::function<bool(const Fact&)>& keep) {
+void Output::pass_on(const WholeInput& before, const std::function<bool(const Fact&)>& keep) {
     for (const Note& note : before.notes) writer_.write(note);
     for (const Fact& fact : before.facts)
         if (!keep || keep(fact)) writer_.write(fact);

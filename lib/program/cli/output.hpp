@@ -18,7 +18,7 @@ class Output {
 
     // Passes on the notes, then the facts, of the stream `before`, unchanged. Facts for which `keep` returns false are
     // dropped.
-    void pass_on(const Whole& before, const std::function<bool(const Fact&)>& keep = {});
+    void pass_on(const WholeInput& before, const std::function<bool(const Fact&)>& keep = {});
 
     // Adds notes or facts of this program; their stage is set to its name.
     void add(Note note);

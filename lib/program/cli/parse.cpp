@@ -151,7 +151,7 @@ void take_leading(const Spec& spec, Io& io) {
 // Records the options that differ from their defaults. Throws Error(usage) if one of them has no effect together with
 // the other options.
 void check_needs(const Spec& spec, const std::vector<std::string>& defaults, Io& io) {
-    const Lookup lookup = [&](const std::string& name) -> Standing {
+    const Lookup lookup = [&](const std::string& name) -> OptionState {
         for (std::size_t i = 0; i < spec.options.size(); ++i)
             if (spec.options[i].name == name)
                 return {value_text(spec.options[i]), value_text(spec.options[i]) != defaults[i]};

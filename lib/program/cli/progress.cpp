@@ -17,10 +17,10 @@ namespace {
 constexpr std::uint64_t kOften = 16; // number of steps between two lines to FILUM_PROGRESS
 
 // The progress of this process: Progress counts it, and Clock draws it.
-struct Far {
+struct ProcessProgress {
     std::atomic<std::uint64_t> done = 0, expected = 0;
 };
-Far far_;
+ProcessProgress far_;
 
 void put(int file, const std::string& text) {
     if (::write(file, text.data(), text.size()) < 0) return; // a failed write only loses one status line

@@ -137,7 +137,7 @@ polygon::Area area(const proto::Area& m) {
                       area_loops(m.loops(), "the outline of an area"),
                       m.direction(),
                       m.spacing(),
-                      static_cast<polygon::Pattern>(m.pattern()),
+                      static_cast<polygon::InfillPattern>(m.pattern()),
                       m.gap(),
                       m.walls(),
                       m.width()};

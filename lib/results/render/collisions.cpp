@@ -233,7 +233,7 @@ Meetings read_meetings(std::string_view text, const std::string& name) {
     return out;
 }
 
-Image draw_collisions(Scene scene, const Meetings& places, const machine::Head& head, By by, const View& view,
+Image draw_collisions(Scene scene, const Meetings& places, const machine::Head& head, ColourBy by, const View& view,
                       int threads) {
     const Meeting& worst = *std::min_element(places.all.begin(), places.all.end(),
                                              [](const auto& a, const auto& b) { return a.clearance < b.clearance; });
@@ -245,12 +245,12 @@ Image draw_collisions(Scene scene, const Meetings& places, const machine::Head& 
     scene.meshes.push_back({body(at, worst, head), oklch(0.45, 0.05, 260)});
     View shown = view;
     if (norm(view.from) == 0) shown.from = free_side(Tubes(scene, colours, false, threads), sights(at, worst, head));
-    const auto draw = [&](const Look& look, int width, int height) {
+    const auto draw = [&](const ViewDirection& look, int width, int height) {
         View v = shown;
         v.width = width;
         v.height = height;
         const bool close = look.name != "all";
-        if (close) v.around = Around{at(0, 0, 0.35 * size), 1.1 * size};
+        if (close) v.around = ViewSphere{at(0, 0, 0.35 * size), 1.1 * size};
         Scene with = scene;
         const double dot = (close ? 0.02 : 0.025) * size;
         mesh::Mesh dots, place;

@@ -130,7 +130,7 @@ void draw_in_space(Canvas& c, Vec3 a, Vec3 b, double width, Rgb colour) {
 constexpr double kLoose = 0.3; // share of the bead width that loose beads are drawn with, so that they look different
 
 // Draws what does not lie on the surface: turns beyond its rims, beads away from it, and moves without material.
-void draw_loose(Canvas& c, const Laid& laid) {
+void draw_loose(Canvas& c, const SurfaceBeads& laid) {
     const double thread = std::clamp(c.plan.height / 700.0, 1.0, 4.0);
     for (const Stroke& s : laid.loose)
         draw_in_space(c, s.a, s.b, std::max(thread, kLoose * c.plan.scale * (s.half_a + s.half_b)),
@@ -162,7 +162,7 @@ std::string end_text(double v, bool more) {
     return fixed_text(v, size >= 100 ? 0 : (size >= 10 ? 1 : (size >= 1 ? 2 : 4))) + (more ? "..." : "");
 }
 
-void draw_key(Canvas& c, const Tint& tint, const Show& show, const Laid& laid, double bare) {
+void draw_key(Canvas& c, const Tint& tint, const Show& show, const SurfaceBeads& laid, double bare) {
     Key key(c.image);
     if (!show.around.empty()) key.clear(kPaper);
     key.ruler(c.plan.scale);
@@ -183,31 +183,31 @@ void draw_key(Canvas& c, const Tint& tint, const Show& show, const Laid& laid, d
 // Writes the names of several surfaces, each at its pixel nearest to the middle of its visible part. A name is left out
 // if the visible part is too small for it.
 void draw_names(Canvas& c) {
-    struct Seen {
+    struct VisiblePatch {
         double x = 0, y = 0, count = 0, least = std::numeric_limits<double>::infinity();
         Vec2 at;
     };
     if (c.scene.patches.size() < 2) return;
-    std::vector<Seen> seen(c.scene.patches.size());
+    std::vector<VisiblePatch> visible(c.scene.patches.size());
     const auto each = [&](const auto& visit) {
         for (int y = 0; y < c.plan.height; ++y)
             for (int x = 0; x < c.plan.width; ++x)
-                if (const auto t = c.at(x, y).triangle; t != surface::kNone) visit(seen[c.scene.patch[t]], x, y);
+                if (const auto t = c.at(x, y).triangle; t != surface::kNone) visit(visible[c.scene.patch[t]], x, y);
     };
-    each([](Seen& s, int x, int y) {
+    each([](VisiblePatch& s, int x, int y) {
         s.x += x;
         s.y += y;
         ++s.count;
     });
-    each([](Seen& s, int x, int y) {
+    each([](VisiblePatch& s, int x, int y) {
         const double off = std::hypot(x - s.x / s.count, y - s.y / s.count);
         if (off < s.least) s.least = off, s.at = {x + 0.5, y + 0.5};
     });
     const double size = std::clamp(c.plan.height / 40.0, 8.0, 40.0);
-    for (std::size_t i = 0; i < seen.size(); ++i) {
+    for (std::size_t i = 0; i < visible.size(); ++i) {
         const double wide = text_width(size, c.scene.patches[i]);
-        if (seen[i].count > 1.5 * wide * size)
-            draw_text(c.image, {seen[i].at.x - wide / 2, seen[i].at.y + size / 2}, size, c.scene.patches[i],
+        if (visible[i].count > 1.5 * wide * size)
+            draw_text(c.image, {visible[i].at.x - wide / 2, visible[i].at.y + size / 2}, size, c.scene.patches[i],
                       oklch(0.25, 0.02, 260));
     }
 }
@@ -235,7 +235,7 @@ Vec3 face(const Scene& scene, Vec3 otherwise) {
 }
 
 // The plan of the picture for `look`.
-Plan plan_of(const Scene& scene, const Look& look, const std::vector<Vec3>& points, int width, int height) {
+Plan plan_of(const Scene& scene, const ViewDirection& look, const std::vector<Vec3>& points, int width, int height) {
     if (!look.face) return lay_out(points, look.from, upwards(look.from), width, height);
     const Vec3 normal = unit(face(scene, look.from)), above = upwards(normal), right = unit(cross(above, normal));
     return lay_out(points, normal + look.aside * right + look.above * cross(normal, right), above, width, height);
@@ -266,13 +266,13 @@ std::vector<Vec3> shown_points(const Scene& scene, const Show& show) {
 } // namespace
 
 Image draw_draped(const Scene& scene, const Tint& tint, const DrapeView& view, int threads) {
-    const Laid laid = lay(scene, tint);
+    const SurfaceBeads laid = surface_beads(scene, tint);
     const double bare = view.show.voids ? uncovered(scene.sheet->surface, laid) : 0;
     double width = 0;
     for (const auto& s : scene.spans)
         if (toolpath::extrudes(s.role)) width = std::max(width, s.width_at(0));
     const std::vector<Vec3> points = shown_points(scene, view.show);
-    return contact_sheet(view.looks, view.width, view.height, [&](const Look& look, int w, int h) {
+    return contact_sheet(view.looks, view.width, view.height, [&](const ViewDirection& look, int w, int h) {
         Canvas c(scene, view, plan_of(scene, look, points, w, h));
         const Paint paint(scene, laid, view.show, c.plan);
         parallel::for_chunks(static_cast<std::size_t>(c.raster.bands()), 1, threads,

@@ -8,9 +8,9 @@
 namespace filum::render {
 
 struct DrapeView {
-    int width = 1024, height = 768; // pixels
-    int samples = 4;                // samples per pixel; at most 256 are used
-    std::vector<Look> looks;        // several looks are drawn side by side
+    int width = 1024, height = 768;   // pixels
+    int samples = 4;                  // samples per pixel; at most 256 are used
+    std::vector<ViewDirection> looks; // several looks are drawn side by side
     Show show;
 };
 

@@ -13,14 +13,14 @@ namespace filum::render {
 
 namespace {
 
-By by(const std::string& color) {
-    if (color == "stroke") return By::stroke;
-    if (color == "tool") return By::tool;
-    if (color == "layer") return By::layer;
-    if (color == "width") return By::width;
-    if (color == "speed") return By::speed;
-    if (color == "class") return By::role;
-    return By::progress;
+ColourBy by(const std::string& color) {
+    if (color == "stroke") return ColourBy::stroke;
+    if (color == "tool") return ColourBy::tool;
+    if (color == "layer") return ColourBy::layer;
+    if (color == "width") return ColourBy::width;
+    if (color == "speed") return ColourBy::speed;
+    if (color == "class") return ColourBy::role;
+    return ColourBy::progress;
 }
 
 // Throws Error(usage) if an option needs a surface or a path on it, or does not work with a surface.
@@ -51,7 +51,7 @@ void add_parts(Scene& scene, const std::string& list) {
     }
 }
 
-std::vector<Look> chosen(const Options& o, const std::string& otherwise) {
+std::vector<ViewDirection> chosen(const Options& o, const std::string& otherwise) {
     if (!o.views.empty()) return looks(o.views, "views");
     const auto one = looks(o.view == "auto" ? otherwise : o.view, "view");
     if (one.size() > 1)
@@ -90,9 +90,9 @@ std::string draw(Scene scene, const Options& o, const std::string& by_default, i
         throw Error(Exit::usage, "cannot write outlines as VTP; it is for Surface, Paths and Toolpath");
     if (o.vtp) return vtp(scene);
     if (!o.flat() && scene.spans.empty() && !scene.sheet) fill_outlines(scene);
-    const By color = by(o.color == "auto" ? by_default : o.color);
+    const ColourBy color = by(o.color == "auto" ? by_default : o.color);
     machine::Profile profile;
-    if (color == By::speed) profile = machine::load_profile(o.machine);
+    if (color == ColourBy::speed) profile = machine::load_profile(o.machine);
     const Tint colours = tint(scene, color, &profile);
     const int w = static_cast<int>(o.size[0]), h = static_cast<int>(o.size[1]), samples = static_cast<int>(o.samples);
     const FlatView flat{w, h, samples, true, !o.no_centres};
@@ -109,7 +109,7 @@ std::string draw(Scene scene, const Options& o, const std::string& by_default, i
         const Show show{o.by, o.arrows, o.voids, o.overlap, !o.no_centres, o.around};
         return encode_png(draw_draped(scene, colours, {w, h, samples, chosen(o, "face"), show}, threads));
     }
-    return encode_png(contact_sheet(chosen(o, "iso"), w, h, [&](const Look& look, int width, int height) {
+    return encode_png(contact_sheet(chosen(o, "iso"), w, h, [&](const ViewDirection& look, int width, int height) {
         return draw_perspective(scene, colours, {width, height, look.from, samples, o.travels, !o.no_table, {}},
                                 threads);
     }));

@@ -9,7 +9,7 @@ using geom::Vec3;
 // Visits the cells at points of the segment at most half a cell apart. Calls f(index of word, mask) until it returns
 // false.
 template <class F>
-void Hidden::for_cells(Vec3 a, Vec3 b, F&& f) const {
+void HiddenBeads::for_cells(Vec3 a, Vec3 b, F&& f) const {
     const Vec3 d = b - a;
     const double steps =
         std::ceil(2 * std::max({std::abs(d.x) / cell_.x, std::abs(d.y) / cell_.y, std::abs(d.z) / cell_.z}));
@@ -21,7 +21,7 @@ void Hidden::for_cells(Vec3 a, Vec3 b, F&& f) const {
     }
 }
 
-Hidden::Hidden(const Scene& scene, double width, double height) : cell_{width, width, height} {
+HiddenBeads::HiddenBeads(const Scene& scene, double width, double height) : cell_{width, width, height} {
     Vec3 lo{INFINITY, INFINITY, INFINITY}, hi{-INFINITY, -INFINITY, -INFINITY};
     for (const auto& s : scene.spans) {
         if (!toolpath::extrudes(s.role)) continue;
@@ -50,7 +50,7 @@ Hidden::Hidden(const Scene& scene, double width, double height) : cell_{width, w
 }
 
 // Keeps the full cells whose 26 neighbours are full, by erosion along x, then y, then z.
-void Hidden::erode() {
+void HiddenBeads::erode() {
     const std::size_t level = words_ * rows_;
     const auto old = [](const std::vector<std::uint64_t>& v, std::size_t i, std::size_t back) {
         return i < back ? 0 : v[i - back];
@@ -65,7 +65,7 @@ void Hidden::erode() {
     }
 }
 
-bool Hidden::operator()(Vec3 a, Vec3 b) const {
+bool HiddenBeads::operator()(Vec3 a, Vec3 b) const {
     if (full_.empty()) return false;
     bool all = true;
     for_cells(a, b, [&](std::size_t word, std::uint64_t bit) { return all = (full_[word] & bit) != 0; });

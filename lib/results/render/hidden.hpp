@@ -8,10 +8,10 @@ namespace filum::render {
 // A grid of cells about one bead wide and one layer high. A segment is hidden if all cells on it, and the 26 cells
 // around each of them, hold beads. Gaps between beads leave empty cells, so a visible segment is never hidden, except
 // behind a chink narrower than a bead.
-class Hidden {
+class HiddenBeads {
   public:
     // `width`, `height`: size of a typical bead, mm. In a scene of more than 2^29 cells nothing is hidden.
-    Hidden(const Scene& scene, double width, double height);
+    HiddenBeads(const Scene& scene, double width, double height);
     [[nodiscard]] bool operator()(geom::Vec3 a, geom::Vec3 b) const;
 
   private:

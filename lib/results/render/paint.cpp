@@ -58,7 +58,7 @@ Scale scale_of(const surface::Field& field) {
     return {&field, low, high, low > v.front(), high < v.back()};
 }
 
-Paint::Paint(const Scene& scene, const Laid& laid, const Show& show, const Plan& plan)
+Paint::Paint(const Scene& scene, const SurfaceBeads& laid, const Show& show, const Plan& plan)
     : scene_(&scene), sheet_(&*scene.sheet), laid_(&laid), show_(show), plan_(plan),
       lamp_(unit(plan.towards + 0.45 * plan.up - 0.35 * plan.right)),
       normal_(surface::curve::vertex_normals(scene.sheet->surface)), lines_({}) {

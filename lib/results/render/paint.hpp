@@ -1,8 +1,8 @@
 // Colours the points of a surface: shading, a field, lines, beads, voids and overlaps.
 #pragma once
 
-#include "render/lay.hpp"
 #include "render/plan.hpp"
+#include "render/surface_beads.hpp"
 
 namespace filum::render {
 
@@ -38,7 +38,7 @@ Rgb patch_colour(std::size_t patch);
 class Paint {
   public:
     // Keeps references to the scene and the path, which must outlive it.
-    Paint(const Scene& scene, const Laid& laid, const Show& show, const Plan& plan);
+    Paint(const Scene& scene, const SurfaceBeads& laid, const Show& show, const Plan& plan);
     // The colour of the point of `triangle` with these barycentric coordinates, in the light of the plan's lamp.
     [[nodiscard]] Rgb at(std::uint32_t triangle, geom::Vec3 shares) const;
 
@@ -48,7 +48,7 @@ class Paint {
     [[nodiscard]] Rgb on_bead(const Cover& c, geom::Vec3& normal) const;
     const Scene* scene_;
     const surface::Sheet* sheet_;
-    const Laid* laid_;
+    const SurfaceBeads* laid_;
     Show show_;
     Plan plan_;
     geom::Vec3 lamp_;

@@ -122,12 +122,12 @@ struct Strip {
     }
 };
 
-struct Free {
+struct FreeShares {
     float sky = 0, lamp = 0;
 };
 
 // The free shares of sky and lamp at pixel (x, y), averaged over pixels around it that show the same surface.
-Free smoothed(const Studio& s, const Strip& strip, int x, int y, int reach) {
+FreeShares smoothed(const Studio& s, const Strip& strip, int x, int y, int reach) {
     const int w = s.view.width, h = s.view.height;
     const auto place = [&](const Pixel& p, int i, int j) {
         return double{p.depth / p.hits} * s.camera.ray((2.0 * i + 1) / w - 1, 1 - (2.0 * j + 1) / h);
@@ -188,7 +188,7 @@ Image develop(const Studio& s, int threads) {
                         const Pixel& p = strip.at(x, y);
                         Rgb c = p.other;
                         if (p.hits > 0) {
-                            const Free f = smoothed(s, strip, x, y, reach);
+                            const FreeShares f = smoothed(s, strip, x, y, reach);
                             c = c + p.hits * tone((1 / p.hits) * (f.sky * p.under_sky + f.lamp * p.under_lamp));
                         }
                         out.set(x, y, (1.0F / static_cast<float>(v.samples)) * c);

@@ -8,18 +8,18 @@
 
 namespace filum::render {
 
-struct Around {
+struct ViewSphere {
     geom::Vec3 centre;
     double radius = 0; // mm
 };
 
 struct View {
-    int width = 1024, height = 768;    // pixels
-    geom::Vec3 from{1, -1.5, 0.9};     // direction from the part to the camera; not zero
-    int samples = 4;                   // rays per pixel; more rays give less noise
-    bool travels = false;              // whether travels are drawn, as thin threads
-    bool table = true;                 // whether the part stands on a table that shows its shadow
-    std::optional<Around> around = {}; // the ball that fills the picture; none: everything
+    int width = 1024, height = 768;        // pixels
+    geom::Vec3 from{1, -1.5, 0.9};         // direction from the part to the camera; not zero
+    int samples = 4;                       // rays per pixel; more rays give less noise
+    bool travels = false;                  // whether travels are drawn, as thin threads
+    bool table = true;                     // whether the part stands on a table that shows its shadow
+    std::optional<ViewSphere> around = {}; // the ball that fills the picture; none: everything
 };
 
 // Draws beads with elliptic sections: their true width, and the height of a typical layer of the scene. They are

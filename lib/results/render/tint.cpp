@@ -18,7 +18,7 @@ constexpr int kSteps = 1024; // number of steps of the ramp
 
 // The amount that colours a segment: its feed for By::speed, else its mean width.
 double amount(const Tint& tint, const toolpath::Span& s, std::size_t i) {
-    if (tint.by == By::speed) return machine::bead_feed(*tint.profile, machine::laid(s, i));
+    if (tint.by == ColourBy::speed) return machine::bead_feed(*tint.profile, machine::extruding_move(s, i));
     return (s.width_at(i) + s.width_at(i + 1)) / 2;
 }
 
@@ -44,7 +44,7 @@ void amount_range(const Scene& scene, Tint& out) {
 
 } // namespace
 
-Tint tint(const Scene& scene, By by, const machine::Profile* profile) {
+Tint tint(const Scene& scene, ColourBy by, const machine::Profile* profile) {
     Tint out;
     out.by = by;
     out.profile = profile;
@@ -54,24 +54,24 @@ Tint tint(const Scene& scene, By by, const machine::Profile* profile) {
     double along = 0;
     for (const auto& s : scene.spans) {
         strokes.insert(s.stroke);
-        if (by == By::tool && toolpath::extrudes(s.role)) out.tools.insert(s.tool);
+        if (by == ColourBy::tool && toolpath::extrudes(s.role)) out.tools.insert(s.tool);
         lo = std::min(lo, s.layer);
         hi = std::max(hi, s.layer);
         if (s.feature == Feature::none || s.role != Role::bead)
             out.roles[static_cast<std::size_t>(s.role)] = true;
         else
             out.features[static_cast<std::size_t>(s.feature)] = true;
-        if (by != By::progress) continue;
+        if (by != ColourBy::progress) continue;
         out.begin.push_back(along);
         if (toolpath::extrudes(s.role)) along += geom::length(s.points);
     }
     out.strokes = strokes.size();
-    if (by == By::progress) out.hi = std::max(along, 1e-9);
-    if (by == By::layer) {
+    if (by == ColourBy::progress) out.hi = std::max(along, 1e-9);
+    if (by == ColourBy::layer) {
         out.lo = std::min(lo, hi);
         out.hi = hi;
     }
-    if (by == By::width || by == By::speed) amount_range(scene, out);
+    if (by == ColourBy::width || by == ColourBy::speed) amount_range(scene, out);
     return out;
 }
 
@@ -140,18 +140,18 @@ Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i,
         return tint.ramp[static_cast<std::size_t>(std::clamp(t * kSteps, 0.0, kSteps - 1.0))];
     };
     switch (tint.by) {
-    case By::progress:
+    case ColourBy::progress:
         return on_ramp(tint.begin[s] + along);
-    case By::stroke:
+    case ColourBy::stroke:
         return to_srgb8(distinct(span.stroke));
-    case By::layer:
+    case ColourBy::layer:
         return on_ramp(span.layer);
-    case By::width:
-    case By::speed:
+    case ColourBy::width:
+    case ColourBy::speed:
         return on_ramp(amount(tint, span, i));
-    case By::tool:
+    case ColourBy::tool:
         return to_srgb8(distinct(span.tool));
-    case By::role:
+    case ColourBy::role:
         return to_srgb8(span.role == Role::bead ? feature_colour(span.feature) : role_colour(span.role));
     }
     return {};
@@ -159,20 +159,20 @@ Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i,
 
 void add_legend(Key& key, const Tint& tint) {
     switch (tint.by) {
-    case By::progress:
+    case ColourBy::progress:
         return key.ramp("start", "end");
-    case By::stroke:
+    case ColourBy::stroke:
         return key.text(std::to_string(tint.strokes) + (tint.strokes == 1 ? " stroke" : " strokes"));
-    case By::layer:
+    case ColourBy::layer:
         return key.ramp("layer " + fixed_text(tint.lo, 0), fixed_text(tint.hi, 0));
-    case By::width:
+    case ColourBy::width:
         return key.ramp("width " + fixed_text(tint.lo, 2), fixed_text(tint.hi, 2) + " mm");
-    case By::speed:
+    case ColourBy::speed:
         return key.ramp("speed " + fixed_text(tint.lo, 1), fixed_text(tint.hi, 1) + " mm/s");
-    case By::tool:
+    case ColourBy::tool:
         for (const std::uint32_t tool : tint.tools) key.swatch(distinct(tool), "tool " + std::to_string(tool));
         return;
-    case By::role:
+    case ColourBy::role:
         for (std::size_t r = 0; r < tint.roles.size(); ++r)
             if (tint.roles[r]) key.swatch(role_colour(static_cast<Role>(r)), role_name(static_cast<Role>(r)));
         for (std::size_t f = 0; f < tint.features.size(); ++f)

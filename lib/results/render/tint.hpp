@@ -12,12 +12,12 @@
 
 namespace filum::render {
 
-enum class By { progress, stroke, tool, layer, width, speed, role };
+enum class ColourBy { progress, stroke, tool, layer, width, speed, role };
 
 // How beads are coloured. The ramp of `progress` runs from the first extruding move drawn to the last one. The ramp of
 // `width` and `speed` runs from the 1st to the 99th percentile by length.
 struct Tint {
-    By by = By::progress;
+    ColourBy by = ColourBy::progress;
     const machine::Profile* profile = nullptr;
     double lo = 0, hi = 1;                      // the amounts at the ends of the ramp
     std::vector<double> begin;                  // progress: mm extruded before each span
@@ -29,7 +29,7 @@ struct Tint {
 };
 
 // The tint of a scene. By::speed shows the feeds of `profile`; else it may be null.
-Tint tint(const Scene& scene, By by, const machine::Profile* profile);
+Tint tint(const Scene& scene, ColourBy by, const machine::Profile* profile);
 
 // The colour of the segment i -> i + 1 of span `s`; the segment begins `along` mm from the start of the span.
 Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i, double along);

@@ -133,7 +133,7 @@ void Tubes::State::fill(const Scene& s, const Tint& tint, bool travels) {
     std::vector<Kept> kept;
     std::vector<bool> shown; // per segment between kept points: whether it is drawn
     std::size_t points = 0, segments = 0;
-    const Hidden hidden(s, width, height);
+    const HiddenBeads hidden(s, width, height);
     for (const auto& span : s.spans) {
         kept.push_back(drawn(span, travels) ? visible_points(span, 0.04 * thickness) : Kept{});
         points += kept.back().size();
@@ -177,7 +177,7 @@ void Tubes::State::fill(const Scene& s, const Tint& tint, bool travels) {
                 colour.push_back(render::colour(tint, s, k, i, along));
             }
             ++next;
-            if (tint.by == By::progress) along += geom::distance(span.points[i], span.points[kept[k][m + 1]]);
+            if (tint.by == ColourBy::progress) along += geom::distance(span.points[i], span.points[kept[k][m + 1]]);
         }
     }
     rtcCommitGeometry(g);

@@ -14,10 +14,10 @@ using geom::Vec3;
 
 constexpr std::size_t kMostLooks = 64;
 
-const std::vector<Look>& names() {
+const std::vector<ViewDirection>& names() {
     constexpr Vec3 kIso{1, -1.5, 0.9};
     constexpr double kLean = 1.2; // tangent of 50 degrees
-    static const std::vector<Look> kNames = {
+    static const std::vector<ViewDirection> kNames = {
         {"iso", kIso},
         {"top", {0, 0, 1}},
         {"bottom", {0, 0, -1}},
@@ -76,12 +76,12 @@ void paste(Image& to, const Image& from, int x0, int y0) {
 
 } // namespace
 
-std::vector<Look> looks(const std::string& list, const std::string& option) {
+std::vector<ViewDirection> looks(const std::string& list, const std::string& option) {
     const auto all = words(list);
-    std::vector<Look> out;
+    std::vector<ViewDirection> out;
     for (std::size_t i = 0; i < all.size(); ++i) {
         bool known = false;
-        for (const Look& l : names())
+        for (const ViewDirection& l : names())
             if (l.name == all[i]) {
                 out.push_back(l);
                 known = true;
@@ -100,7 +100,7 @@ std::vector<Look> looks(const std::string& list, const std::string& option) {
     return out;
 }
 
-Image contact_sheet(const std::vector<Look>& looks, int width, int height, const Draw& draw) {
+Image contact_sheet(const std::vector<ViewDirection>& looks, int width, int height, const Draw& draw) {
     if (looks.size() == 1) return draw(looks.front(), width, height);
     const int n = static_cast<int>(looks.size()), across = columns(n, width, height), down = (n + across - 1) / across;
     Image out(width, height);

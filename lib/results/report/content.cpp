@@ -87,7 +87,7 @@ void add(Content& to, const toolpath::Span& s, const machine::Profile* profile) 
         p.width.push_back(lays ? std::max(1, micro(s.width_at(i))) : 0);
         p.height.push_back(lays ? std::max(1, micro(s.height_at(i))) : 0);
         const bool moves = lays && profile != nullptr && i + 1 < s.points.size();
-        p.speed.push_back(moves ? micro(machine::bead_feed(*profile, machine::laid(s, i))) : 0);
+        p.speed.push_back(moves ? micro(machine::bead_feed(*profile, machine::extruding_move(s, i))) : 0);
         if (!s.normals.empty()) add_normal(p, s.normals[i]);
     }
 }

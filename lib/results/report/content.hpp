@@ -55,7 +55,7 @@ struct Spot {
     std::int64_t layer = -1;
 };
 
-struct Made {
+struct StageRecord {
     std::string program;
     std::vector<std::array<std::string, 3>> settings; // name, value, "changed" or ""
 };
@@ -67,7 +67,7 @@ struct Content {
     Outlines outlines;
     std::vector<Surface> surfaces;
     std::vector<Spot> spots;
-    std::vector<Made> made;
+    std::vector<StageRecord> made;
     std::string script;                              // shell script that makes the stream
     std::vector<std::array<std::string, 4>> figures; // group, name, value, unit
     std::string machine;                             // description of the machine

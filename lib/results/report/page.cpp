@@ -29,7 +29,7 @@ std::string spots(const Content& c) {
 
 std::string made(const Content& c) {
     std::string out = "[";
-    for (const Made& m : c.made) {
+    for (const StageRecord& m : c.made) {
         out += std::string(out.size() > 1 ? "," : "") + "[" + json_text(m.program) + ",[";
         for (const auto& [name, value, changed] : m.settings)
             out += std::string(out.back() == '[' ? "" : ",") + "[" + json_text(name) + "," + json_text(value) + "," +

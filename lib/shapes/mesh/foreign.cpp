@@ -8,13 +8,13 @@ namespace filum::mesh {
 
 namespace {
 
-struct Foreign {
+struct ForeignFormat {
     std::string_view begins;
     const char* what;
 };
 
 // Formats recognised by their first bytes.
-constexpr Foreign kForeign[] = {
+constexpr ForeignFormat kForeign[] = {
     {"glTF", "a GLB file (binary glTF); export it as STL, 3MF or PLY"},
     {"Kaydara FBX", "an FBX file; export it as STL, 3MF or OBJ"},
     {"BLENDER", "a Blender scene; export it as STL, 3MF or PLY"},
@@ -35,7 +35,7 @@ constexpr Foreign kForeign[] = {
 };
 
 // Text formats recognised by a word near the beginning, in lower case.  The first match counts.
-constexpr Foreign kTexts[] = {
+constexpr ForeignFormat kTexts[] = {
     {"<amf", "an AMF file; export it as STL or 3MF"},
     {"<collada", "a COLLADA scene; export it as STL, 3MF or OBJ"},
     {"<x3d", "an X3D scene; export it as STL, 3MF or PLY"},
@@ -82,13 +82,13 @@ std::string broken_stl(std::string_view bytes) {
 } // namespace
 
 std::string foreign(std::string_view bytes) {
-    for (const Foreign& f : kForeign)
+    for (const ForeignFormat& f : kForeign)
         if (bytes.starts_with(f.begins)) return f.what;
     if (is_utf16(bytes)) return "text in UTF-16; save it as ASCII or UTF-8";
     if (std::string stl = broken_stl(bytes); !stl.empty()) return stl;
     std::string head(bytes.substr(0, kLook));
     std::transform(head.begin(), head.end(), head.begin(), lower);
-    for (const Foreign& f : kTexts)
+    for (const ForeignFormat& f : kTexts)
         if (head.find(f.begins) != std::string::npos) return f.what;
     return "";
 }

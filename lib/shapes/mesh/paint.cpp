@@ -11,9 +11,10 @@ namespace {
 
 constexpr int kMostCuts = 32; // deepest nesting of splits
 
-class Painted {
+class PaintReader {
   public:
-    Painted(std::string_view text, const std::function<void(Paint, const Corners&)>& put) : text_(text), put_(put) {}
+    PaintReader(std::string_view text, const std::function<void(Paint, const Corners&)>& put)
+        : text_(text), put_(put) {}
 
     bool run(const Corners& corners) { return triangle(corners, 0) && text_.empty(); }
 
@@ -69,7 +70,7 @@ class Painted {
 
 bool each_painted(std::string_view text, const Corners& corners,
                   const std::function<void(Paint, const Corners&)>& put) {
-    return Painted(text, put).run(corners);
+    return PaintReader(text, put).run(corners);
 }
 
 namespace {

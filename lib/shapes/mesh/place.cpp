@@ -14,10 +14,10 @@ namespace filum::mesh {
 namespace {
 
 // Sine and cosine, exact for quarter turns, so that a part set upright stands exactly upright.
-struct Turn {
+struct SineCosine {
     double cos, sin;
 };
-Turn turn(double degrees) {
+SineCosine turn(double degrees) {
     const double d = std::remainder(degrees, 360.0);
     if (d == 0) return {1, 0};
     if (d == 90) return {0, 1};

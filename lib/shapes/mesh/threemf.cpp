@@ -60,7 +60,7 @@ class Archive {
         if (same_.count > 0) to_.notes.push_back(std::move(same_));
         tell_left_out();
         reserve();
-        for (const Placed& p : placed_) add_mesh(p);
+        for (const PlacedMesh& p : placed_) add_mesh(p);
         tell(NoteCode::triangle_element_unknown, unknown_);
         set_down();
         take_bodies();
@@ -69,7 +69,7 @@ class Archive {
 
   private:
     // A mesh and its position.
-    struct Placed {
+    struct PlacedMesh {
         pugi::xml_node mesh;
         double unit = 1;
         Affine place;
@@ -80,7 +80,7 @@ class Archive {
         Materials::Material material;
     };
     // What a component inherits from the objects above it.
-    struct Above {
+    struct Ancestors {
         int depth = 0;
         bool support = false; // one of them is a support
         std::size_t body = Project::kNone;
@@ -182,7 +182,7 @@ class Archive {
         return *out;
     }
 
-    void add(const std::string& path, const std::string& id, const Affine& place, Above above) {
+    void add(const std::string& path, const std::string& id, const Affine& place, Ancestors above) {
         if (above.depth > kMaxDepth) bad("its components are nested more than 32 deep, or in a circle");
         const Model& model = load(path);
         const auto found = model.objects.find(id);
@@ -258,7 +258,7 @@ class Archive {
     void reserve() {
         std::map<const void*, std::pair<std::size_t, std::size_t>> size; // per mesh: numbers of vertices and triangles
         std::size_t vertices = 0, triangles = 0;
-        for (const Placed& p : placed_) {
+        for (const PlacedMesh& p : placed_) {
             const auto [it, fresh] = size.try_emplace(p.mesh.internal_object());
             if (fresh) it->second = {children(child(p.mesh, "vertices")), children(child(p.mesh, "triangles"))};
             vertices += it->second.first;
@@ -275,7 +275,7 @@ class Archive {
     }
 
     // The translation of a transform is in the model's unit too, so the unit is applied last.
-    void add_mesh(const Placed& placed) {
+    void add_mesh(const PlacedMesh& placed) {
         std::vector<Vec3>& vertices = to_.mesh.vertices;
         const std::size_t first = vertices.size();
         for (const auto& v : child(placed.mesh, "vertices").children()) {
@@ -376,7 +376,7 @@ class Archive {
     std::map<std::string, std::unique_ptr<Model>> models_; // by path of the file
     std::size_t copies_ = 0;
     std::set<std::tuple<const Model*, std::string, std::array<double, 12>>> there_;
-    std::vector<Placed> placed_;
+    std::vector<PlacedMesh> placed_;
     std::uint32_t items_ = 0; // build items so far
     std::vector<std::uint32_t> item_of_vertex_, item_of_;
     std::size_t supports_ = 0, surfaces_ = 0, unknown_ = 0;

@@ -9,7 +9,7 @@ namespace filum::polygon {
 
 namespace {
 
-Vec2 crossing(const Cut& cut, Vec2 a, Vec2 b) {
+Vec2 crossing(const ClipLine& cut, Vec2 a, Vec2 b) {
     const double fa = cut.above(a), fb = cut.above(b);
     return cut.point(std::lerp(cut.along(a), cut.along(b), fa / (fa - fb)));
 }
@@ -18,7 +18,7 @@ Vec2 crossing(const Cut& cut, Vec2 a, Vec2 b) {
 
 double between_grid_points(double at) { return (std::floor(at / kGridStep) + 0.5) * kGridStep; }
 
-CutSide side(const Loops& area, const Cut& cut, bool upper) {
+CutSide side(const Loops& area, const ClipLine& cut, bool upper) {
     const auto here = [&](Vec2 p) { return (cut.above(p) > 0) == upper; };
     CutSide s;
     for (std::size_t l = 0; l < area.size(); ++l) {
@@ -56,7 +56,7 @@ CutSide side(const Loops& area, const Cut& cut, bool upper) {
     return s;
 }
 
-std::optional<Loops> clipped_simple(const CutSide& s, const Cut& cut) {
+std::optional<Loops> clipped_simple(const CutSide& s, const ClipLine& cut) {
     struct Crossing {
         double along;
         bool out;
@@ -94,7 +94,7 @@ std::optional<Loops> clipped_simple(const CutSide& s, const Cut& cut) {
 std::optional<Loops> clipped_simple(const Loops& area, const Box2& box) {
     Loops out = area;
     const auto clip = [&](bool upright, double at, bool upper) {
-        const Cut cut{upright, between_grid_points(at)};
+        const ClipLine cut{upright, between_grid_points(at)};
         auto part = clipped_simple(side(out, cut, upper), cut);
         if (part) out = std::move(*part);
         return part.has_value();

@@ -9,7 +9,7 @@
 namespace filum::polygon {
 
 // A line parallel to the y axis (upright) or to the x axis.
-struct Cut {
+struct ClipLine {
     bool upright = false;
     double at = 0; // mm
     [[nodiscard]] double above(Vec2 p) const { return (upright ? p.x : p.y) - at; }
@@ -35,12 +35,12 @@ struct CutSide {
     std::vector<CutEnd> in, out; // sorted along the cut
 };
 
-// One side of the outlines of `area`; `upper` is the side where Cut::above is positive.
-CutSide side(const Loops& area, const Cut& cut, bool upper);
+// One side of the outlines of `area`; `upper` is the side where ClipLine::above is positive.
+CutSide side(const Loops& area, const ClipLine& cut, bool upper);
 
 // One side of a simple area as a simple area: between every other pair of crossings, the outline follows the cut.
 // Nothing if the order of the crossings shows that the area is not simple.
-std::optional<Loops> clipped_simple(const CutSide& side, const Cut& cut);
+std::optional<Loops> clipped_simple(const CutSide& side, const ClipLine& cut);
 
 // The part of a simple area within a box, whose sides move by at most a grid step. Linear in the points. Nothing if the
 // order of crossings shows that the area is not simple.

@@ -26,7 +26,7 @@ Vec2 foot_in(const Sites& sites, const Diagram& d, std::uint32_t cell, Vec2 p) {
 // focus) and a segment it is a parabola: x runs along the segment from the focus' foot, and h is the focus' height.
 // Between two vertices it is a straight line: x runs from the middle between them, and h is half their distance. Only
 // its radius is curved.
-struct Curved {
+struct CurvedEdge {
     Vec2 origin, along; // unit
     double h = 0, from = 0, to = 0;
     bool parabola = false;
@@ -42,10 +42,10 @@ struct Curved {
     }
 };
 
-Curved curve_of(const Sites& sites, const Diagram& d, std::uint32_t e) {
+CurvedEdge curve_of(const Sites& sites, const Diagram& d, std::uint32_t e) {
     const std::uint32_t cell = d.cell[e], other = d.cell[e ^ 1];
     const std::uint32_t p = vertex_of(sites, d, cell), q = vertex_of(sites, d, other);
-    Curved out;
+    CurvedEdge out;
     if (p != kNone && q != kNone) {
         const Vec2 across = sites.at(q) - sites.at(p);
         out.origin = geom::lerp(sites.at(p), sites.at(q), 0.5);
@@ -66,7 +66,7 @@ Curved curve_of(const Sites& sites, const Diagram& d, std::uint32_t e) {
 }
 
 // Adds places strictly between x0 and x1 > x0, by halving until the steps are small enough.
-void add_steps(const Curved& c, double x0, double x1, double tolerance, std::vector<double>& out) {
+void add_steps(const CurvedEdge& c, double x0, double x1, double tolerance, std::vector<double>& out) {
     const double nearest = x0 * x1 < 0 ? 0 : std::min(std::abs(x0), std::abs(x1));
     if (x1 - x0 <= c.step(nearest, tolerance)) return;
     const double mid = (x0 + x1) / 2;
@@ -76,7 +76,7 @@ void add_steps(const Curved& c, double x0, double x1, double tolerance, std::vec
 }
 
 // The places of the nodes between the edge's two vertices, from its first to its last.
-std::vector<double> places(const Curved& c, double tolerance, double slope) {
+std::vector<double> places(const CurvedEdge& c, double tolerance, double slope) {
     std::vector<double> out;
     if (c.h < kNoHeight) return out;
     const double lo = std::min(c.from, c.to), hi = std::max(c.from, c.to);
@@ -139,7 +139,7 @@ class Builder {
         const std::uint32_t cell = d_.cell[e], other = d_.cell[e + 1];
         std::vector<std::uint32_t> nodes{node_of(d_.from[e], cell)};
         if (d_.part[cell] != Diagram::Part::segment || d_.part[other] != Diagram::Part::segment) {
-            const Curved curved = curve_of(*sites_, d_, e);
+            const CurvedEdge curved = curve_of(*sites_, d_, e);
             for (const double x : places(curved, tolerance_, slope_)) {
                 const Vec2 p = curved.at(x);
                 nodes.push_back(add_node(p, geom::distance(p, foot(cell, p))));

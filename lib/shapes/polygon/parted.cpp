@@ -41,9 +41,9 @@ GridPoint crossing_of(const GridWall& e, const GridWall& f) {
             e.a.y + std::llround(t * static_cast<double>(e.b.y - e.a.y))};
 }
 
-class Parting {
+class WallSplitter {
   public:
-    explicit Parting(const std::vector<GridWall>& walls) : walls_(walls) {}
+    explicit WallSplitter(const std::vector<GridWall>& walls) : walls_(walls) {}
 
     // The places where walls must be split, sorted by wall.
     std::vector<Split> run() {
@@ -208,7 +208,7 @@ std::vector<GridWall> split_at(const std::vector<GridWall>& walls, std::vector<S
 std::optional<std::vector<GridWall>> parted(std::vector<GridWall> walls) {
     put_in_order(walls);
     for (int pass = 0; pass < kPasses; ++pass) {
-        std::vector<Split> splits = Parting(walls).run();
+        std::vector<Split> splits = WallSplitter(walls).run();
         if (splits.empty()) return walls;
         walls = split_at(walls, splits);
         put_in_order(walls);

@@ -41,7 +41,7 @@ enum class AreaKind : std::uint8_t {
 };
 
 // How a sparse area is filled.
-enum class Pattern : std::uint8_t {
+enum class InfillPattern : std::uint8_t {
     rows,       // straight lines
     wave,       // waves that shift from layer to layer, as a gyroid does
     concentric, // lines along the outline
@@ -54,7 +54,7 @@ struct Area {
     Loops loops;
     double direction = 0; // rad, of bridges and rows, from the x axis
     double spacing = 0;   // mm, sparse: distance between lines
-    Pattern pattern = Pattern::rows;
+    InfillPattern pattern = InfillPattern::rows;
     double gap = 0; // mm, sparse: the widest gap allowed, kept by extra lines; 0: no limit
     // zone: number of rings along its outline, within the rings of the whole region
     std::uint32_t walls = 0;

@@ -18,19 +18,19 @@ constexpr double kWorthwhile = 0.8;       // of the points; a half with more is 
 constexpr double kShares[] = {0.5, 0.45}; // of the points below the cut; the second if the first fails
 
 // The chain on the other side of a cut at which a chain continues.
-struct Next {
+struct Continuation {
     std::size_t chain = 0;
     std::optional<Vec2> over; // the point on the cut, if it is not too near to the points beside it
 };
 
 // The continuation of each chain of `from`; nothing if the two sides do not meet.
-std::optional<std::vector<Next>> meet(const CutSide& from, const CutSide& to, const Cut& cut) {
+std::optional<std::vector<Continuation>> meet(const CutSide& from, const CutSide& to, const ClipLine& cut) {
     if (from.out.size() != to.in.size()) return std::nullopt;
-    std::vector<Next> next(from.chains.size());
+    std::vector<Continuation> next(from.chains.size());
     for (std::size_t k = 0; k < from.out.size(); ++k) {
         const CutEnd &a = from.out[k], &b = to.in[k];
         if (std::abs(a.along - b.along) > kSame) return std::nullopt;
-        Next& n = next[a.chain];
+        Continuation& n = next[a.chain];
         n.chain = b.chain;
         const bool same_edge = a.outside == b.inside && a.inside == b.outside;
         const Vec2 over = cut.point((a.along + b.along) / 2);
@@ -40,9 +40,9 @@ std::optional<std::vector<Next>> meet(const CutSide& from, const CutSide& to, co
     return next;
 }
 
-std::optional<Loops> stitched(const CutSide& lower, const CutSide& upper, const Cut& cut) {
+std::optional<Loops> stitched(const CutSide& lower, const CutSide& upper, const ClipLine& cut) {
     const CutSide* sides[] = {&lower, &upper};
-    const std::optional<std::vector<Next>> next[] = {meet(lower, upper, cut), meet(upper, lower, cut)};
+    const std::optional<std::vector<Continuation>> next[] = {meet(lower, upper, cut), meet(upper, lower, cut)};
     if (!next[0] || !next[1]) return std::nullopt;
     Loops out = lower.whole;
     std::vector<char> seen(lower.chains.size(), 0);
@@ -55,7 +55,7 @@ std::optional<Loops> stitched(const CutSide& lower, const CutSide& upper, const 
             if (at == 0) seen[chain] = 1;
             const auto& points = sides[at]->chains[chain];
             out.points.insert(out.points.end(), points.begin(), points.end());
-            const Next& n = (*next[at])[chain];
+            const Continuation& n = (*next[at])[chain];
             if (n.over) out.points.push_back(*n.over);
             chain = n.chain;
             at = 1 - at;
@@ -76,11 +76,11 @@ std::size_t count(std::span<const Loops> inputs) {
 }
 
 // The cut across the longer side of the box, with `share` of the points below it.
-Cut choose(std::span<const Loops> inputs, double share) {
+ClipLine choose(std::span<const Loops> inputs, double share) {
     Box2 box;
     for (const Loops& a : inputs)
         for (const Vec2 p : a.points) box.add(p);
-    Cut cut{box.hi.x - box.lo.x > box.hi.y - box.lo.y, 0};
+    ClipLine cut{box.hi.x - box.lo.x > box.hi.y - box.lo.y, 0};
     std::vector<double> values;
     values.reserve(count(inputs));
     for (const Loops& a : inputs)
@@ -93,8 +93,8 @@ Cut choose(std::span<const Loops> inputs, double share) {
 
 // One half of the inputs, with its margin. Nothing if one of the inputs is not simple there. It would get edges to and
 // fro along the cut, which cost Clipper more than the whole.
-std::optional<std::vector<Loops>> half(std::span<const Loops> inputs, const Cut& cut, double reach, bool upper) {
-    Cut rim = cut;
+std::optional<std::vector<Loops>> half(std::span<const Loops> inputs, const ClipLine& cut, double reach, bool upper) {
+    ClipLine rim = cut;
     rim.at += (upper ? -1 : 1) * (reach + kClear);
     std::vector<Loops> out;
     out.reserve(inputs.size());
@@ -112,7 +112,7 @@ Loops tiled(std::span<const Loops> inputs, double reach, const Operation& operat
     const std::size_t n = count(inputs);
     if (n <= kTile) return operation(inputs);
     for (const double share : kShares) {
-        const Cut cut = choose(inputs, share);
+        const ClipLine cut = choose(inputs, share);
         const auto lower = half(inputs, cut, reach, false), upper = half(inputs, cut, reach, true);
         if (!lower || !upper) break;
         const double most = kWorthwhile * static_cast<double>(n);

@@ -165,7 +165,7 @@ MoveSequence course(const Line& l, const Tolerance& t, const std::vector<std::ui
 
 } // namespace
 
-Merged merge(const Span& span, const Tolerance& given, std::span<const geom::Segment> others) {
+MergeResult merge(const Span& span, const Tolerance& given, std::span<const geom::Segment> others) {
     Tolerance t = given;
     // the diagonal error of rounding
     t.path = fills(span.role) ? std::max(0.0, t.path - t.grid / std::numbers::sqrt2) : 0;

@@ -40,7 +40,7 @@ struct Move {
     std::uint32_t first = 0;      // the segment of the span in which it begins: segment i connects points i and i + 1
 };
 
-struct Merged {
+struct MergeResult {
     std::vector<Move> moves; // from the first point of the span to its last, which do not change
     double off = 0;          // mm: upper bound of the Fréchet distance of both lines
 };
@@ -60,7 +60,7 @@ inline double full_share(double width, double length2) { // mm, mm2
 // other parts: by points only. Moves do not cross each other, or one of `others`, where the given line does not: there
 // the line stays as given. Spans that do not fill also stay as given, because their new place would not be known to
 // other spans. The sum of volumes stays the same. Ties: the later point, a straight move before an arc.
-Merged merge(const Span& span, const Tolerance& tolerance, std::span<const geom::Segment> others = {});
+MergeResult merge(const Span& span, const Tolerance& tolerance, std::span<const geom::Segment> others = {});
 
 // The farthest of good, ..., last that fits, by doubling the step and then bisecting; `good` fits. Exact if every
 // value below one that fits also fits; otherwise a value that fits and whose successor does not, or `last`.

@@ -38,7 +38,7 @@ double BeadMap::off(std::uint32_t line, double a, double b) const {
 
 bool BeadMap::whole(std::uint32_t line, double at, double half, double margin) const {
     return std::all_of(cuts_[line].begin(), cuts_[line].end(),
-                       [&](const Cut& c) { return off(line, at, c.at) >= half + c.half + margin; });
+                       [&](const CutStretch& c) { return off(line, at, c.at) >= half + c.half + margin; });
 }
 
 void BeadMap::cut(std::uint32_t line, double at, double half) {

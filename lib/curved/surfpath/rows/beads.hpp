@@ -57,7 +57,7 @@ class BeadMap {
                                                     double reach) const;
 
   private:
-    struct Cut {
+    struct CutStretch {
         double at, half;
     };
     struct AddedLine {
@@ -68,7 +68,7 @@ class BeadMap {
     double apart_;
     std::vector<double> length_; // per line
     std::vector<char> closed_;
-    std::vector<std::vector<Cut>> cuts_;
+    std::vector<std::vector<CutStretch>> cuts_;
     std::vector<std::uint32_t> first_; // per line, and one more: index of its first bead point
     std::vector<BeadPoint> beads_;
     std::vector<char> cut_beads_; // per bead point: whether its line was cut there

@@ -22,17 +22,17 @@ constexpr double kBreak = 200; // mm: cost of a chain that must be connected to 
 constexpr std::size_t kBeams[] = {500, 3000, 8000}; // widths of the beam search for an order of rows, tried in turn
 constexpr std::size_t kMostWork = 300'000;          // states in total after which no wider beam is tried
 
-using Chain = std::vector<plan::Visit>;
+using RowChain = std::vector<plan::Visit>;
 
 // Chains that become strokes, and chains that are left out.
 struct ChainSet {
-    std::vector<Chain> chains, left;
+    std::vector<RowChain> chains, left;
 };
 
 // A possible path with its costs.
 struct CandidatePath {
     plan::Plan plan;
-    std::vector<Chain> left; // rows that are left out
+    std::vector<RowChain> left; // rows that are left out
     std::size_t turns = 0;
     double costs = 0, transited = 0, wasted = 0; // mm that turns cost; mm of transits; mm2 wasted by joins of strokes
 
@@ -96,9 +96,9 @@ class RowPathPlanner {
             out.notes.push_back({NoteCode::stroke_not_worth, scraps * o_.spacing, count, -1, at.x, at.y, at.z});
     }
 
-    void report_left_out(const std::vector<Chain>& left, Notes& notes) const {
+    void report_left_out(const std::vector<RowChain>& left, Notes& notes) const {
         double all = 0;
-        for (const Chain& c : left) all += length(c);
+        for (const RowChain& c : left) all += length(c);
         const Vec3 at = rows_.rows[left[0][0].row].line[0];
         notes.push_back({NoteCode::rows_not_worth, all * o_.spacing, left.size(), -1, at.x, at.y, at.z});
     }
@@ -111,7 +111,7 @@ class RowPathPlanner {
 
     // Makes a stroke of every chain.
     [[nodiscard]] CandidatePath draft(const ChainSet& set) const {
-        const std::vector<Chain>& chains = set.chains;
+        const std::vector<RowChain>& chains = set.chains;
         CandidatePath out;
         out.left = set.left;
         std::vector<std::vector<SurfaceTurn>> turns(chains.size());
@@ -132,13 +132,13 @@ class RowPathPlanner {
 
     // Connects the chains, except those whose ends are near enough to each other to be closed; empty if there are none
     // of these.
-    [[nodiscard]] ChainSet joined_without_loops(const std::vector<Chain>& chains) const {
+    [[nodiscard]] ChainSet joined_without_loops(const std::vector<RowChain>& chains) const {
         const auto at = [&](std::uint32_t e) {
             const auto& places = rows_.rows[e / 2].line.places;
             return (e % 2 == 0 ? places.front() : places.back()).point;
         };
-        std::vector<Chain> open, loops;
-        for (const Chain& c : chains) {
+        std::vector<RowChain> open, loops;
+        for (const RowChain& c : chains) {
             const bool near = distance(at(entry(c.front())), at(leave(c.back()))) <= 2 * o_.least_radius;
             (near ? loops : open).push_back(c);
         }
@@ -149,7 +149,7 @@ class RowPathPlanner {
     }
 
     // The orders of rows from which the best is chosen.
-    [[nodiscard]] std::vector<std::vector<Chain>> orders() const {
+    [[nodiscard]] std::vector<std::vector<RowChain>> orders() const {
         std::vector<plan::Link> links;
         for (const SurfaceTurn& t : turns_) links.push_back({t.from, t.to, t.cost});
         const auto n = static_cast<std::uint32_t>(rows_.rows.size());
@@ -163,7 +163,7 @@ class RowPathPlanner {
         }
         // A narrow beam usually finds an order with good turns only, or with a few bad ones that exchanges remove.
         const plan::Costs costs{kBreak, o_.least_radius * o_.least_radius / o_.spacing};
-        std::vector<std::vector<Chain>> out;
+        std::vector<std::vector<RowChain>> out;
         for (const std::size_t kept : kBeams) {
             const auto found = order(n, links, costs, kept);
             out = {plan::improved(n, links, costs, kTight, found)};
@@ -171,15 +171,15 @@ class RowPathPlanner {
             if (good(out[0], links) || kept * n > kMostWork) break;
         }
         for (auto& chains : out)
-            for (Chain& chain : chains)
+            for (RowChain& chain : chains)
                 for (plan::Visit& v : chain) v.row = row[v.row];
         return out;
     }
 
     // Whether the order is a single chain without tight turns. `links` are those of turns_.
-    [[nodiscard]] bool good(const std::vector<Chain>& chains, std::span<const plan::Link> links) const {
+    [[nodiscard]] bool good(const std::vector<RowChain>& chains, std::span<const plan::Link> links) const {
         if (chains.size() != 1) return false;
-        const Chain& c = chains[0];
+        const RowChain& c = chains[0];
         for (std::size_t i = 1; i < c.size(); ++i) {
             const std::uint32_t out = leave(c[i - 1]), in = entry(c[i]), a = std::min(out, in), b = std::max(out, in);
             for (std::size_t l = 0; l < links.size(); ++l)
@@ -190,7 +190,7 @@ class RowPathPlanner {
     }
 
     // Length of the chain's rows, mm.
-    [[nodiscard]] double length(const Chain& chain) const {
+    [[nodiscard]] double length(const RowChain& chain) const {
         double out = 0;
         for (const auto& v : chain) out += surface::curve::length(rows_.rows[v.row].line);
         return out;
@@ -199,7 +199,7 @@ class RowPathPlanner {
     // Removes chains that are not worth their transits: those for which the transits to it and from it, less the
     // transit that would replace both, exceed twice its length. Transits overlap other lines, and overlap counts half
     // as much as void, as in `choose`. The most wasteful chain is removed first.
-    void leave_out_detours(std::vector<OrientedChain>& order, const std::vector<Chain>& chains) const {
+    void leave_out_detours(std::vector<OrientedChain>& order, const std::vector<RowChain>& chains) const {
         const auto end = [&](std::size_t e) {
             return e % 2 == 0 ? entry(chains[e / 2].front()) : leave(chains[e / 2].back());
         };
@@ -227,7 +227,7 @@ class RowPathPlanner {
     }
 
     // Connects the chains in the best order, where transits connect them.
-    [[nodiscard]] ChainSet joined(std::vector<Chain> chains) const {
+    [[nodiscard]] ChainSet joined(std::vector<RowChain> chains) const {
         const std::size_t n = chains.size();
         const auto end = [&](std::size_t e) {
             return e % 2 == 0 ? entry(chains[e / 2].front()) : leave(chains[e / 2].back());
@@ -239,12 +239,12 @@ class RowPathPlanner {
         auto turned = tour(length);
         leave_out_detours(turned, chains);
         ChainSet result;
-        std::vector<Chain>& out = result.chains;
+        std::vector<RowChain>& out = result.chains;
         std::vector<char> kept(n, 0);
         std::size_t before = 2 * n;
         for (const OrientedChain& t : turned) {
             kept[t.chain] = 1;
-            Chain& now = chains[t.chain];
+            RowChain& now = chains[t.chain];
             const std::size_t in = 2 * t.chain + (t.reversed ? 1 : 0);
             if (t.reversed) {
                 std::reverse(now.begin(), now.end());
@@ -320,7 +320,7 @@ class RowPathPlanner {
     }
 
     // Chooses the depths of all turns of all chains, so that less overlaps.
-    void stagger(const std::vector<Chain>& chains, std::vector<std::vector<SurfaceTurn>>& turns) const {
+    void stagger(const std::vector<RowChain>& chains, std::vector<std::vector<SurfaceTurn>>& turns) const {
         std::vector<SurfaceTurn*> which;
         std::vector<std::vector<SurfaceTurn>> laid;
         std::vector<plan::TurnVariants> depths;
@@ -346,7 +346,7 @@ class RowPathPlanner {
     }
 
     // The rows of a chain with the turns between them; turns without a line are left out.
-    [[nodiscard]] plan::Stroke stroke(const Chain& chain, const std::vector<SurfaceTurn>& turns) const {
+    [[nodiscard]] plan::Stroke stroke(const RowChain& chain, const std::vector<SurfaceTurn>& turns) const {
         plan::Stroke out;
         double off = 0;
         for (std::size_t i = 0; i < chain.size(); ++i) {

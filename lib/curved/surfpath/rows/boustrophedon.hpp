@@ -1,7 +1,7 @@
 // Connects rows to a path: chooses turns and the order of rows.
 #pragma once
 
-#include "surfpath/rows/turner.hpp"
+#include "surfpath/rows/surface_turn.hpp"
 
 namespace filum::surfpath::rows {
 

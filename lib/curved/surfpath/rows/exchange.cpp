@@ -4,8 +4,8 @@
 #include "geom/segment.hpp"
 #include "surfpath/lanes/linked_lanes.hpp"
 #include "surfpath/rows/beads.hpp"
+#include "surfpath/rows/flat_turn.hpp"
 #include "surfpath/rows/swath.hpp"
-#include "surfpath/rows/turn.hpp"
 #include "weave/join.hpp"
 
 #include <algorithm>

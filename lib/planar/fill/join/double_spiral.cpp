@@ -45,9 +45,9 @@ std::optional<Lanes::Lane> next_lane(const RingGraph& graph, const Lanes::Lane& 
 }
 
 // Builds a double spiral from lanes lo_ .. hi_ - 1 of those given.
-class Making {
+class DoubleSpiralBuilder {
   public:
-    Making(const RingGraph& graph, const Lanes& lanes, double width, const Room& room)
+    DoubleSpiralBuilder(const RingGraph& graph, const Lanes& lanes, double width, const Room& room)
         : graph_(&graph), lanes_(&lanes.lane), width_(width), room_(&room), hi_(lanes.lane.size()) {}
 
     std::optional<Splice> run(std::size_t own) {
@@ -249,7 +249,7 @@ Lanes lanes_across(const RingGraph& graph, std::uint32_t ring, double s, bool ah
 
 std::optional<Splice> double_spiral(const RingGraph& graph, const Lanes& lanes, double width, const Room& room) {
     if (lanes.lane.size() < 3) return std::nullopt;
-    return Making(graph, lanes, width, room).run(lanes.own);
+    return DoubleSpiralBuilder(graph, lanes, width, room).run(lanes.own);
 }
 
 } // namespace filum::fill::join

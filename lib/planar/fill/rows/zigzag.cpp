@@ -18,21 +18,21 @@ namespace {
 using polygon::Loops;
 
 // Settings of one attempt, from the best to the last resort.
-struct Try {
+struct AttemptSettings {
     double share; // of join::tolerance_for()
     double row;   // wanted height of a corridor of two rows, bead widths
 };
-constexpr Try kTries[] = {
+constexpr AttemptSettings kAttempts[] = {
     {join::kShares[0], 2}, {join::kShares[1], 2}, {join::kShares[1], 2.12}, {join::kShares[1], 1.9}};
 
-struct Laid {
+struct ZigzagFill {
     std::vector<toolpath::Curve> curves;
     std::size_t crossings = 0; // of the curves' segments
     double unplaced = 0;       // mm2 that no bead reaches
 };
 
 // Fills a region in the frame where its rows are level.
-Laid lay_rows(const Loops& region, const ZigzagOptions& o, const Try& how) {
+ZigzagFill lay_rows(const Loops& region, const ZigzagOptions& o, const AttemptSettings& how) {
     const double w = o.bead_width, tolerance = how.share * join::tolerance_for(w);
     rings::FirstLanes outer{{}, {region}};
     if (o.rings > 0) outer = rings::first_lanes(region, {.width = w, .most = o.rings, .tolerance = tolerance});
@@ -40,7 +40,7 @@ Laid lay_rows(const Loops& region, const ZigzagOptions& o, const Try& how) {
     for (const Loops& part : outer.rest)
         core.add(rings::lanes(maze(part, w, how.row * w), {.width = w, .tolerance = tolerance}));
     const double laid = rings::laid_area(outer.lanes) + rings::laid_area(core);
-    Laid out{{}, 0, std::max(0.0, polygon::signed_area(region) - laid)};
+    ZigzagFill out{{}, 0, std::max(0.0, polygon::signed_area(region) - laid)};
     if (!o.linked) out.curves = rings::curves_of(std::exchange(outer.lanes, {}));
     outer.lanes.add(core);
     for (auto& curve : join::join_rings(outer.lanes, w, region)) out.curves.push_back(std::move(curve));
@@ -52,10 +52,10 @@ Laid lay_rows(const Loops& region, const ZigzagOptions& o, const Try& how) {
 
 std::vector<toolpath::Curve> zigzag(const Loops& region, const ZigzagOptions& o, Notes& notes, double* unplaced) {
     const Loops level = polygon::rotated(region, -o.angle);
-    const auto faults = [](const Laid& a) { return std::pair{a.crossings, a.curves.size()}; };
-    std::optional<Laid> best;
-    for (const Try& how : kTries) {
-        Laid now = lay_rows(level, o, how);
+    const auto faults = [](const ZigzagFill& a) { return std::pair{a.crossings, a.curves.size()}; };
+    std::optional<ZigzagFill> best;
+    for (const AttemptSettings& how : kAttempts) {
+        ZigzagFill now = lay_rows(level, o, how);
         if (!best || (!now.curves.empty() && faults(now) < faults(*best))) best = std::move(now);
         if (best->crossings == 0 && (best->curves.size() == 1 || !o.linked)) break;
     }

@@ -24,11 +24,11 @@ using toolpath::place_at;
 constexpr double kShort = 3; // bead widths: shorter walls stay as they are
 
 // A closed curve with its arc lengths.
-struct Measured {
+struct MeasuredCurve {
     const Curve& curve;
     std::vector<double> sums;
 
-    explicit Measured(const Curve& c) : curve(c), sums(arc_lengths(c)) {}
+    explicit MeasuredCurve(const Curve& c) : curve(c), sums(arc_lengths(c)) {}
     [[nodiscard]] double ahead(const CurvePlace& a, const CurvePlace& b) const {
         return b.along >= a.along ? b.along - a.along : b.along - a.along + sums.back();
     }
@@ -59,7 +59,7 @@ Vec2 beside(const Wall& w, std::size_t i, int side) {
 
 // The curve with the lane on `side` of the wall moved to its middle, and the other lane removed, or moved as well if
 // `both`. nullopt if the lanes are not in their places, or if the new curve crosses itself.
-std::optional<Curve> to_middle(const Measured& m, const Wall& w, bool tip, double width, int side, bool both) {
+std::optional<Curve> to_middle(const MeasuredCurve& m, const Wall& w, bool tip, double width, int side, bool both) {
     const double back = tip ? std::min(w.length / 4, w.line.width.back() / 2) : 0; // lanes turn before the tip
     const Wall lanes = part(w, 0, back);
     if (lanes.line.points.size() < 2) return std::nullopt;
@@ -115,7 +115,7 @@ std::optional<std::size_t> pass_once(Curve& curve, const WallGraph& walls, doubl
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(),
                      [&](auto i, auto k) { return walls.walls[i].length > walls.walls[k].length; });
-    const Measured m(curve);
+    const MeasuredCurve m(curve);
     for (const auto k : order) {
         auto [w, tip] = towards_tip(walls, k, width);
         w = part(w, width / 2, tip ? 0 : width / 2);
@@ -140,7 +140,7 @@ std::vector<std::vector<Vec2>> stack_lanes(Curve& curve, const WallGraph& walls,
         Wall w = part(whole, std::max(first, width / 2), whole.length - last);
         toolpath::put_on_grid(w.line);
         if (w.length < kShort / 2 * width || w.line.points.size() < 2) continue;
-        const Measured m(curve);
+        const MeasuredCurve m(curve);
         for (const int side : {1, -1})
             if (auto stacked = to_middle(m, w, tip, width, side, true)) {
                 curve = std::move(*stacked);

@@ -1,7 +1,7 @@
 #include "app/filum/compare.hpp"
 
+#include "app/filum/distribute.hpp"
 #include "app/filum/process.hpp"
-#include "app/filum/route.hpp"
 #include "app/filum/show.hpp"
 #include "app/filum/stage.hpp"
 #include "base/error.hpp"
@@ -25,12 +25,8 @@ constexpr std::array kAlgorithms{"fina", "fexa", "ortheo", "geo-fiso", "geo-cont
 struct Figure {
     const char *key, *heading;
 };
-constexpr Figure kFigures[] = {{"coverage", "coverage"},
-                               {"cuts", "cuts"},
-                               {"overlap", "overlap"},
-                               {"tight_mm", "tight mm"},
-                               {"kinks_mm", "kinks mm"},
-                               {"fibre_mm", "length mm"}};
+constexpr Figure kFigures[] = {{"coverage", "coverage"}, {"cuts", "cuts"},         {"overlap", "overlap"},
+                               {"tight_mm", "tight mm"}, {"kinks_mm", "kinks mm"}, {"fibre_mm", "length mm"}};
 
 void write_file(const std::string& file, const std::string& text) {
     stream::Sink out(file, stream::Sink::Content::text);
@@ -79,7 +75,7 @@ class Comparison {
     [[nodiscard]] Row run(const std::string& algorithm) const {
         Row out{algorithm, "", {}};
         for (const Command& command : commands(algorithm)) {
-            const Ended ended = run_piped({command}, {""}).front();
+            const ProcessEnd ended = run_piped({command}, {""}).front();
             if (ended.code == 0) continue;
             const std::string stage = std::filesystem::path(command[0]).filename().string();
             out.failed = stage + " ended with " + std::to_string(ended.code);
@@ -189,7 +185,7 @@ int compare(const std::vector<std::string>& typed) {
     const auto algorithms = wanted(take_among(words));
     std::vector<Stage> stages;
     for (const char* name : {"geodesic", "choose", "surfpath", "metrics"}) stages.push_back(ask(name));
-    Request request = route(words, stages);
+    Request request = distribute(words, stages);
     if (request.inputs.size() > 1)
         throw Error(Exit::usage, "cannot compare on several surfaces at once; give one file");
     if (request.output == "-") throw Error(Exit::usage, "cannot compare without a folder; give one, as -o paths");

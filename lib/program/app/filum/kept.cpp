@@ -24,7 +24,7 @@ std::string lower(std::string text) {
 
 } // namespace
 
-Kept::Kept(const Request& request, const std::vector<Stage>& stages) {
+KeptStreams::KeptStreams(const Request& request, const std::vector<Stage>& stages) {
     std::error_code failed;
     if (!request.keep.empty() && (fs::create_directories(request.keep, failed), failed))
         throw Error(Exit::io, "cannot make the folder '" + request.keep + "': " + failed.message());
@@ -47,12 +47,12 @@ Kept::Kept(const Request& request, const std::vector<Stage>& stages) {
     }
 }
 
-Kept::~Kept() {
+KeptStreams::~KeptStreams() {
     std::error_code failed;
     for (const std::string& file : unfinished_) fs::remove(file, failed);
 }
 
-void Kept::commit() {
+void KeptStreams::commit() {
     for (std::size_t s = 0; s < files_.size(); ++s) {
         if (names_[s].empty()) continue;
         std::error_code failed;
@@ -64,23 +64,23 @@ void Kept::commit() {
     watched_.clear();
 }
 
-std::string Kept::last(const std::string& payload) const {
+std::string KeptStreams::last(const std::string& payload) const {
     for (std::size_t s = files_.size(); s-- > 0;)
         if (payloads_[s] == payload) return files_[s];
     return "";
 }
 
-void Kept::draw(const std::vector<std::string>& words, const std::string& output) const {
+void KeptStreams::draw(const std::vector<std::string>& words, const std::string& output) const {
     Command command{stage_program("render"), last("Toolpath"), "--output=" + output};
     command.insert(command.end(), words.begin(), words.end());
-    const Ended ended = run_piped({command}, {""}).front();
+    const ProcessEnd ended = run_piped({command}, {""}).front();
     const bool known = !ended.by_signal && ended.code <= static_cast<int>(Exit::io);
     if (ended.code != 0)
         throw Error(known ? static_cast<Exit>(ended.code) : Exit::failure,
                     "cannot draw '" + output + "': render ended with " + std::to_string(ended.code));
 }
 
-void Kept::report(const std::string& input, const std::string& machine, const std::string& output) const {
+void KeptStreams::report(const std::string& input, const std::string& machine, const std::string& output) const {
     const std::string figures = folder_.file("figures.tsv"), regions = last("Regions");
     std::vector<std::string> words;
     if (!machine.empty()) words.push_back("--machine=" + machine);
@@ -88,7 +88,7 @@ void Kept::report(const std::string& input, const std::string& machine, const st
     Command measure{stage_program("metrics"), last("Toolpath"), "--format=tsv", "--output=" + figures};
     measure.insert(measure.end(), words.begin(), words.end());
     if (scaffold_) measure.emplace_back("--pores");
-    if (const Ended ended = run_piped({measure}).front(); ended.code != 0)
+    if (const ProcessEnd ended = run_piped({measure}).front(); ended.code != 0)
         throw Error(Exit::failure,
                     "cannot make the report '" + output + "': metrics ended with " + std::to_string(ended.code));
     words.push_back("--figures=" + figures);
@@ -96,7 +96,7 @@ void Kept::report(const std::string& input, const std::string& machine, const st
     draw(words, output);
 }
 
-std::string Kept::told(const std::string& output) const {
+std::string KeptStreams::told(const std::string& output) const {
     std::string out = (output == "-" ? "standard output" : printable(output)) + "\n";
     std::ifstream text(summary());
     for (std::string line; std::getline(text, line);) out += "  " + printable(line) + "\n";

@@ -1,8 +1,8 @@
 // The streams that `filum print` keeps of its stages, and the report and picture that it makes of them.
 #pragma once
 
+#include "app/filum/distribute.hpp"
 #include "app/filum/folder.hpp"
-#include "app/filum/route.hpp"
 
 #include <memory>
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace filum::app::filum {
 
-class Kept {
+class KeptStreams {
   public:
     // Makes the folder of --keep, if it does not exist, and a temporary one.  Throws Error(io).
-    Kept(const Request& request, const std::vector<Stage>& stages);
-    ~Kept(); // removes the streams that commit() has not kept
-    Kept(const Kept&) = delete;
-    Kept& operator=(const Kept&) = delete;
+    KeptStreams(const Request& request, const std::vector<Stage>& stages);
+    ~KeptStreams(); // removes the streams that commit() has not kept
+    KeptStreams(const KeptStreams&) = delete;
+    KeptStreams& operator=(const KeptStreams&) = delete;
 
     // One file for each stage: the copy of its output, or "" if none is needed.
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }

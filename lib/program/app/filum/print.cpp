@@ -1,7 +1,7 @@
 #include "app/filum/print.hpp"
 
+#include "app/filum/distribute.hpp"
 #include "app/filum/kept.hpp"
-#include "app/filum/route.hpp"
 #include "app/filum/slicer_names.hpp"
 #include "app/filum/watch.hpp"
 #include "app/filum/wishes.hpp"
@@ -179,7 +179,7 @@ std::string shown_pipeline(std::vector<Command> commands, const SlicerMachine* m
 }
 
 // Reports the settings of files that are not used; first those without which a print can go wrong.
-void tell_left(const Translated& from) {
+void tell_left(const SlicerTranslation& from) {
     const auto list = [](const std::string& what, const std::vector<std::string>& names) {
         if (names.empty()) return;
         std::cerr << "filum: " << names.size() << what;
@@ -199,7 +199,7 @@ void tell_idle(const std::vector<std::string>& options) {
 
 // The exit code of the chain.  If it is not 0, the failed stage has reported why; where it cannot, this throws Error
 // with the reason.
-int judge(const std::vector<Ended>& ended, const std::vector<Stage>& stages) {
+int judge(const std::vector<ProcessEnd>& ended, const std::vector<Stage>& stages) {
     std::size_t who = 0;
     const int code = verdict(ended, who);
     if (code == 0) return 0;
@@ -246,7 +246,7 @@ void swap(const std::vector<std::string>& words, std::vector<Stage>& stages) {
 }
 
 // Keeps the streams and makes the picture and the report, as far as the request asks for them.
-void finish(const Request& request, Kept& kept) {
+void finish(const Request& request, KeptStreams& kept) {
     kept.commit();
     if (!request.picture.empty()) kept.draw({}, request.picture);
     if (request.report.empty()) return;
@@ -279,10 +279,10 @@ int print_part(const std::vector<std::string>& typed) {
     if (typed.empty() && stdin_is_empty())
         throw Error(Exit::usage, "cannot print without a part; as in 'filum print part.stl -o part.gcode'; see 'filum "
                                  "print --help'");
-    const Translated ours = translated(typed, stages);
+    const SlicerTranslation ours = translated(typed, stages);
     const auto& words = ours.words;
     swap(words, stages);
-    Request request = route(words, stages);
+    Request request = distribute(words, stages);
     const auto idle = keep_wished(words, request, stages);
     if (!request.report.empty() && !request.report.ends_with(".html"))
         throw Error(Exit::usage, "cannot make the report '" + request.report + "': its name must end in .html");
@@ -300,11 +300,11 @@ int print_part(const std::vector<std::string>& typed) {
         throw Error(Exit::usage,
                     "cannot write machine code to a terminal; add -o FILE, as in -o part.gcode, or pipe it on");
     const bool talks = ::isatty(STDERR_FILENO) != 0 && !request.quiet;
-    Kept kept(request, stages);
+    KeptStreams kept(request, stages);
     if (talks) commands.back().push_back("--summary=" + kept.summary());
     // If the last stage is a program of the user's own, each stage prints its notes, since that program may not do so.
-    const Speakers speakers =
-        stages.back().program == stage_program(stages.back().name) ? Speakers::last : Speakers::each;
+    const NotePrinters speakers =
+        stages.back().program == stage_program(stages.back().name) ? NotePrinters::last : NotePrinters::each;
     const ino_t before = number_of(request.output);
     try {
         const auto ended = talks ? run_watched(commands, kept.files(), names_of(stages), speakers)

@@ -73,19 +73,19 @@ pid_t spawn(const Command& command, int in, int out, const Place& place) {
     return pid;
 }
 
-Ended how(int status) {
+ProcessEnd how(int status) {
     if (WIFSIGNALED(status)) return {128 + WTERMSIG(status), true};
     return {WEXITSTATUS(status), false};
 }
 
-Ended wait_for(pid_t pid) {
+ProcessEnd wait_for(pid_t pid) {
     int status = 0;
     while (::waitpid(pid, &status, 0) < 0)
         if (errno != EINTR) return {1, false};
     return how(status);
 }
 
-std::optional<Ended> ended_by_now(pid_t pid) {
+std::optional<ProcessEnd> ended_by_now(pid_t pid) {
     int status = 0;
     if (::waitpid(pid, &status, WNOHANG) != pid) return std::nullopt;
     return how(status);
@@ -108,7 +108,7 @@ std::string output_of(const Command& command, bool silently) {
         if (n > 0) out.append(block, static_cast<std::size_t>(n));
     }
     close_if_open(pipe.read);
-    if (const Ended end = wait_for(pid); end.code != 0)
+    if (const ProcessEnd end = wait_for(pid); end.code != 0)
         throw Error(Exit::failure, "cannot ask '" + command[0] + "': it ended with " + std::to_string(end.code));
     return out;
 }
@@ -127,7 +127,8 @@ struct Children {
     std::vector<bool> copies;
 };
 
-Children start_all(const std::vector<Command>& commands, const std::vector<std::string>& copies, Speakers speakers) {
+Children start_all(const std::vector<Command>& commands, const std::vector<std::string>& copies,
+                   NotePrinters speakers) {
     Children out;
     int in = -1;
     const auto add = [&](const Command& command, bool last, const Place& place, bool copy) {
@@ -145,7 +146,7 @@ Children start_all(const std::vector<Command>& commands, const std::vector<std::
     };
     for (std::size_t i = 0; i < commands.size(); ++i) {
         const bool last = i + 1 == commands.size();
-        add(commands[i], last, {i > 0, speakers == Speakers::each ? nullptr : last ? "all" : "later"}, false);
+        add(commands[i], last, {i > 0, speakers == NotePrinters::each ? nullptr : last ? "all" : "later"}, false);
         if (i + 1 < commands.size() && i < copies.size() && !copies[i].empty())
             add({kTee, copies[i]}, false, {true}, true);
     }
@@ -154,10 +155,10 @@ Children start_all(const std::vector<Command>& commands, const std::vector<std::
 
 } // namespace
 
-std::vector<Ended> run_piped(const std::vector<Command>& commands, const std::vector<std::string>& copies,
-                             const Look& look, Speakers speakers) {
+std::vector<ProcessEnd> run_piped(const std::vector<Command>& commands, const std::vector<std::string>& copies,
+                                  const Look& look, NotePrinters speakers) {
     const Children children = start_all(commands, copies, speakers);
-    std::vector<std::optional<Ended>> ended(children.pids.size());
+    std::vector<std::optional<ProcessEnd>> ended(children.pids.size());
     const auto all = [&] {
         return std::all_of(ended.begin(), ended.end(), [](const auto& e) { return e.has_value(); });
     };
@@ -169,10 +170,10 @@ std::vector<Ended> run_piped(const std::vector<Command>& commands, const std::ve
         }
         look(done);
     }
-    std::vector<Ended> out;
+    std::vector<ProcessEnd> out;
     bool copied = true;
     for (std::size_t i = 0; i < ended.size(); ++i) {
-        const Ended end = ended[i] ? *ended[i] : wait_for(children.pids[i]);
+        const ProcessEnd end = ended[i] ? *ended[i] : wait_for(children.pids[i]);
         if (!children.copies[i])
             out.push_back(end);
         else
@@ -182,10 +183,10 @@ std::vector<Ended> run_piped(const std::vector<Command>& commands, const std::ve
     return out;
 }
 
-int verdict(const std::vector<Ended>& ended, std::size_t& who) {
+int verdict(const std::vector<ProcessEnd>& ended, std::size_t& who) {
     int code = 0;
     for (std::size_t i = 0; i < ended.size(); ++i) {
-        const Ended& e = ended[i];
+        const ProcessEnd& e = ended[i];
         if (e.code == 0) continue;
         const bool follows = (e.by_signal && e.code == 128 + SIGPIPE) ||
                              (!e.by_signal && i > 0 && e.code == static_cast<int>(Exit::truncated));

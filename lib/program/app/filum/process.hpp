@@ -17,7 +17,7 @@ std::string output_of(const Command& command, bool silently = false);
 [[noreturn]] void become(const Command& command);
 
 // How one child ended: the exit code, or 128 + the signal that killed it.
-struct Ended {
+struct ProcessEnd {
     int code = 0;
     bool by_signal = false;
 };
@@ -30,14 +30,14 @@ struct Ended {
 // this on. `copies`: a file for the output of each command, or ""; a copy is complete only if all commands ended with
 // 0. `look`: called repeatedly until all commands have ended, with a flag for each: it has ended.  It should wait a
 // little. Throws Error: failure if a process or a pipe cannot be made, io if a copy was not written.
-enum class Speakers { each, last };
+enum class NotePrinters { each, last };
 using Look = std::function<void(const std::vector<bool>& ended)>;
-std::vector<Ended> run_piped(const std::vector<Command>& commands, const std::vector<std::string>& copies = {},
-                             const Look& look = {}, Speakers speakers = Speakers::each);
+std::vector<ProcessEnd> run_piped(const std::vector<Command>& commands, const std::vector<std::string>& copies = {},
+                                  const Look& look = {}, NotePrinters speakers = NotePrinters::each);
 
 // The exit code of a whole chain: that of the first stage that failed by itself; 0 if none failed.  Two failures have
 // their cause in a neighbour: exit code 4 (the stage before stopped writing) and SIGPIPE (the stage behind stopped
 // reading).  They count only if no other failure is found.  `who`: set to the index of the failed stage.
-int verdict(const std::vector<Ended>& ended, std::size_t& who);
+int verdict(const std::vector<ProcessEnd>& ended, std::size_t& who);
 
 } // namespace filum::app::filum

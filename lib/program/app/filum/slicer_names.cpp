@@ -1,7 +1,7 @@
 #include "app/filum/slicer_names.hpp"
 
+#include "app/filum/distribute.hpp"
 #include "app/filum/printers.hpp"
-#include "app/filum/route.hpp"
 #include "app/filum/slicer_settings.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -41,7 +41,7 @@ const OtherName* known(const std::vector<Stage>& stages, const std::string& thei
 
 // Makes options of the bodies in a project, if its part is printed.  Otherwise a remark reports that they are left out.
 void load_bodies(const std::string& file, bool printed, bool supports, const std::vector<Stage>& stages,
-                 Translated& out) {
+                 SlicerTranslation& out) {
     const ProjectBodies there = project_bodies(file);
     const std::tuple<bool, const char*, const char*> kinds[] = {
         {there.modifiers, "modifier", "bodies that change settings"},
@@ -140,7 +140,7 @@ bool names_temperature(const std::vector<SlicerFile>& read) {
 
 // Makes the printer that the files describe the machine, unless the user names another one.
 void use_machine(const std::vector<SlicerFile>& read, std::vector<std::string> sources,
-                 const std::vector<std::string>& words, Translated& out) {
+                 const std::vector<std::string>& words, SlicerTranslation& out) {
     auto machine = std::make_shared<SlicerMachine>(read, std::move(sources));
     if (!machine->any()) return;
     if (!last_value(words, "--machine").empty()) {
@@ -168,7 +168,7 @@ void leave_to_machine(SlicerWishes& all) {
 // Adds to `out` the options that the settings make on this machine, and lists the settings that are not used.  Returns
 // whether the settings ask for supports.
 bool use_settings(const SlicerFile& file, const std::optional<machine::Profile>& machine,
-                  const std::vector<Stage>& stages, Translated& out) {
+                  const std::vector<Stage>& stages, SlicerTranslation& out) {
     constexpr std::string_view kVase = "vase"; // an option of `filum print` itself
     SlicerWishes all = wishes(file, [&](std::string_view name) { return name == kVase || has(stages, name); });
     if (out.machine != nullptr) leave_to_machine(all);
@@ -190,7 +190,7 @@ bool use_settings(const SlicerFile& file, const std::optional<machine::Profile>&
 
 // Removes the options of supports if nothing is supported, as they would be errors then.  That happens if a slicer
 // makes supports only at bodies and painted faces that ask for them, and there are none.
-void leave_out_supports(const std::vector<std::string>& typed, Translated& out) {
+void leave_out_supports(const std::vector<std::string>& typed, SlicerTranslation& out) {
     const auto supports = [](const std::string& word) {
         return word == "--support" || word.starts_with("--support=") || word.starts_with("--support-in") ||
                word.starts_with("--raft");
@@ -209,7 +209,7 @@ void leave_out_supports(const std::vector<std::string>& typed, Translated& out) 
 
 // Adds the settings of the printer and of all files, then the bodies in projects.  `words`: those that the user typed.
 void load(const PrinterNames& printer, const std::vector<std::string>& files, const std::vector<std::string>& words,
-          const std::vector<Stage>& stages, Translated& out) {
+          const std::vector<Stage>& stages, SlicerTranslation& out) {
     if (files.empty() && !printer.any()) return;
     ChosenPrinter chosen = chosen_printer(printer);
     out.words = chosen.words;
@@ -275,7 +275,7 @@ void join_sets(std::vector<std::string>& words) {
 // The project (3MF) that is the only part, if it holds settings of a slicer; "" for any other job.
 std::string own_project(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
     try {
-        const std::vector<std::string> inputs = route(words, stages).inputs;
+        const std::vector<std::string> inputs = distribute(words, stages).inputs;
         if (inputs.size() != 1 || !inputs[0].ends_with(".3mf")) return "";
         (void)slicer_file(inputs[0]);
         return inputs[0];
@@ -286,7 +286,7 @@ std::string own_project(const std::vector<std::string>& words, const std::vector
 
 // Loads the settings of the project that is printed.  On its own printer the part stays where the project has it.
 void load_project(const std::string& project, const std::vector<std::string>& words, const std::vector<Stage>& stages,
-                  Translated& out) {
+                  SlicerTranslation& out) {
     out.remarks.push_back("the settings in '" + project + "' are used; --load none prints without them");
     load({}, {project}, words, stages, out);
     const auto typed = [&](const char* option) { return !last_value(words, option).empty(); };
@@ -298,8 +298,8 @@ void load_project(const std::string& project, const std::vector<std::string>& wo
 
 } // namespace
 
-Translated translated(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
-    Translated out;
+SlicerTranslation translated(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
+    SlicerTranslation out;
     std::vector<std::string> rest, files;
     PrinterNames printer;
     std::size_t i = 0;

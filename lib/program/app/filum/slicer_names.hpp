@@ -10,8 +10,8 @@
 
 namespace filum::app::filum {
 
-struct Translated {
-    std::vector<std::string> words; // as `route` takes them
+struct SlicerTranslation {
+    std::vector<std::string> words; // as `distribute` takes them
     // Settings of the files that are not used, in the order of the files.  `harmful`: a print can go wrong without
     // them; `left`: the others.  Settings that are empty or off are in neither list.
     std::vector<std::string> harmful, left;
@@ -29,6 +29,6 @@ struct Translated {
 //   - All --set are joined to one.  Words behind "--" stay as they are.
 // Throws Error: usage for a value that does not fit or is missing, io for a file that cannot be read, bad_input for a
 // file without settings.
-Translated translated(const std::vector<std::string>& words, const std::vector<Stage>& stages);
+SlicerTranslation translated(const std::vector<std::string>& words, const std::vector<Stage>& stages);
 
 } // namespace filum::app::filum

@@ -99,7 +99,7 @@ NamedPresets named_presets(const std::string& word) {
     return out;
 }
 
-void PresetShelf::read_bundle(const std::string& text, const std::string& file, Bundled& into) {
+void PresetShelf::read_bundle(const std::string& text, const std::string& file, PresetBundle& into) {
     const Slicer slicer = writer_of(text, {}) == Slicer::unknown ? Slicer::prusa : writer_of(text, {});
     for (Section& section : sections(text, Lines::plain)) {
         const auto colon = section.heading.find(':');
@@ -118,7 +118,7 @@ void PresetShelf::read_bundle(const std::string& text, const std::string& file, 
 
 void PresetShelf::add_bundle(const std::string& text, const std::string& file) { read_bundle(text, file, own_); }
 
-const Preset* PresetShelf::in(const Bundled& bundled, const Key& key) {
+const Preset* PresetShelf::in(const PresetBundle& bundled, const Key& key) {
     if (const auto at = bundled.presets.find(key); at != bundled.presets.end()) return &at->second;
     const auto renamed = bundled.renamed.find(key);
     if (renamed == bundled.renamed.end()) return nullptr;
@@ -126,7 +126,7 @@ const Preset* PresetShelf::in(const Bundled& bundled, const Key& key) {
     return at == bundled.presets.end() ? nullptr : &at->second;
 }
 
-const PresetShelf::Bundled& PresetShelf::vendors() {
+const PresetShelf::PresetBundle& PresetShelf::vendors() {
     if (vendors_) return *vendors_;
     vendors_.emplace();
     for (const std::string& file : folders_.bundles()) read_bundle(content_of(file), file, *vendors_);
@@ -154,7 +154,7 @@ std::vector<std::string> PresetShelf::names(PresetKind kind) const {
 
 std::vector<KnownPreset> PresetShelf::known(PresetKind kind) {
     std::vector<KnownPreset> out;
-    for (const Bundled* bundled : {static_cast<const Bundled*>(&own_), &vendors()})
+    for (const PresetBundle* bundled : {static_cast<const PresetBundle*>(&own_), &vendors()})
         for (const Key& key : bundled->order)
             if (key.first == kind && !key.second.starts_with('*'))
                 out.push_back({key.second, bundled->presets.at(key).file});

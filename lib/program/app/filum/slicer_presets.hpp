@@ -61,21 +61,21 @@ class PresetShelf {
 
   private:
     using Key = std::pair<PresetKind, std::string>;
-    struct Bundled {
+    struct PresetBundle {
         std::map<Key, Preset> presets;
         std::vector<Key> order;
         std::map<Key, std::string> renamed; // by the old name: the present name
     };
-    static void read_bundle(const std::string& text, const std::string& file, Bundled& into);
-    static const Preset* in(const Bundled& bundled, const Key& key);
+    static void read_bundle(const std::string& text, const std::string& file, PresetBundle& into);
+    static const Preset* in(const PresetBundle& bundled, const Key& key);
     void gather(const Preset& preset, std::vector<std::string>& path, std::vector<SlicerSetting>& out,
                 std::vector<std::string>& missing);
 
-    const Bundled& vendors();
+    const PresetBundle& vendors();
 
     PresetFolders folders_;
-    Bundled own_;                    // from add_bundle()
-    std::optional<Bundled> vendors_; // from bundles in slicers' folders; none: not read yet
+    PresetBundle own_;                    // from add_bundle()
+    std::optional<PresetBundle> vendors_; // from bundles in slicers' folders; none: not read yet
 };
 
 // The preset in a text: a JSON object, or lines "name = value" without sections.  `file`: where the text comes from.

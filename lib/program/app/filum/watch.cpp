@@ -17,7 +17,7 @@ namespace {
 constexpr int kPoll = 100;    // ms between two updates
 constexpr double kUnseen = 1; // s before the line appears
 
-struct Done {
+struct StageProgress {
     std::uint64_t done = 0, expected = 0;
 };
 
@@ -53,7 +53,7 @@ class Watch {
         for (std::size_t end = 0; (end = text_.find('\n')) != std::string::npos; text_.erase(0, end + 1)) {
             std::istringstream line(text_.substr(0, end));
             std::string name;
-            Done d;
+            StageProgress d;
             if (line >> name >> d.done >> d.expected) done_[name] = d;
         }
     }
@@ -63,7 +63,7 @@ class Watch {
         while (at < ended.size() && ended[at]) ++at;
         if (at == ended.size()) return;
         const auto found = done_.find((*names_)[at]);
-        const Done d = found == done_.end() ? Done{} : found->second;
+        const StageProgress d = found == done_.end() ? StageProgress{} : found->second;
         std::cerr << "\r\033[K" << cli::bar((*names_)[at], d.done, d.expected) << "  " << static_cast<long>(seconds)
                   << " s" << std::flush;
         drawn_ = true;
@@ -72,15 +72,15 @@ class Watch {
     const std::vector<std::string>* names_;
     int pipe_[2] = {-1, -1};
     std::string text_;
-    std::map<std::string, Done> done_;
+    std::map<std::string, StageProgress> done_;
     std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
     bool drawn_ = false;
 };
 
 } // namespace
 
-std::vector<Ended> run_watched(const std::vector<Command>& commands, const std::vector<std::string>& copies,
-                               const std::vector<std::string>& names, Speakers speakers) {
+std::vector<ProcessEnd> run_watched(const std::vector<Command>& commands, const std::vector<std::string>& copies,
+                                    const std::vector<std::string>& names, NotePrinters speakers) {
     Watch watch(names);
     return run_piped(
         commands, copies, [&](const std::vector<bool>& ended) { watch.look(ended); }, speakers);

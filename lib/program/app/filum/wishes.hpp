@@ -1,7 +1,7 @@
 // The optional stages of the planar chain: those that run only if the user asks for them.
 #pragma once
 
-#include "app/filum/route.hpp"
+#include "app/filum/distribute.hpp"
 #include "app/filum/stage.hpp"
 
 #include <string>

@@ -13,7 +13,7 @@ struct Model {
     Notes notes;                          // notes to write: repairs, omissions and moves
     bool step = false;                    // the model comes from a STEP file
     std::vector<std::uint32_t> of_file{}; // as mesh::Mesh::of_file; empty: vertices are numbered as in the file
-    cli::Whole before;                    // header, notes and facts of the input stream; empty for a mesh file
+    cli::WholeInput before;               // header, notes and facts of the input stream; empty for a mesh file
 };
 
 // The content of a file.  Its checksum is added to self.settings under the name `setting`; its path is not.

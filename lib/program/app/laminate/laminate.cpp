@@ -60,7 +60,7 @@ void add_trims(const Laminate& made, std::size_t stroke, std::string& to) {
 }
 
 // Adds the notes and facts of one surface to those of all.  They get the name of the surface (`patch`).
-void gather(Laminate& made, const std::string& patch, cli::Whole& all) {
+void gather(Laminate& made, const std::string& patch, cli::WholeInput& all) {
     for (Note& n : made.notes) {
         n.patch = patch;
         all.notes.push_back(std::move(n));
@@ -120,7 +120,7 @@ void run(const Options& o, const cli::Io& io) {
     const auto before = cli::read_all(io.input, stream::Payload::surface,
                                       [&](const stream::RawFrame& frame) { sheets.push_back(wire::sheet(frame)); });
     if (sheets.empty()) throw Error(Exit::bad_input, "cannot lay plies: the stream holds no surface");
-    cli::Whole found;
+    cli::WholeInput found;
     std::vector<toolpath::Span> spans;
     std::string trims = "ply\tstroke\talong\tx\ty\tz\n";
     cli::Progress progress(io, sheets.size() * plies.size());

@@ -1,7 +1,7 @@
 #include "app/metrics/parts.hpp"
 
 #include "cli/output.hpp"
-#include "figures/said.hpp"
+#include "figures/records.hpp"
 #include "wire/planar.hpp"
 #include "wire/surface.hpp"
 
@@ -52,7 +52,7 @@ filum::figures::Figures curved(const Options& options, const cli::Io& io) {
         auto more = mapped(options, io, sheet, ground, fibres, path);
         found.figures.insert(found.figures.end(), more.begin(), more.end());
     }
-    filum::figures::said_before(path.notes, path.facts, found.figures);
+    filum::figures::add_records(path.notes, path.facts, found.figures);
     return std::move(found.figures);
 }
 

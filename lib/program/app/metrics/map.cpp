@@ -53,7 +53,7 @@ surface::Sheet finer(const surface::Sheet& given, double width) {
     return out;
 }
 
-void write(const std::string& file, const cli::Io& io, const cli::Whole& ground, const cli::Whole& path,
+void write(const std::string& file, const cli::Io& io, const cli::WholeInput& ground, const cli::WholeInput& path,
            surface::Sheet map) {
     if (file.ends_with(".vtp")) {
         render::Scene scene;
@@ -73,9 +73,9 @@ void write(const std::string& file, const cli::Io& io, const cli::Whole& ground,
 } // namespace
 
 filum::figures::Figures mapped(const Options& options, const cli::Io& io, const surface::Sheet& given,
-                               const cli::Whole& ground, const filum::metrics::surface::Fibres& fibres,
-                               const cli::Whole& path) {
-    if (fibres.chains.empty()) throw Error(Exit::failure, "cannot write '" + options.map + "': no path is laid");
+                               const cli::WholeInput& ground, const filum::metrics::surface::Fibres& fibres,
+                               const cli::WholeInput& path) {
+    if (fibres.all.empty()) throw Error(Exit::failure, "cannot write '" + options.map + "': no path is laid");
     const double width = filum::metrics::surface::median_width(fibres);
     const surface::Sheet sheet = finer(given, width);
     auto beds = filum::metrics::surface::beds(sheet.surface, fibres, io.threads);

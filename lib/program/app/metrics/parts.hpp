@@ -16,7 +16,7 @@ filum::figures::Figures curved(const Options& options, const cli::Io& io);
 // direction of the first load case.  The fields "ply-K.edge" of the surface, K from 1, give the areas of the plies, as
 // in the map of `laminate`.  Throws Error(failure) if there is no path.
 filum::figures::Figures mapped(const Options& options, const cli::Io& io, const surface::Sheet& sheet,
-                               const cli::Whole& ground, const filum::metrics::surface::Fibres& fibres,
-                               const cli::Whole& path);
+                               const cli::WholeInput& ground, const filum::metrics::surface::Fibres& fibres,
+                               const cli::WholeInput& path);
 
 } // namespace filum::app::metrics

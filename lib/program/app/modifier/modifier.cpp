@@ -58,7 +58,7 @@ std::optional<std::string> told(const stream::Header& header, const char* name) 
 }
 
 // A file whose meshes are moved as the part was.
-struct Placed {
+struct PlacedFile {
     std::string crc32c;
     mesh::File file;
     geom::Affine map; // from the coordinates of the file to those of the layers
@@ -72,7 +72,7 @@ struct Placed {
     }
 };
 
-Placed load(const std::string& path, const stream::Header& header, Notes& notes) {
+PlacedFile load(const std::string& path, const stream::Header& header, Notes& notes) {
     const auto map = placement_in(header);
     if (!map)
         throw Error(Exit::bad_input, "cannot place '" + path +
@@ -83,7 +83,7 @@ Placed load(const std::string& path, const stream::Header& header, Notes& notes)
     // The plate of the part counts only if this file is the part's own project; otherwise plate 1 is read.
     const auto plate = told(header, "plate"), part = told(header, "input_crc32c");
     const int number = plate && part == crc ? std::stoi(*plate) : 1;
-    Placed out{crc, mesh::step::read(bytes.view(), mesh::spoken_name(path), {}, number), *map};
+    PlacedFile out{crc, mesh::step::read(bytes.view(), mesh::spoken_name(path), {}, number), *map};
     if (mesh::states_unit(out.file.kind)) { // it is in mm, but the map takes the unit of the part's file
         geom::Affine to_unit;
         for (int k = 0; k < 3; ++k) to_unit.a[k][k] = 1 / unit_in(header);
@@ -101,7 +101,7 @@ std::vector<polygon::Loops> outlines(mesh::Mesh mesh, const Levels& levels, int 
     const auto part = filum::slice::make_part(std::move(mesh), notes);
     const auto sweep = filum::slice::sweep_over(part, {}, levels.level, threads);
     for (std::size_t chunk = 0; chunk < sweep.chunks(); ++chunk) {
-        filum::slice::Cut cut = filum::slice::cut(sweep, chunk);
+        filum::slice::SlicedChunk cut = filum::slice::cut(sweep, chunk);
         for (polygon::Layer& l : cut.layers) out[levels.layer[l.index]] = std::move(l.contours);
         for (Note& n : cut.notes) {
             if (n.layer >= 0) n.layer = levels.layer[static_cast<std::size_t>(n.layer)];
@@ -155,7 +155,7 @@ std::optional<geom::Affine> placement_in(const stream::Header& header) {
 
 Body body(const std::string& path, const stream::Header& header, const std::vector<polygon::Region>& regions,
           int threads, Notes& notes) {
-    Placed placed = load(path, header, notes);
+    PlacedFile placed = load(path, header, notes);
     placed.move(placed.file.mesh, path);
     Body out{outlines(std::move(placed.file.mesh), Levels(regions), threads, notes), std::move(placed.crc32c)};
     tell_if_apart(out.outlines, regions, notes);
@@ -164,7 +164,7 @@ Body body(const std::string& path, const stream::Header& header, const std::vect
 
 Project modifiers(const std::string& path, const stream::Header& header, const std::vector<polygon::Region>& regions,
                   int threads, Notes& notes) {
-    Placed placed = load(path, header, notes);
+    PlacedFile placed = load(path, header, notes);
     const Levels levels(regions);
     Project out{{}, std::move(placed.crc32c)};
     for (mesh::Body& b : placed.file.bodies) {
@@ -183,7 +183,7 @@ Project modifiers(const std::string& path, const stream::Header& header, const s
 Places support_places(const std::string& path, bool wanted, const stream::Header& header,
                       const std::vector<polygon::Region>& regions, int threads, Notes& notes) {
     using What = mesh::Body::What;
-    Placed placed = load(path, header, notes);
+    PlacedFile placed = load(path, header, notes);
     const Levels levels(regions);
     const What solid = wanted ? What::enforcer : What::blocker, paint = wanted ? What::painted : What::painted_blocker;
     const auto of_supports = [](const mesh::Body& b) { return b.what != What::modifier && b.what != What::negative; };

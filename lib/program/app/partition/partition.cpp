@@ -12,7 +12,7 @@ namespace {
 
 // Writes the notes and facts of the input streams, then the patches.  Earlier facts of this program are left out, since
 // they describe earlier patches.
-void write(const std::vector<cli::Whole>& before, const std::vector<surface::Sheet>& patches, const Notes& notes,
+void write(const std::vector<cli::WholeInput>& before, const std::vector<surface::Sheet>& patches, const Notes& notes,
            const Facts& facts, const cli::Io& self) {
     std::vector<const stream::Header*> headers;
     headers.reserve(before.size());
@@ -37,7 +37,7 @@ void run(const Options& o, const cli::Io& io) {
         how.lines =
             filum::geodesic::read_lines(geodesic::load(o.seam, "seam_crc32c", self).view(), mesh::spoken_name(o.seam));
     const auto names = filum::partition::words(o.names, "names"), only = filum::partition::words(o.only, "only");
-    std::vector<cli::Whole> before;
+    std::vector<cli::WholeInput> before;
     std::vector<surface::Sheet> patches;
     Notes notes;
     const auto add = [&](const stream::RawFrame& f) {

@@ -7,14 +7,14 @@
 
 namespace filum::app::postproc {
 
-struct Ahead::Item {
+struct MoveQueue::Item {
     std::size_t index = 0;
     stream::RawFrame frame;
     toolpath::Span span;
-    toolpath::Merged moves; // empty if an earlier call has kept them
+    toolpath::MergeResult moves; // empty if an earlier call has kept them
 };
 
-void Ahead::each(stream::Spool& spool, const Take& take) {
+void MoveQueue::each(stream::Spool& spool, const Take& take) {
     const bool merges = !profile_->axes.active(), keeps = std::exchange(first_, false) && merges;
     std::size_t count = 0;
     const auto next = [&]() -> std::optional<Item> {

@@ -10,15 +10,15 @@ namespace filum::app::postproc {
 
 // The moves of a machine with three axes.  With rotary axes none are computed, since their moves depend on the previous
 // positions of all axes.
-class Ahead {
+class MoveQueue {
   public:
     // `joins`: those of the whole toolpath; they must be complete when each() is called first.
-    Ahead(const machine::Profile& profile, const filum::postproc::Joins& joins, int threads)
+    MoveQueue(const machine::Profile& profile, const filum::postproc::Joins& joins, int threads)
         : profile_(&profile), joins_(&joins), threads_(threads) {}
 
     // Passes the remaining spans of `spool` to `take`, in their order.  `moves` is null for a span that does not
     // extrude. The first call keeps up to kMost moves for later calls, which compute the others again.
-    using Take = std::function<void(toolpath::Span span, const toolpath::Merged* moves)>;
+    using Take = std::function<void(toolpath::Span span, const toolpath::MergeResult* moves)>;
     void each(stream::Spool& spool, const Take& take);
 
   private:
@@ -27,8 +27,8 @@ class Ahead {
     const machine::Profile* profile_;
     const filum::postproc::Joins* joins_;
     int threads_;
-    std::vector<toolpath::Merged> kept_; // moves of the first spans, one item for each
-    std::size_t moves_ = 0;              // number of moves in kept_
+    std::vector<toolpath::MergeResult> kept_; // moves of the first spans, one item for each
+    std::size_t moves_ = 0;                   // number of moves in kept_
     bool first_ = true;
 };
 

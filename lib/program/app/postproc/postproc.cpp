@@ -57,8 +57,8 @@ std::vector<filum::postproc::Stage> stages(const stream::Header& before, const c
 }
 
 // The parts on the bed, from the last run in the history that placed several parts; empty if there is none.
-std::vector<filum::postproc::Labelled> parts_on_bed(const stream::Header& header) {
-    std::vector<filum::postproc::Labelled> out;
+std::vector<filum::postproc::LabelledPart> parts_on_bed(const stream::Header& header) {
+    std::vector<filum::postproc::LabelledPart> out;
     for (const stream::Run& run : header.history) {
         if (!run.objects.empty()) out.clear();
         for (const stream::Object& object : run.objects) {
@@ -151,7 +151,7 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     }
     // The walkers start after the first pass over the spans, so the feeds of layers can still change.
     if (profile.limits.layer_time > 0) machine::set_pace(profile, machine::pace(times, profile.limits.layer_time));
-    Ahead ahead(profile, *measure.joins(), io.threads);
+    MoveQueue ahead(profile, *measure.joins(), io.threads);
     for (; measure.again(); spool.rewind())
         ahead.each(spool, [&](auto span, auto* moves) { measure.add(span, moves); });
     auto first_pass = measure.end();

@@ -21,7 +21,7 @@ using polygon::Region;
 
 // One item of --modifier: FILE:SETTINGS, or FILE alone for the modifiers of a project.  The last colon divides the two,
 // since names of files may hold colons.
-struct Asked {
+struct ModifierRequest {
     std::string file, settings;
 };
 
@@ -59,8 +59,8 @@ std::string settings_in_our_words(const std::string& settings) {
     return out;
 }
 
-std::vector<Asked> asked(const std::string& text) {
-    std::vector<Asked> out;
+std::vector<ModifierRequest> asked(const std::string& text) {
+    std::vector<ModifierRequest> out;
     for (std::size_t from = 0; from < text.size();) {
         const std::size_t end = std::min(text.find(';', from), text.size());
         const std::string one = text.substr(from, end - from);
@@ -115,7 +115,7 @@ std::string settings_of_project(const std::vector<std::pair<std::string, std::st
 }
 
 // The modifiers in their order of precedence, and the text that records them in the history.
-struct Read {
+struct ModifierSet {
     std::vector<Modifier> modifiers;
     std::string said, crc; // in the history, where files have no names
 
@@ -125,11 +125,11 @@ struct Read {
     }
 };
 
-std::vector<Modifier> read_modifiers(const std::vector<Asked>& all, const filum::skins::Options& part,
+std::vector<Modifier> read_modifiers(const std::vector<ModifierRequest>& all, const filum::skins::Options& part,
                                      const stream::Header& header, const std::vector<Region>& regions, cli::Io& self,
                                      Notes& notes) {
-    Read out;
-    for (const Asked& a : all) {
+    ModifierSet out;
+    for (const ModifierRequest& a : all) {
         std::string crc;
         if (a.settings.empty()) {
             auto project = modifier::modifiers(a.file, header, regions, self.threads, notes);
@@ -157,7 +157,7 @@ void run(const Options& o, const cli::Io& io) {
     options.infill = filum::skins::share(o.infill);
     options.pattern = filum::skins::pattern(o.pattern);
     const auto bodies = asked(o.modifiers);
-    for (const Asked& a : bodies) filum::skins::modified(options, a.settings);
+    for (const ModifierRequest& a : bodies) filum::skins::modified(options, a.settings);
     std::vector<Region> regions;
     auto whole = cli::read_all(io.input, stream::Payload::regions,
                                [&](stream::RawFrame frame) { regions.push_back(wire::region(frame)); });

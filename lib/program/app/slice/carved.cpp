@@ -22,13 +22,13 @@ using polygon::Loops;
 constexpr std::size_t kMostPlanes = 20000; // most planes that are searched for material
 constexpr int kHalvings = 20;              // most halvings of the step between two planes
 
-Loops contours(const Carved::Group& group, polygon::Layer& part, const polygon::Layer* away) {
+Loops contours(const CarvedPart::Group& group, polygon::Layer& part, const polygon::Layer* away) {
     if (!group.cut || away == nullptr || away->contours.empty()) return std::move(part.contours);
     return polygon::subtract(part.contours, away->contours);
 }
 
 // The contours of the remaining material in each of the planes (z, mm).
-std::vector<Loops> sections(Carved& carved, const std::vector<double>& planes, int threads) {
+std::vector<Loops> sections(CarvedPart& carved, const std::vector<double>& planes, int threads) {
     std::vector<Level> levels;
     levels.reserve(planes.size());
     for (const double z : planes) levels.push_back({z, kLift, z - kLift});
@@ -43,7 +43,7 @@ std::vector<Loops> sections(Carved& carved, const std::vector<double>& planes, i
 }
 
 // The height where the remaining material ends, between a plane that meets it and one that does not.
-double end_between(Carved& carved, double inside, double outside) {
+double end_between(CarvedPart& carved, double inside, double outside) {
     for (int i = 0; i < kHalvings && std::abs(outside - inside) > kLift / 10; ++i) {
         const double middle = (inside + outside) / 2;
         (sections(carved, {middle}, 1)[0].empty() ? outside : inside) = middle;
@@ -61,7 +61,7 @@ double end_between(Carved& carved, double inside, double outside) {
     return out;
 }
 
-geom::Box3 box_left(Carved& carved, const geom::Box3& whole, double step, int threads) {
+geom::Box3 box_left(CarvedPart& carved, const geom::Box3& whole, double step, int threads) {
     const double height = whole.hi.z - whole.lo.z;
     const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(height / step)), 2, kMostPlanes);
     std::vector<double> planes(count);
@@ -88,7 +88,7 @@ geom::Box3 box_left(Carved& carved, const geom::Box3& whole, double step, int th
 
 bool is_carved(const mesh::File& file) { return !file.items.empty(); }
 
-Carved carve(const mesh::File& file, double hairline, double step, int threads, Notes& notes) {
+CarvedPart carve(const mesh::File& file, double hairline, double step, int threads, Notes& notes) {
     std::map<std::uint32_t, std::pair<mesh::Mesh, mesh::Mesh>> cut; // by item: the part and its negative bodies
     std::uint64_t bodies = 0;
     for (const mesh::Body& body : file.bodies) {
@@ -102,11 +102,11 @@ Carved carve(const mesh::File& file, double hairline, double step, int threads, 
         const auto at = cut.find(file.items[i]);
         (at == cut.end() ? rest : at->second.first).triangles.push_back(file.mesh.triangles[i]);
     }
-    Carved out;
+    CarvedPart out;
     const auto add = [&](mesh::Mesh part, mesh::Mesh away) {
         mesh::drop_unused_vertices(part);
         if (part.triangles.empty()) return;
-        auto group = std::make_unique<Carved::Group>();
+        auto group = std::make_unique<CarvedPart::Group>();
         group->cut = !away.triangles.empty();
         group->part = filum::slice::make_part(std::move(part), notes, hairline);
         if (group->cut) group->away = filum::slice::make_part(std::move(away), notes, hairline);
@@ -119,17 +119,17 @@ Carved carve(const mesh::File& file, double hairline, double step, int threads, 
     return out;
 }
 
-void sweep(Carved& carved, const filum::slice::Options& options, const std::vector<Level>& levels, int threads) {
+void sweep(CarvedPart& carved, const filum::slice::Options& options, const std::vector<Level>& levels, int threads) {
     for (const auto& group : carved.groups) {
         group->of_part = filum::slice::sweep_over(group->part, options, levels, threads);
         if (group->cut) group->of_away = filum::slice::sweep_over(group->away, options, levels, threads);
     }
 }
 
-filum::slice::Cut cut(const Carved& carved, std::size_t chunk) {
-    filum::slice::Cut out;
+filum::slice::SlicedChunk cut(const CarvedPart& carved, std::size_t chunk) {
+    filum::slice::SlicedChunk out;
     for (const auto& group : carved.groups) {
-        filum::slice::Cut part = filum::slice::cut(group->of_part, chunk), away;
+        filum::slice::SlicedChunk part = filum::slice::cut(group->of_part, chunk), away;
         if (group->cut) away = filum::slice::cut(group->of_away, chunk);
         std::ranges::move(part.notes, std::back_inserter(out.notes));
         std::ranges::move(away.notes, std::back_inserter(out.notes));

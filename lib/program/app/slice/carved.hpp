@@ -11,7 +11,7 @@
 
 namespace filum::app::slice {
 
-struct Carved {
+struct CarvedPart {
     // Parts from which the same bodies are cut away.  All parts without negative bodies form one group.
     struct Group {
         filum::slice::Part part, away;
@@ -28,14 +28,14 @@ bool is_carved(const mesh::File& file);
 // Prepares the parts of a placed file, and finds the box of the remaining material; its z is exact to 2.5 um.
 // `hairline`: as in slice::Options; `step`: the thickness in mm below which remaining material may be missed. Throws
 // Error(bad_input) if nothing remains.
-Carved carve(const mesh::File& file, double hairline, double step, int threads, Notes& notes);
+CarvedPart carve(const mesh::File& file, double hairline, double step, int threads, Notes& notes);
 
 // Prepares the cuts at `levels`; cut() needs them.
-void sweep(Carved& carved, const filum::slice::Options& options, const std::vector<filum::slice::Level>& levels,
+void sweep(CarvedPart& carved, const filum::slice::Options& options, const std::vector<filum::slice::Level>& levels,
            int threads);
 
 // The layers of one chunk, as slice::cut returns them.
-filum::slice::Cut cut(const Carved& carved, std::size_t chunk);
+filum::slice::SlicedChunk cut(const CarvedPart& carved, std::size_t chunk);
 
 // The mesh with all z clamped to the range of the box, so that it has the levels of the remaining material.
 mesh::Mesh within_heights(mesh::Mesh mesh, const geom::Box3& box);

@@ -88,12 +88,13 @@ std::vector<std::string> names_of(const std::vector<OnBed>& parts) {
 // Packs the things with the first of the spacings `tries` at which all find a place.  At each spacing the things are
 // tried as they are, then all turned alike, then each turned by itself.  `taken`: the last spacing that was tried.  If
 // some things find no place, the result lists them.
-plate::Packed packed(const std::vector<plate::Thing>& things, const std::vector<plate::Spacing>& tries, Vec2 size,
-                     plate::Spacing& taken) {
-    plate::Packed out;
+plate::Packing packed(const std::vector<plate::Thing>& things, const std::vector<plate::Spacing>& tries, Vec2 size,
+                      plate::Spacing& taken) {
+    plate::Packing out;
     for (const plate::Spacing& spacing : tries) {
         taken = spacing;
-        for (const plate::Turn turn : {plate::Turn::none, plate::Turn::all, plate::Turn::each}) {
+        for (const plate::QuarterTurns turn :
+             {plate::QuarterTurns::none, plate::QuarterTurns::all, plate::QuarterTurns::each}) {
             out = plate::pack(things, spacing, size, turn);
             if (out.left.empty()) return out;
         }
@@ -101,7 +102,7 @@ plate::Packed packed(const std::vector<plate::Thing>& things, const std::vector<
     return out;
 }
 
-[[noreturn]] void refuse(const plate::Packed& packed, const std::vector<std::string>& names,
+[[noreturn]] void refuse(const plate::Packing& packed, const std::vector<std::string>& names,
                          const plate::Spacing& spacing, const std::string& machine, Vec2 size) {
     constexpr std::size_t kNamed = 3; // so that the message stays short
     std::string left;
@@ -121,7 +122,7 @@ void tell_spacing(const plate::Spacing& taken, const std::vector<plate::Spacing>
     notes.push_back({.code = NoteCode::parts_too_near, .amount = std::min(wanted, got)});
 }
 
-void tell_turned(const plate::Packed& packed, Notes& notes) {
+void tell_turned(const plate::Packing& packed, Notes& notes) {
     double turned = 0;
     for (const plate::Place& p : packed.place) turned += p.quarters == 0 ? 0 : 1;
     if (turned > 0) notes.push_back({.code = NoteCode::parts_turned, .amount = turned});
@@ -145,7 +146,7 @@ std::vector<plate::Place> packed_places(const std::vector<OnBed>& parts, const O
         s.y += 2 * wider;
     }
     plate::Spacing taken;
-    plate::Packed places = packed(things, tries, size, taken);
+    plate::Packing places = packed(things, tries, size, taken);
     if (!places.left.empty()) refuse(places, names, taken, profile.name, size);
     tell_spacing(taken, tries, notes);
     tell_turned(places, notes);
@@ -264,13 +265,13 @@ std::vector<Level> prepare(std::vector<OnBed>& parts, const Options& o, int thre
     return most->sweep.levels;
 }
 
-Wanted wanted(std::span<const Level> levels, const Options& o) {
+LayerRange wanted(std::span<const Level> levels, const Options& o) {
     const auto first_above = [&](double z) {
         const auto at =
             std::find_if(levels.begin(), levels.end(), [&](const Level& l) { return l.z - l.height / 2 > z; });
         return static_cast<std::size_t>(at - levels.begin());
     };
-    Wanted out{0, levels.size(), 0};
+    LayerRange out{0, levels.size(), 0};
     if (!o.cut_below.empty()) out.first = first_above(o.cut_below[0]);
     if (!o.cut_above.empty()) out.last = first_above(o.cut_above[0]);
     if (out.first > 0 && out.first < levels.size()) out.down = levels[out.first - 1].z;

@@ -21,10 +21,10 @@ struct OnBed {
     mesh::Placed placement{};  // map from the file's coordinates
     std::vector<Vec2> outline; // its convex hull seen from above; only if there are several things on the bed
     std::unique_ptr<filum::slice::Part> part;
-    std::optional<Carved> carved{};   // if bodies are cut away; then `part` only gives the heights of the rest
-    std::vector<plate::Place> at{{}}; // the place of each copy
+    std::optional<CarvedPart> carved{}; // if bodies are cut away; then `part` only gives the heights of the rest
+    std::vector<plate::Place> at{{}};   // the place of each copy
     filum::slice::Sweep sweep;
-    std::optional<filum::slice::Measured> measured;
+    std::optional<filum::slice::VolumeSamples> measured;
     std::vector<double> area;          // mm2, of each layer
     std::vector<polygon::Loops> bores; // of each layer: outlines of bores that the layer leaves open
     Notes notes;                       // on the mesh, in the coordinates before copies are placed
@@ -58,11 +58,11 @@ Notes as_placed(const OnBed& part, Notes notes);
 std::vector<filum::slice::Level> prepare(std::vector<OnBed>& parts, const Options& options, int threads, Notes& notes);
 
 // The range of wanted layers: from `first` to before `last`.  `down`: the distance in mm by which they are lowered.
-struct Wanted {
+struct LayerRange {
     std::size_t first = 0, last = 0;
     double down = 0;
 };
 // The layers between --cut-below and --cut-above, from --from-layer on.  Throws Error(bad_input) if there is none.
-Wanted wanted(std::span<const filum::slice::Level> levels, const Options& options);
+LayerRange wanted(std::span<const filum::slice::Level> levels, const Options& options);
 
 } // namespace filum::app::slice

@@ -28,7 +28,7 @@ struct Job {
     const Options& o;
     std::vector<OnBed>& parts;
     std::span<const filum::slice::Level> levels;
-    Wanted wanted;
+    LayerRange wanted;
     std::atomic<bool> holed = false;         // a layer has a hole
     std::vector<std::vector<double>> kept{}; // of several bodies, per body and layer: mm2 that are left of it
 
@@ -94,7 +94,8 @@ std::vector<stream::RawFrame> cut_all(Job& job, std::size_t chunk, Notes& notes)
     for (std::size_t p = 0; p < job.parts.size(); ++p) {
         OnBed& part = job.parts[p];
         if (chunk >= part.sweep.chunks()) continue;
-        filum::slice::Cut cut = part.carved ? slice::cut(*part.carved, chunk) : filum::slice::cut(part.sweep, chunk);
+        filum::slice::SlicedChunk cut =
+            part.carved ? slice::cut(*part.carved, chunk) : filum::slice::cut(part.sweep, chunk);
         take_notes(job, part, std::move(cut.notes), notes);
         for (polygon::Layer& layer : cut.layers) {
             part.area[layer.index] = polygon::signed_area(layer.contours);

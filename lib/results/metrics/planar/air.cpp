@@ -1,7 +1,7 @@
 #include "metrics/planar/air.hpp"
 
 #include "geom/segment_grid.hpp"
-#include "metrics/planar/lanes.hpp"
+#include "metrics/planar/row_sections.hpp"
 #include "parallel/parallel.hpp"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ std::vector<Bead> carriers(const Track& below, double half) {
 
 // The union of the lanes at a row.
 struct Sweep {
-    const std::vector<Lane>& lane;
+    const std::vector<SweptBead>& lane;
     std::size_t next = 0;
     std::vector<std::uint32_t> live;
 
@@ -73,9 +73,9 @@ double shared_length(const std::vector<Interval>& a, const std::vector<Interval>
 
 // The area under `beads` and not under `below`, mm2.
 double uncovered(std::span<const Bead> beads, std::span<const Bead> below, double spacing) {
-    const auto upper = lanes(beads), lower = lanes(below);
+    const auto upper = swept_beads(beads), lower = swept_beads(below);
     double top = upper.front().hi, sum = 0;
-    for (const Lane& l : upper) top = std::max(top, l.hi);
+    for (const SweptBead& l : upper) top = std::max(top, l.hi);
     Sweep laid{upper, 0, {}}, under{lower, 0, {}};
     std::vector<Interval> up, low;
     spacing = std::max(spacing, (top - upper.front().lo) / kMostRows);
@@ -91,9 +91,9 @@ double uncovered(std::span<const Bead> beads, std::span<const Bead> below, doubl
 }
 
 // The parts of beads outside of all supporting beads.
-class Carried {
+class CarrierBeads {
   public:
-    explicit Carried(const std::vector<Bead>& carriers)
+    explicit CarrierBeads(const std::vector<Bead>& carriers)
         : carrier_(carriers), reach_(reach(carriers)), grid_(segments(carriers), reach_, reach_) {}
 
     // The unsupported intervals of the axis a -> b, mm from a.
@@ -106,7 +106,7 @@ class Carried {
             if (all) return;
             const Bead& c = carrier_[i];
             const auto turned = [&](Vec2 p) { return Vec2{geom::dot(p - a, u), geom::cross(u, p - a)}; };
-            Lane lane{turned(c.a), turned(c.b), {1, 0}, c.width / 2, geom::distance(c.a, c.b), 0, 0, 0};
+            SweptBead lane{turned(c.a), turned(c.b), {1, 0}, c.width / 2, geom::distance(c.a, c.b), 0, 0, 0};
             if (lane.length > 0) lane.u = (1 / lane.length) * (lane.b - lane.a);
             Interval s;
             if (!section(lane, 0, s) || s.hi <= 0 || s.lo >= l) return;
@@ -144,7 +144,7 @@ class Carried {
 };
 
 void stretches(const Track& upper, const std::vector<Bead>& carriers, Air& air) {
-    Carried carried(carriers);
+    CarrierBeads carried(carriers);
     double now = 0; // of the current connected length
     Vec2 begin;
     for (std::size_t i = 0; i < upper.beads.size(); ++i) {

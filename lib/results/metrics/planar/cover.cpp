@@ -1,6 +1,6 @@
 #include "metrics/planar/cover.hpp"
 
-#include "metrics/planar/lanes.hpp"
+#include "metrics/planar/row_sections.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,13 +66,13 @@ struct Rows {
     std::size_t count = 0;
 };
 
-Rows rows(std::span<const Lane> lanes, std::span<const Edge> edges, double spacing) {
+Rows rows(std::span<const SweptBead> lanes, std::span<const Edge> edges, double spacing) {
     double lo = INFINITY, hi = -INFINITY, part_lo = INFINITY, part_hi = -INFINITY;
     for (const Edge& e : edges) {
         part_lo = std::min(part_lo, e.lo.y);
         part_hi = std::max(part_hi, e.hi.y);
     }
-    for (const Lane& l : lanes) {
+    for (const SweptBead& l : lanes) {
         lo = std::min(lo, l.lo);
         hi = std::max(hi, l.hi);
     }
@@ -98,7 +98,7 @@ LayerCover cover(std::span<const Bead> beads, std::span<const polygon::Loops* co
     out.slot.resize(outline.size());
     for (const Bead& b : beads) out.slot[b.slot].deposited += geom::distance(b.a, b.b) * b.width * b.thick;
     for (const Cover& s : out.slot) out.whole.deposited += s.deposited;
-    const auto lane = lanes(beads);
+    const auto lane = swept_beads(beads);
     const auto edge = edges(outline);
     const Rows row = rows(lane, edge, spacing);
     std::vector<std::uint32_t> live_lanes, live_edges;

@@ -2,7 +2,7 @@
 
 #include "base/density.hpp"
 #include "base/number.hpp"
-#include "metrics/planar/lanes.hpp"
+#include "metrics/planar/row_sections.hpp"
 #include "parallel/parallel.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "base/number.hpp"
 #include "figures/meanings.hpp"
-#include "figures/said.hpp"
+#include "figures/records.hpp"
 #include "metrics/planar/directions.hpp"
 
 #include <algorithm>
@@ -221,7 +221,7 @@ void shape(const Beads& beads, const std::vector<polygon::Region>& regions, cons
     tell(out, "sharp_turn_share", t.share());
     tell(out, "turn_samples", count(t.samples));
     tell(out, "turn_radius_least_mm", t.min_radius);
-    const Seams s = seams(beads, regions, w.median);
+    const SeamDistances s = seams(beads, regions, w.median);
     if (s.pairs > 0) {
         tell(out, "seam_pairs", count(s.pairs));
         tell(out, "seam_mean_mm", s.mean);
@@ -267,7 +267,7 @@ Figures report(const Input& input, const Beads& beads, const std::vector<polygon
         lengths(input, options, out);
     }
     if (beads.misplaced > 0) tell(out, "moves_above_top", std::uint64_t{beads.misplaced});
-    figures::said_before(input.notes, input.facts, out);
+    figures::add_records(input.notes, input.facts, out);
     return out;
 }
 

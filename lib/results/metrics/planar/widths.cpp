@@ -53,7 +53,7 @@ Widths widths(const Beads& beads) {
     return out;
 }
 
-Seams seams(const Beads& beads, const std::vector<polygon::Region>& regions, double bead_width) {
+SeamDistances seams(const Beads& beads, const std::vector<polygon::Region>& regions, double bead_width) {
     struct Start {
         std::uint32_t order;
         Vec2 at;
@@ -87,7 +87,7 @@ Seams seams(const Beads& beads, const std::vector<polygon::Region>& regions, dou
             }
         }
     }
-    Seams out;
+    SeamDistances out;
     if (apart.empty()) return out;
     std::sort(apart.begin(), apart.end());
     out.pairs = apart.size();

@@ -17,12 +17,12 @@ Widths widths(const Beads& beads);
 
 // Distances between the starts of adjacent layers: for every region, the distance in XY from the start of its first
 // bead to that of each region below it. Without `regions`, from every region to the nearest start on the layer below.
-struct Seams {
+struct SeamDistances {
     std::size_t pairs = 0;
     double min = 0, mean = 0, median = 0; // mm
     std::size_t near = 0;                 // pairs nearer than three bead widths
 };
 
-Seams seams(const Beads& beads, const std::vector<polygon::Region>& regions, double bead_width);
+SeamDistances seams(const Beads& beads, const std::vector<polygon::Region>& regions, double bead_width);
 
 } // namespace filum::metrics::planar

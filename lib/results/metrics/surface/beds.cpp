@@ -46,9 +46,9 @@ std::vector<double> levels(const Surface& base, const std::vector<Sample>& own, 
 
 std::vector<Bed> beds(const Surface& base, const Fibres& fibres, int threads) {
     double narrowest = std::numeric_limits<double>::infinity();
-    for (const Chain& c : fibres.chains)
+    for (const Fibre& c : fibres.all)
         for (const double w : c.width) narrowest = std::min(narrowest, w);
-    if (fibres.chains.empty()) return {};
+    if (fibres.all.empty()) return {};
     const Ground ground(base, filum::surface::longest_edge(base));
     std::map<std::uint32_t, std::vector<Sample>> layers;
     for (const Sample& s : samples(fibres, ground, kSampled * narrowest, threads))

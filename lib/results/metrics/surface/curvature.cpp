@@ -21,7 +21,7 @@ double turning(const Vec3& before, const Vec3& after, const Vec3& n) {
 
 // The chain's points except those within `least` mm along it of an earlier one, or of its end, because the direction
 // between almost coincident points is arbitrary.
-std::vector<std::size_t> apart(const Chain& c, double least) {
+std::vector<std::size_t> apart(const Fibre& c, double least) {
     std::vector<std::size_t> out{0};
     for (std::size_t i = 1; i + 1 < c.points.size(); ++i)
         if (c.along[i] - c.along[out.back()] >= least && c.length() - c.along[i] >= least) out.push_back(i);
@@ -32,7 +32,7 @@ std::vector<std::size_t> apart(const Chain& c, double least) {
 // The integral of turning along the chain: linear between knots.
 class Sums {
   public:
-    Sums(const Chain& c, std::span<const Vec3> normals, double step) {
+    Sums(const Fibre& c, std::span<const Vec3> normals, double step) {
         add(0, 0);
         const auto kept = apart(c, kApart * step);
         for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
@@ -79,7 +79,7 @@ double nod(const Vec3& n0, const Vec3& n1, const Vec3& tangent, double way) {
 
 double paper_angle(const Fibres& fibres, double step) {
     std::vector<double> all;
-    for (const Chain& c : fibres.chains) {
+    for (const Fibre& c : fibres.all) {
         const auto p = resampled(c, step);
         all.insert(all.end(), 2, 0.0);
         for (std::size_t i = 1; i + 1 < p.size(); ++i) all.push_back(angle(p[i] - p[i - 1], p[i + 1] - p[i]));
@@ -93,7 +93,7 @@ double paper_angle(const Fibres& fibres, double step) {
     return sum / static_cast<double>(n);
 }
 
-Bends bends(const Chain& c, std::span<const Vec3> normals, double step) {
+Bends bends(const Fibre& c, std::span<const Vec3> normals, double step) {
     const Sums sums(c, normals, step);
     const auto n = static_cast<std::size_t>(std::max(1.0, std::round(kPlaces * c.length() / step)));
     const double first = sums.first(), last = sums.last();

@@ -1,7 +1,7 @@
 // The curvature of fibres.
 #pragma once
 
-#include "metrics/surface/chains.hpp"
+#include "metrics/surface/fibres.hpp"
 
 #include <span>
 
@@ -40,6 +40,6 @@ struct Bends {
 // the angle of the polyline, which on triangles turns at their sides only.
 //
 // `normals`: of the surface, unit, per point of the chain.
-Bends bends(const Chain& chain, std::span<const Vec3> normals, double step);
+Bends bends(const Fibre& chain, std::span<const Vec3> normals, double step);
 
 } // namespace filum::metrics::surface

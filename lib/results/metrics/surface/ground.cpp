@@ -34,7 +34,7 @@ bool on_rim(const Surface& s, const filum::surface::curve::Place& at) {
     return false;
 }
 
-Vec3 axis_at(const Chain& c, std::size_t stretch, double t) {
+Vec3 axis_at(const Fibre& c, std::size_t stretch, double t) {
     const Vec3 v = (1 - t) * c.axes[stretch] + t * c.axes[stretch + 1];
     return norm(v) > 0.5 ? v : Vec3{};
 }
@@ -50,7 +50,7 @@ class Projector {
     Projector(const Ground& ground, double level, Shadow& out)
         : ground_(ground), surface_(ground.finer.surface), level_(level), out_(out) {}
 
-    void stretch(const Chain& c, std::size_t i, double from, double to, int halvings = 0) {
+    void stretch(const Fibre& c, std::size_t i, double from, double to, int halvings = 0) {
         const filum::surface::curve::Place a = place(c, i, from), b = place(c, i, to);
         const ShadowState a_state = shadow_state(c, i, from, a), b_state = shadow_state(c, i, to, b);
         if (a_state != ShadowState::present && a_state == b_state) {
@@ -80,21 +80,21 @@ class Projector {
     }
 
   private:
-    [[nodiscard]] filum::surface::curve::Place place(const Chain& c, std::size_t i, double t) const {
+    [[nodiscard]] filum::surface::curve::Place place(const Fibre& c, std::size_t i, double t) const {
         return ground_.fine_foot(at(c, i, t), axis_at(c, i, t));
     }
-    static Vec3 at(const Chain& c, std::size_t i, double t) {
+    static Vec3 at(const Fibre& c, std::size_t i, double t) {
         return c.points[i] + t * (c.points[i + 1] - c.points[i]);
     }
     // Whether a place of the path has a shadow, or why it has none.
     enum class ShadowState : std::uint8_t { present, beside, aloft };
-    [[nodiscard]] ShadowState shadow_state(const Chain& c, std::size_t i, double t,
+    [[nodiscard]] ShadowState shadow_state(const Fibre& c, std::size_t i, double t,
                                            const filum::surface::curve::Place& foot) const {
         const Vec3 p = at(c, i, t), way = p - foot.point;
         if (past_rim(surface_, foot, p, c.width[i])) return ShadowState::beside;
         return norm(way) > level_ + c.width[i] / 2 ? ShadowState::aloft : ShadowState::present;
     }
-    void add(const Chain& c, std::size_t i, std::uint32_t triangle, const Vec3& a, const Vec3& b) {
+    void add(const Fibre& c, std::size_t i, std::uint32_t triangle, const Vec3& a, const Vec3& b) {
         out_.segments.push_back({triangle, a, distance(a, b) > kPoint ? b : a});
         out_.width.push_back(c.width[i]);
     }
@@ -128,8 +128,8 @@ Vec3 Ground::normal(const filum::surface::curve::Place& place) const {
 
 std::vector<Sample> samples(const Fibres& fibres, const Ground& ground, double step, int threads) {
     std::vector<Sample> out;
-    for (std::uint32_t k = 0; k < fibres.chains.size(); ++k) {
-        const Chain& c = fibres.chains[k];
+    for (std::uint32_t k = 0; k < fibres.all.size(); ++k) {
+        const Fibre& c = fibres.all[k];
         const auto n = static_cast<std::size_t>(std::max(1.0, std::round(c.length() / step)));
         const double length = c.length() / static_cast<double>(n);
         std::size_t stretch = 0;
@@ -162,10 +162,10 @@ std::vector<Sample> samples(const Fibres& fibres, const Ground& ground, double s
 
 Feet feet(const Fibres& fibres, const Ground& ground, int threads) {
     Feet out;
-    std::vector<std::vector<Weighted>> off(fibres.chains.size());
-    out.normals.resize(fibres.chains.size());
-    parallel::for_chunks(fibres.chains.size(), 1, threads, [&](std::size_t k, std::size_t) {
-        const Chain& c = fibres.chains[k];
+    std::vector<std::vector<Weighted>> off(fibres.all.size());
+    out.normals.resize(fibres.all.size());
+    parallel::for_chunks(fibres.all.size(), 1, threads, [&](std::size_t k, std::size_t) {
+        const Fibre& c = fibres.all[k];
         for (std::size_t i = 0; i < c.points.size(); ++i) {
             const filum::surface::curve::Place at = ground.foot(c.points[i], c.axes[i]);
             const double before = i > 0 ? c.along[i] - c.along[i - 1] : 0;
@@ -181,9 +181,9 @@ Feet feet(const Fibres& fibres, const Ground& ground, int threads) {
 }
 
 Shadow shadow(const Fibres& fibres, const Ground& ground, const ShadowOptions& options, int threads) {
-    std::vector<Shadow> parts(fibres.chains.size());
+    std::vector<Shadow> parts(fibres.all.size());
     parallel::for_chunks(parts.size(), 1, threads, [&](std::size_t k, std::size_t) {
-        const Chain& c = fibres.chains[k];
+        const Fibre& c = fibres.all[k];
         Projector projector(ground, options.level, parts[k]);
         for (std::size_t i = 0; i + 1 < c.points.size(); ++i) {
             if (c.layer[i] != options.layer) continue;

@@ -1,7 +1,7 @@
 // The surface under a path, and the places of the surface that are nearest to the path.
 #pragma once
 
-#include "metrics/surface/chains.hpp"
+#include "metrics/surface/fibres.hpp"
 #include "surface/curve/locate.hpp"
 #include "surface/finer.hpp"
 

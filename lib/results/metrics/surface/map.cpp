@@ -74,7 +74,7 @@ std::vector<Bead> beads_of(const Fibres& fibres, std::uint32_t layer) {
     constexpr double kApart = 1e6; // mm
     std::vector<Bead> out;
     double begin = 0;
-    for (const Chain& c : fibres.chains) {
+    for (const Fibre& c : fibres.all) {
         for (std::size_t i = 0; i < c.width.size(); ++i)
             if (c.layer[i] == layer)
                 out.push_back({c.points[i], c.points[i + 1], geom::unit(c.axes[i] + c.axes[i + 1], Vec3{}),
@@ -226,7 +226,7 @@ std::vector<double> averaged(const Surface& s, std::span<const double> area, std
 
 Map map(const Surface& base, const Fibres& fibres, std::span<const Bed> beds, int threads) {
     double narrowest = kEndless;
-    for (const Chain& c : fibres.chains)
+    for (const Fibre& c : fibres.all)
         for (const double w : c.width) narrowest = std::min(narrowest, w);
     Map out{filum::surface::finer(base, kPart * narrowest), {}, {}, {}, {}, {}};
     const Surface& s = out.ground.surface;

@@ -1,7 +1,7 @@
 // Maps of a finished toolpath on a surface: thickness, coverage and fibre directions, per point and ply.
 #pragma once
 
-#include "metrics/surface/chains.hpp"
+#include "metrics/surface/fibres.hpp"
 #include "surface/finer.hpp"
 #include "surface/sheet.hpp"
 
@@ -37,8 +37,8 @@ struct PlyMap {
     std::vector<double> deviation; // degrees between the nearest bead and the requested direction; infinite if no bead
                                    // is near, or without a request
     std::vector<double> clearance; // mm from the nearest bead's edge, negative under beads; at most a bead's width
-    // Degrees between beads and the requested direction, by their length, turns included, except for beads past the rims
-    // or past the edge of the ply.
+    // Degrees between beads and the requested direction, by their length, turns included, except for beads past the
+    // rims or past the edge of the ply.
     std::vector<Weighted> off;
 };
 

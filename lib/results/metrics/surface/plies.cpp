@@ -26,7 +26,7 @@ void add(Area& sum, const Area& a) {
 
 double laid(const Fibres& fibres, std::uint32_t layer) {
     double sum = 0;
-    for (const Chain& c : fibres.chains)
+    for (const Fibre& c : fibres.all)
         for (std::size_t i = 0; i < c.width.size(); ++i)
             sum += c.layer[i] == layer ? c.width[i] * (c.along[i + 1] - c.along[i]) : 0;
     return sum;

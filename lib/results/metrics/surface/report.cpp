@@ -6,9 +6,9 @@
 #include "figures/meanings.hpp"
 #include "metrics/surface/curvature.hpp"
 #include "metrics/surface/load.hpp"
+#include "metrics/surface/neighbours.hpp"
 #include "metrics/surface/place_text.hpp"
 #include "metrics/surface/plies.hpp"
-#include "metrics/surface/strands.hpp"
 #include "metrics/surface/tight.hpp"
 #include "parallel/parallel.hpp"
 #include "surface/curve/turns.hpp"
@@ -51,7 +51,7 @@ struct Inputs {
 
 void continuity(const Fibres& fibres, double area, Figures& out) {
     std::vector<Weighted> lengths;
-    for (const Chain& c : fibres.chains) lengths.push_back({c.length(), 1});
+    for (const Fibre& c : fibres.all) lengths.push_back({c.length(), 1});
     const std::size_t cuts = lengths.empty() ? 0 : lengths.size() - 1;
     tell(out, "chains", std::uint64_t{lengths.size()});
     tell(out, "cuts", std::uint64_t{cuts});
@@ -65,7 +65,7 @@ void continuity(const Fibres& fibres, double area, Figures& out) {
 }
 
 std::vector<Bends> bend(const Inputs& inputs, const Feet& feet) {
-    const auto& chains = inputs.fibres.chains;
+    const auto& chains = inputs.fibres.all;
     std::vector<Bends> out(chains.size());
     parallel::for_chunks(chains.size(), 1, inputs.threads, [&](std::size_t k, std::size_t) {
         out[k] = bends(chains[k], feet.normals[k], inputs.options.step);
@@ -243,7 +243,7 @@ Measurement measure(const Fibres& fibres, const filum::surface::Sheet& sheet, co
     const double width = median_width(fibres);
     Options options = given;
     if (options.spacing == 0) options.spacing = width;
-    if (fibres.chains.empty() || !(width > 0)) {
+    if (fibres.all.empty() || !(width > 0)) {
         continuity(fibres, filum::surface::area(sheet.surface), out.figures);
         return out;
     }

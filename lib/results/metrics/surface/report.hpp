@@ -2,7 +2,7 @@
 #pragma once
 
 #include "figures/figures.hpp"
-#include "metrics/surface/chains.hpp"
+#include "metrics/surface/fibres.hpp"
 #include "surface/sheet.hpp"
 
 #include <optional>

@@ -12,8 +12,8 @@ TightLength tight(const Fibres& fibres, std::span<const std::vector<Vec3>> norma
     const double reach = curve::turn_reach(radius, spacing);
     TightLength out;
     out.least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < fibres.chains.size(); ++k) {
-        const Chain& c = fibres.chains[k];
+    for (std::size_t k = 0; k < fibres.all.size(); ++k) {
+        const Fibre& c = fibres.all[k];
         out.least = std::min(out.least, curve::least_radius(c.points, normals[k], reach));
         for (const auto& t : curve::tight_turns(c.points, normals[k], radius, reach)) {
             std::size_t stretch = 0;

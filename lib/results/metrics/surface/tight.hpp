@@ -1,7 +1,7 @@
 // Tight turns of a path, found by its shape alone.
 #pragma once
 
-#include "metrics/surface/chains.hpp"
+#include "metrics/surface/fibres.hpp"
 
 #include <span>
 

@@ -6,7 +6,7 @@
 #include "surfpath/fina.hpp"
 #include "surfpath/geo_spiral.hpp"
 #include "surfpath/plan/order.hpp"
-#include "surfpath/rows/turn.hpp"
+#include "surfpath/rows/flat_turn.hpp"
 
 #include "../../shapes/surface/grid.hpp"
 #include "../../trials.hpp"

@@ -1,8 +1,8 @@
 // Slits of surfaces without a rim, and the rings beside them.
 #include "surfpath/slits.hpp"
 
+#include "surfpath/fronts/source_lines.hpp"
 #include "surfpath/seed_side.hpp"
-#include "surfpath/strands/source_lines.hpp"
 #include "surfpath/surfpath.hpp"
 
 #include "../../trials.hpp"
@@ -15,7 +15,7 @@
 
 namespace filum::surfpath {
 
-using namespace strands;
+using namespace fronts;
 namespace {
 
 using std::numbers::pi;

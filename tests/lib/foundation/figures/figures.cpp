@@ -1,7 +1,7 @@
 // Named numbers as text.
 #include "figures/figures.hpp"
 #include "figures/meanings.hpp"
-#include "figures/said.hpp"
+#include "figures/records.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ TEST(Said, FactsAreNumbersAndNotesAreCounted) {
     const auto note = [](double amount, std::uint64_t count) {
         return Note{.code = NoteCode::area_unreached, .amount = amount, .count = count, .stage = "fill"};
     };
-    said_before({note(1.5, 2), note(0.5, 1)}, {{"sequence", "lower-bound", 14, "strokes"}}, out);
+    add_records({note(1.5, 2), note(0.5, 1)}, {{"sequence", "lower-bound", 14, "strokes"}}, out);
     EXPECT_EQ(text(out, Format::tsv),
               "key\tvalue\tunit\nreport\tmetrics\t\nversion\t1\t\nsaid.sequence.lower_bound\t14\tstrokes\n"
               "noted.fill.area_unreached.grade\tlook\t\nnoted.fill.area_unreached.cases\t3\tcases\n"

@@ -62,14 +62,14 @@ TEST(ForChunks, ThrowsTheFirstFailureByPlace) {
 }
 
 // What the sink saw, and what was thrown, "" for nothing.
-struct Seen {
+struct Observation {
     std::vector<int> seen;
     std::string thrown;
-    bool operator==(const Seen&) const = default;
+    bool operator==(const Observation&) const = default;
 };
 
-Seen run(int threads, int n, int work_fails, int source_fails) {
-    Seen out;
+Observation run(int threads, int n, int work_fails, int source_fails) {
+    Observation out;
     int i = 0;
     try {
         ordered<int, int>(
@@ -92,14 +92,14 @@ Seen run(int threads, int n, int work_fails, int source_fails) {
 
 TEST(Ordered, TheSinkSeesTheOrderOfTheSource) {
     for (const int threads : {1, 2, 8}) {
-        const Seen r = run(threads, 500, 1000, -1);
+        const Observation r = run(threads, 500, 1000, -1);
         ASSERT_EQ(r.seen.size(), 500U);
         for (std::size_t k = 0; k < 500; ++k) ASSERT_EQ(r.seen[k], static_cast<int>(k * k));
     }
 }
 
 TEST(Ordered, FailuresAreTheSameForAnyThreads) {
-    const Seen work = run(1, 500, 100, -1), source = run(1, 500, 1000, 50), both = run(1, 500, 40, 50);
+    const Observation work = run(1, 500, 100, -1), source = run(1, 500, 1000, 50), both = run(1, 500, 40, 50);
     EXPECT_EQ(work.thrown, "work 100");
     EXPECT_EQ(work.seen.size(), 100U);
     EXPECT_EQ(source.thrown, "source");

@@ -164,10 +164,10 @@ TEST(Check, ManyMovesAgreeWithEachAlone) {
         BeadGrowth growth(head);
         const bool turned = trial % 2 == 1, known = trial >= 4;
         const double tight = random(0.05, 0.3);
-        Stance here{random.place(8), {0, 0, 1}, known ? Vec3{1, 0, 0} : Vec3{}};
+        ToolFrame here{random.place(8), {0, 0, 1}, known ? Vec3{1, 0, 0} : Vec3{}};
         for (int i = 0; i < 256; ++i) {
             const double t = tight * i, lean = turned ? 0.4 * std::sin(0.05 * i) : 0.0;
-            Stance next = here;
+            ToolFrame next = here;
             next.tip = here.tip + Vec3{0.3 * std::cos(t), 0.3 * std::sin(t), turned ? 0.1 * std::sin(0.3 * i) : 0.002};
             next.axis = {0, std::sin(lean), std::cos(lean)};
             growth.add({here, next, 0, static_cast<std::uint32_t>(i), 0, 0, false}, 0.4, 0.2);
@@ -201,9 +201,9 @@ TEST(Check, TheSameForAnyNumberOfThreads) {
         part.push_back(triangle(a, a + random.place(3), a + random.place(3)));
     }
     std::vector<Move> moves;
-    Stance here{random.place(80), random.axis(), {}};
+    ToolFrame here{random.place(80), random.axis(), {}};
     for (int i = 0; i < 9000; ++i) {
-        const Stance next{here.tip + random.place(0.5), here.axis, {}};
+        const ToolFrame next{here.tip + random.place(0.5), here.axis, {}};
         moves.push_back({here, next, 0, static_cast<std::uint32_t>(i), 0, 0, false});
         here = next;
     }

@@ -160,13 +160,13 @@ TEST(Program, TipAndJointsAreTheSameWay) {
     const Program a = read(one, tip), b = read(other, joints);
     EXPECT_GT(a.moves.size(), 20U); // cut while the axes turn
     const auto last = [](const Program& p, std::uint32_t line) {
-        Stance out;
+        ToolFrame out;
         for (const Move& m : p.moves)
             if (m.source == line) out = m.to;
         return out;
     };
     for (std::uint32_t i = 2; i <= 5; ++i) {
-        const Stance x = last(a, i + 1), y = last(b, i);
+        const ToolFrame x = last(a, i + 1), y = last(b, i);
         EXPECT_LT(distance(x.tip, y.tip), 1e-5);
         EXPECT_LT(distance(x.axis, y.axis), 1e-5);
         EXPECT_LT(distance(x.side, y.side), 1e-5);

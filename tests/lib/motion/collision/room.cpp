@@ -79,7 +79,7 @@ TEST(Room, AgreesWithTheCheck) {
     for (int i = 0; i < 200; ++i) {
         const auto stance = [&] {
             const Vec3 v{random(-1, 1), random(-1, 1), random(0.1, 1)};
-            return Stance{place(50), (1 / norm(v)) * v, {}};
+            return ToolFrame{place(50), (1 / norm(v)) * v, {}};
         };
         Move move{stance(), stance()};
         move.to.tip = move.from.tip + place(6);

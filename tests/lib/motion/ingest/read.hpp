@@ -10,7 +10,7 @@ namespace ingested {
 
 struct Result {
     std::vector<filum::toolpath::Span> spans;
-    filum::ingest::Found found;
+    filum::ingest::ReadResult found;
 };
 
 inline Result read(const std::string& text, const filum::ingest::Options& options = {},

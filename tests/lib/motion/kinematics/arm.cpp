@@ -7,7 +7,7 @@
 
 using namespace arms;
 using kinematics::Build;
-using kinematics::Lack;
+using kinematics::Shortfall;
 using kinematics::Singular;
 
 TEST(Arm, TablesStandWhereTheMakersSay) {
@@ -72,7 +72,7 @@ TEST(Arm, WhatIsOutOfReachHasNoWayAndSaysByHowMuch) {
         const double length = distance(arm.axes[2].point, arm.axes[1].point) +
                               distance(wrist ? arm.centre : arm.axes[3].point, arm.axes[2].point);
         far.origin = {5000, 0, arm.axes[1].point.z};
-        Lack lack;
+        Shortfall lack;
         EXPECT_TRUE(kinematics::inverse(arm, far, {}, &lack).empty()) << name;
         EXPECT_GT(lack.length, 5000 - length - 500) << name;
         EXPECT_LT(lack.length, 5000 - length + 500) << name;

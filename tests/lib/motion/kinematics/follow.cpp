@@ -8,11 +8,11 @@
 #include <gtest/gtest.h>
 
 using namespace arms;
-using kinematics::Before;
-using kinematics::Carried;
-using kinematics::Followed;
-using kinematics::Stand;
-using kinematics::Trouble;
+using kinematics::ArmSetup;
+using kinematics::FollowFailure;
+using kinematics::FollowResult;
+using kinematics::StartPosture;
+using kinematics::TimedFrame;
 
 namespace {
 
@@ -36,18 +36,19 @@ Frame down(double x, double y, double z, double turn = 0) {
     return {geom::rotation_of({0, 0, -1}, {std::cos(turn), std::sin(turn), 0}), {x, y, z}};
 }
 
-std::vector<Stand> line(const Frame& from, const Frame& to, int n, double seconds = 10) {
-    std::vector<Stand> out;
+std::vector<TimedFrame> line(const Frame& from, const Frame& to, int n, double seconds = 10) {
+    std::vector<TimedFrame> out;
     for (int i = 0; i <= n; ++i)
         out.push_back({kinematics::between(from, to, i / static_cast<double>(n)), i == 0 ? 0 : seconds / n});
     return out;
 }
 
 // Where the tip is for a posture, by the tests' own kinematics.
-Frame tip(const Carried& c, const Posture& q) { return driven(c.arm, q) * c.tool; }
+Frame tip(const ArmSetup& c, const Posture& q) { return driven(c.arm, q) * c.tool; }
 
-void expect_followed(const Carried& c, const std::vector<Stand>& stands, const Followed& f, const char* what) {
-    ASSERT_EQ(f.hindrance.trouble, Trouble::none)
+void expect_followed(const ArmSetup& c, const std::vector<TimedFrame>& stands, const FollowResult& f,
+                     const char* what) {
+    ASSERT_EQ(f.hindrance.trouble, FollowFailure::none)
         << what << " axis " << f.hindrance.axis << " stand " << f.hindrance.stand << " by " << f.hindrance.amount;
     ASSERT_EQ(f.postures.size(), stands.size()) << what;
     for (std::size_t i = 0; i < stands.size(); ++i) {
@@ -74,7 +75,7 @@ void expect_followed(const Carried& c, const std::vector<Stand>& stands, const F
 
 TEST(Follow, StraightStrokesKeepTheSpin) {
     Random random;
-    const Carried c{irb(), kTool, true, 5 * kDegree};
+    const ArmSetup c{irb(), kTool, true, 5 * kDegree};
     for (int i = 0; i < 40; ++i) {
         const auto place = [&] {
             const geom::Vec3 at{random(800, 1300), random(-400, 400), random(100, 600)};
@@ -94,21 +95,21 @@ TEST(Follow, ARoundToolUnwindsOnTheWay) {
     Arm arm = irb();
     arm.axes[5].min = -200 * kDegree;
     arm.axes[5].max = 200 * kDegree;
-    std::vector<Stand> stands; // the tool's x axis turns round three times
+    std::vector<TimedFrame> stands; // the tool's x axis turns round three times
     for (int i = 0; i <= 600; ++i) stands.push_back({down(1000, -300 + i, 300, i * 1.8 * kDegree), 0.05});
-    const Followed held = kinematics::follow({arm, kTool, false, 0}, stands, {kReady, 0, true});
-    EXPECT_EQ(held.hindrance.trouble, Trouble::limit);
+    const FollowResult held = kinematics::follow({arm, kTool, false, 0}, stands, {kReady, 0, true});
+    EXPECT_EQ(held.hindrance.trouble, FollowFailure::limit);
     EXPECT_EQ(held.hindrance.axis, 5U);
     EXPECT_GT(held.hindrance.stand, 100U);
     EXPECT_GT(held.hindrance.amount, 0);
     EXPECT_LT(held.hindrance.amount, 10 * kDegree);
-    const Carried round{arm, kTool, true, 5 * kDegree};
+    const ArmSetup round{arm, kTool, true, 5 * kDegree};
     expect_followed(round, stands, kinematics::follow(round, stands, {kReady, 0, true}), "unwound");
 }
 
 TEST(Follow, ARoundToolGoesRoundASingularity) {
     // A tool that leans: the wrist is stretched, axes 4 and 6 in line, where it points along the fore arm.
-    const Carried fixed{irb(), {geom::about({0, 1, 0}, 50 * kDegree), {120, 0, 150}}, false, 5 * kDegree};
+    const ArmSetup fixed{irb(), {geom::about({0, 1, 0}, 50 * kDegree), {120, 0, 150}}, false, 5 * kDegree};
     Posture q = kReady;
     q[3] = 0;
     q[4] = 0;
@@ -118,31 +119,31 @@ TEST(Follow, ARoundToolGoesRoundASingularity) {
     q[4] = 0.1;
     const auto ways = kinematics::inverse(fixed.arm, stands[0].tip * geom::inverse(fixed.tool), q);
     q = *std::ranges::min_element(ways, {}, [&](const Posture& w) { return kinematics::apart(w, q); });
-    const Followed f = kinematics::follow(fixed, stands, {q, 0, false});
-    EXPECT_EQ(f.hindrance.trouble, Trouble::jump);
+    const FollowResult f = kinematics::follow(fixed, stands, {q, 0, false});
+    EXPECT_EQ(f.hindrance.trouble, FollowFailure::jump);
     EXPECT_NEAR(static_cast<double>(f.hindrance.stand), 31, 2);
     EXPECT_LT(f.nearest.angle, 1 * kDegree);
-    Carried round = fixed;
+    ArmSetup round = fixed;
     round.round = true;
-    const Followed g = kinematics::follow(round, stands, {q, 0, true});
+    const FollowResult g = kinematics::follow(round, stands, {q, 0, true});
     expect_followed(round, stands, g, "round");
     EXPECT_GE(g.nearest.angle, 5 * kDegree);
     EXPECT_LT(*std::max_element(g.needed.begin(), g.needed.end()), 0.25);
 }
 
 TEST(Follow, WhatIsOutOfReachIsToldWithItsPlace) {
-    const Carried c{irb(), kTool, true, 5 * kDegree};
+    const ArmSetup c{irb(), kTool, true, 5 * kDegree};
     const auto stands = line(down(1000, 0, 300), down(3000, 0, 300), 100);
-    const Followed f = kinematics::follow(c, stands, {kReady, 0, true});
-    EXPECT_EQ(f.hindrance.trouble, Trouble::reach);
+    const FollowResult f = kinematics::follow(c, stands, {kReady, 0, true});
+    EXPECT_EQ(f.hindrance.trouble, FollowFailure::reach);
     const double reach = std::hypot(900, 0) + std::hypot(960, 175); // of the wrist, from axis 2, both in line
     const double wrist = std::sqrt(reach * reach - std::pow(300 + 150 + 135 - 495, 2)) + 175;
     EXPECT_NEAR(stands[f.hindrance.stand].tip.origin.x, wrist, 40);
     EXPECT_GT(f.hindrance.amount, 0);
     EXPECT_LT(f.hindrance.amount, 25);
     const auto nowhere = line(down(4000, 0, 300), down(3900, 0, 300), 3);
-    const Followed g = kinematics::follow(c, nowhere, {kReady, 0, true});
-    EXPECT_EQ(g.hindrance.trouble, Trouble::reach);
+    const FollowResult g = kinematics::follow(c, nowhere, {kReady, 0, true});
+    EXPECT_EQ(g.hindrance.trouble, FollowFailure::reach);
     EXPECT_EQ(g.hindrance.stand, 0U);
     EXPECT_NEAR(g.hindrance.amount, 4000 - wrist, 60);
 }
@@ -152,22 +153,22 @@ TEST(Follow, AFirstStandBeyondALimitSaysWhich) {
     arm.axes[0].min = -0.5;
     arm.axes[0].max = 0.5;
     const auto stands = line(down(0, 1100, 300), down(10, 1100, 300), 3);
-    const Followed f = kinematics::follow({arm, kTool, true, 0}, stands, {kReady, 0, true});
-    EXPECT_EQ(f.hindrance.trouble, Trouble::limit);
+    const FollowResult f = kinematics::follow({arm, kTool, true, 0}, stands, {kReady, 0, true});
+    EXPECT_EQ(f.hindrance.trouble, FollowFailure::limit);
     EXPECT_EQ(f.hindrance.stand, 0U);
 }
 
 TEST(Follow, AllBuildsFollowACircle) {
     for (const auto& [name, arm] : all()) {
-        Carried c{arm, kTool, true, 3 * kDegree};
+        ArmSetup c{arm, kTool, true, 3 * kDegree};
         const Posture ready = name == "ur10e" ? Posture{-1.6, -1.8, -1.9, -1, 1.57, 0} : kReady;
         const Frame middle = tip(c, ready);
-        std::vector<Stand> stands;
+        std::vector<TimedFrame> stands;
         for (int i = 0; i <= 120; ++i) {
             const double t = i * 3 * kDegree;
             stands.push_back({middle * Frame{{}, {60 * std::cos(t) - 60, 60 * std::sin(t), 0}}, 0.2});
         }
-        const Before at{ready, 0, name == "general" ? false : true};
+        const StartPosture at{ready, 0, name == "general" ? false : true};
         expect_followed(c, stands, kinematics::follow(c, stands, at), name.c_str());
     }
 }

@@ -168,7 +168,7 @@ std::vector<Pose> cone(double tilt, double a, double b) {
 void expect_within(const Chain& c, const Track& t, const std::vector<Pose>& poses, const Limits& l) {
     ASSERT_EQ(t.stuck, poses.size());
     std::size_t next = 0;
-    for (const Piece& piece : t.pieces) {
+    for (const TrackStretch& piece : t.pieces) {
         EXPECT_EQ(piece.first, next);
         for (std::size_t k = 0; k < piece.joints.size(); ++k) {
             const Joints& j = piece.joints[k];

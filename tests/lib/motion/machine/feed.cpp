@@ -53,7 +53,7 @@ TEST(Pace, SlowsABeadThatTheFlowLimits) {
     Profile profile;
     profile.limits.flow = 4; // 10 mm/s for beads of 0.4 mm2
     profile.limits.least_feed = 3;
-    Laid move{.layer = 0, .length = 10, .volume = 4};
+    ExtrudingMove move{.layer = 0, .length = 10, .volume = 4};
     move.layer = 1;
     EXPECT_DOUBLE_EQ(bead_feed(profile, move), 10);
     profile.pace = {1, 0.5};

@@ -44,14 +44,14 @@ struct Stroke {
     int cuts = 0, pauses = 0, pushes = 0;
 };
 
-struct Seen {
+struct Observation {
     std::vector<Step> steps;
     std::vector<Stroke> strokes;
     std::vector<Step> omitted;
 };
 
-inline Seen walk(const machine::Profile& p, const std::vector<Span>& spans) {
-    Seen out;
+inline Observation walk(const machine::Profile& p, const std::vector<Span>& spans) {
+    Observation out;
     const auto w = walker(p, {}, [&](auto steps) { out.steps.insert(out.steps.end(), steps.begin(), steps.end()); });
     for (const Span& s : spans) w->add(s);
     w->end();

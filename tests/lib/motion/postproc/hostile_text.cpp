@@ -17,7 +17,7 @@ using namespace filum;
 
 // All that a stream can say about itself.
 struct Texts {
-    std::vector<postproc::Labelled> parts;
+    std::vector<postproc::LabelledPart> parts;
     std::vector<postproc::Stage> stages;
     Notes notes;
     Facts facts;

@@ -42,7 +42,7 @@ std::vector<Span> tower(std::uint32_t layers, double side = 20, geom::Vec2 at = 
 
 // The program as the command writes it, of a toolpath that is changed by `change`.
 std::string program(const machine::Profile& p, const std::vector<Span>& spans, const std::string& pauses = "",
-                    const std::string& by_layer = "", std::vector<postproc::Labelled> parts = {},
+                    const std::string& by_layer = "", std::vector<postproc::LabelledPart> parts = {},
                     postproc::FirstPass* found = nullptr) {
     postproc::Measure measure(p, postproc::Place::as_is, {}, false, machine::parse_pauses(pauses));
     do
@@ -171,8 +171,8 @@ TEST(Printing, PartsAreNamed) {
     const auto second = tower(2, 20, {50, 0});
     spans.push_back({Role::travel, 2, 0, 0, {spans.back().points.back(), second[0].points[0]}, {}, {}});
     spans.insert(spans.end(), second.begin(), second.end());
-    const std::vector<postproc::Labelled> parts{{"left", {{0, 0}, {20, 0}, {20, 20}, {0, 20}}},
-                                                {"right", {{50, 0}, {70, 0}, {70, 20}, {50, 20}}}};
+    const std::vector<postproc::LabelledPart> parts{{"left", {{0, 0}, {20, 0}, {20, 20}, {0, 20}}},
+                                                    {"right", {{50, 0}, {70, 0}, {70, 20}, {50, 20}}}};
     const auto klipper = lines(program(printer("", "objects = \"exclude_object\"\n"), spans, "", "", parts));
     std::vector<std::string> told;
     for (const auto& line : klipper)

@@ -55,13 +55,13 @@ std::string two_tools(const std::string& profile, const std::vector<toolpath::Sp
 }
 
 // What each tool does: the numbers of its moves while its valve is open, and which codes came while it was in use.
-struct Seen {
+struct Observation {
     std::map<int, std::vector<std::array<double, 4>>> laid; // x, y, z, f
     std::map<int, std::vector<std::string>> codes;
 };
 
-Seen read_tools(const std::string& program) {
-    Seen out;
+Observation read_tools(const std::string& program) {
+    Observation out;
     std::istringstream text(program);
     std::array<double, 4> at{};
     int tool = 0;

@@ -46,7 +46,7 @@ struct World {
     explicit World(std::vector<Solid> part) : scene{Tree({}), Tree(std::move(part)), Tree({}), Tree({})} {}
 
     // The travel; each leg of it is looked at again by check(), which knows nothing of rooms.
-    Travel run(const Stance& from, const Stance& to, const TravelOptions& o = {.lift = 1}) const {
+    Travel run(const ToolFrame& from, const ToolFrame& to, const TravelOptions& o = {.lift = 1}) const {
         const Room room(scene, shape, options);
         const Travel t = travel(room, from, to, 0, o);
         std::vector<collision::Move> moves;
@@ -120,7 +120,7 @@ TEST(Travel, OverWhereAroundIsFarther) {
 TEST(Travel, FromOneSideOfABlockToTheOther) {
     const World world(box({0, 0, 0}, {20, 20, 20}));
     for (const double lift : {0.0, 1.0, 5.0}) {
-        const Stance from{{-0.2, 10, 10}, {-1, 0, 0}, {}}, to{{20.2, 10, 10}, {1, 0, 0}, {}};
+        const ToolFrame from{{-0.2, 10, 10}, {-1, 0, 0}, {}}, to{{20.2, 10, 10}, {1, 0, 0}, {}};
         const Travel t = world.run(from, to, {.lift = lift});
         EXPECT_TRUE(t.free) << lift;
         EXPECT_GT(t.stances[1].tip.x, -0.2 - 60);

@@ -9,8 +9,8 @@ namespace filum::hollow {
 namespace {
 
 using polygon::AreaKind;
+using polygon::InfillPattern;
 using polygon::Loops;
-using polygon::Pattern;
 using toolpath::Feature;
 
 // Regions parts of which are sparse: all inside, or what a random blob covers, with one spacing or two.
@@ -22,7 +22,9 @@ std::vector<Case> sparse_cases(unsigned seeds) {
         Loops sparse = inside;
         if (seed % 2 == 0) sparse = polygon::intersect(sparse, test::disc({3, 2}, 9));
         if (seed % 5 == 0) sparse = polygon::subtract(sparse, test::disc({-2, 1}, 2));
-        const auto pattern = seed % 4 == 1 ? Pattern::wave : seed % 4 == 2 ? Pattern::concentric : Pattern::rows;
+        const auto pattern = seed % 4 == 1   ? InfillPattern::wave
+                             : seed % 4 == 2 ? InfillPattern::concentric
+                                             : InfillPattern::rows;
         const double spacing = 1.5 + 0.2 * (seed % 10);
         if (seed % 3 == 0) {
             const Loops dense = polygon::intersect(sparse, test::disc({4, 0}, 6));
@@ -46,7 +48,8 @@ TEST(Hollow, ConcentricLinesAreOneCurveWithWallsAndSkins) {
     std::size_t more = 0, all = 0;
     for (Case& c : sparse_cases(40)) {
         for (auto& a : c.region.areas)
-            if (a.kind == AreaKind::sparse) a = {a.kind, a.loops, 0, 1.5 + 0.2 * (c.seed % 10), Pattern::concentric};
+            if (a.kind == AreaKind::sparse)
+                a = {a.kind, a.loops, 0, 1.5 + 0.2 * (c.seed % 10), InfillPattern::concentric};
         Notes notes;
         const auto paths = fill(c.region, {.bead_width = kBead}, notes);
         EXPECT_EQ(fill::join::crossing_pairs(paths.curves, kBead).size(), 0U) << c.seed;

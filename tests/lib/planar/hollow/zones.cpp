@@ -24,7 +24,7 @@ void add_zone(polygon::Region& r, const Zone& zone) {
 }
 
 void add_sparse(polygon::Region& r, const Loops& where, double spacing) {
-    if (!where.empty()) r.areas.push_back({AreaKind::sparse, where, 0.7, spacing, polygon::Pattern::rows});
+    if (!where.empty()) r.areas.push_back({AreaKind::sparse, where, 0.7, spacing, polygon::InfillPattern::rows});
 }
 
 // Random regions, cut by a disc into what has other walls (even seeds) or other beads (odd ones).

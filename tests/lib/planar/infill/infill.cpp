@@ -13,7 +13,7 @@
 namespace filum::infill {
 namespace {
 
-using polygon::Pattern;
+using polygon::InfillPattern;
 
 constexpr double kWidth = 0.4;
 
@@ -26,13 +26,13 @@ std::vector<Loops> random_areas(unsigned seed, double scale) {
     return out;
 }
 
-Lines lines_of(Pattern pattern, unsigned seed, double spacing) {
+Lines lines_of(InfillPattern pattern, unsigned seed, double spacing) {
     return {pattern, 0.1 * seed, spacing, kWidth, 0.2 * seed};
 }
 
 TEST(Infill, LoopsAreSimpleInsideAndABeadApart) {
     unsigned areas = 0, necks = 0;
-    for (const Pattern pattern : {Pattern::rows, Pattern::wave, Pattern::concentric})
+    for (const InfillPattern pattern : {InfillPattern::rows, InfillPattern::wave, InfillPattern::concentric})
         for (unsigned seed = 0, n = trials(40); seed < n; ++seed)
             for (const Loops& area : random_areas(seed, 2)) {
                 const Loops found = loops(area, lines_of(pattern, seed, 1 + 0.1 * seed));
@@ -43,7 +43,7 @@ TEST(Infill, LoopsAreSimpleInsideAndABeadApart) {
                 // nothing narrower than a bead: opening takes nothing but roundings away
                 const Loops open = polygon::offset(polygon::offset(found, -kWidth / 2 + 0.02), kWidth / 2 - 0.02);
                 const Loops lost = polygon::subtract(found, open);
-                if (pattern != Pattern::concentric) {
+                if (pattern != InfillPattern::concentric) {
                     EXPECT_LT(polygon::signed_area(lost), 0.01 + 1e-3 * polygon::signed_area(area)) << seed;
                     continue;
                 }
@@ -61,7 +61,7 @@ TEST(Infill, SquaresAreWhole) {
     unsigned areas = 0;
     for (unsigned seed = 0, n = trials(40); seed < n; ++seed)
         for (const Loops& within : random_areas(seed, 2)) {
-            const Lines lines = lines_of(Pattern::rows, seed, 2 + 0.1 * seed);
+            const Lines lines = lines_of(InfillPattern::rows, seed, 2 + 0.1 * seed);
             const double s = lines.spacing;
             const Loops area = polygon::intersect(within, test::disc({0.3 * seed, 1}, 5));
             const Loops squares = whole_squares(area, within, lines);
@@ -97,7 +97,7 @@ double share_of(const std::vector<Task>& tasks, double spacing) {
 }
 
 TEST(Infill, DensityIsWithinTwoPercent) {
-    for (const Pattern pattern : {Pattern::rows, Pattern::wave})
+    for (const InfillPattern pattern : {InfillPattern::rows, InfillPattern::wave})
         for (const double density : kSanitized ? std::vector{0.3} : std::vector{0.1, 0.15, 0.3, 0.5})
             for (unsigned part = 0, n = trials(4); part < n; ++part) { // parts of 24 layers, with areas that change
                 std::vector<Loops> areas;
@@ -115,7 +115,7 @@ TEST(Infill, DensityIsWithinTwoPercent) {
 
 // Where lines are few, what follows the walls must not fill more than was asked for.
 TEST(Infill, DensityOfFewLinesIsWithinFivePercent) {
-    for (const Pattern pattern : {Pattern::rows, Pattern::wave})
+    for (const InfillPattern pattern : {InfillPattern::rows, InfillPattern::wave})
         for (const double density : kSanitized ? std::vector{0.05} : std::vector{0.01, 0.03, 0.05}) {
             std::vector<Loops> areas; // a part of 24 layers, about 60 mm wide
             for (unsigned layer = 0; layer < 24; ++layer)
@@ -135,7 +135,7 @@ TEST(Infill, DensityOfConcentricLinesIsWithinTwoPercent) {
         for (unsigned layer = 0; layer < 6; ++layer)
             for (Loops& area : random_areas(layer / 2, 2 + 0.02 * layer)) areas.push_back(std::move(area));
         std::vector<Task> tasks;
-        for (const Loops& area : areas) tasks.push_back({&area, lines_of(Pattern::concentric, 0, 0)});
+        for (const Loops& area : areas) tasks.push_back({&area, lines_of(InfillPattern::concentric, 0, 0)});
         const double spacing = spacing_for(tasks, density, kWidth);
         const double share = share_of(tasks, spacing);
         EXPECT_NEAR(share, density, 0.02 * density) << "spacing " << spacing;
@@ -148,7 +148,7 @@ TEST(Infill, DensityOfConcentricLinesIsWithinTwoPercent) {
 TEST(Infill, ConcentricLinesOfOneRimLieOnEachOther) {
     for (unsigned seed = 0, n = trials(12); seed < n; ++seed)
         for (const Loops& rim : random_areas(seed, 3)) {
-            Lines lines = lines_of(Pattern::concentric, seed, 3);
+            Lines lines = lines_of(InfillPattern::concentric, seed, 3);
             lines.rim = &rim;
             const Loops skin = test::disc({2, 1}, 4), area = polygon::opened(polygon::subtract(rim, skin), kWidth);
             const auto below = polygon::segments(loops(rim, lines)), above = polygon::segments(loops(area, lines));
@@ -173,7 +173,7 @@ TEST(Infill, ConcentricLinesJoinAllOutlines) {
     for (const double spacing : {1.5, 2.2, 4.0, 8.0, 13.0, 40.0}) {
         Loops area = test::loop({{0, 0}, {40, 0}, {40, 40}, {0, 40}});
         area = polygon::subtract(polygon::subtract(area, hole), far);
-        const Loops &outlines = area, found = loops(area, {Pattern::concentric, 0, spacing, kWidth, 0});
+        const Loops &outlines = area, found = loops(area, {InfillPattern::concentric, 0, spacing, kWidth, 0});
         // a bead's reach around what is laid, and around walls: one connected thing
         Loops laid;
         for (const Loops* lines : {&found, &outlines})
@@ -189,7 +189,7 @@ TEST(Infill, ConcentricLinesJoinAllOutlines) {
 // Every line of rows is passed once: a square of side l has l / spacing of them, and half of its outline.
 TEST(Infill, EachLineIsPassedOnce) {
     const Loops square = test::loop({{0, 0}, {60, 0}, {60, 60}, {0, 60}});
-    const double laid = length(loops(square, {Pattern::rows, 0, 6, kWidth, 0}));
+    const double laid = length(loops(square, {InfillPattern::rows, 0, 6, kWidth, 0}));
     EXPECT_NEAR(laid, 9 * 59.6 + 119.2, 4); // but for the two in the outline
 }
 
@@ -201,7 +201,7 @@ TEST(Infill, NoGapIsWiderThanAskedFor) {
             const Loops square = test::loop({{0, 0}, {60, 0}, {60, 60}, {0, 60}});
             const auto places = [&](double widest) { // y of rows, in the middle of the square
                 std::vector<double> out;
-                const Loops found = loops(square, {Pattern::rows, 0, spacing, kWidth, 0, widest});
+                const Loops found = loops(square, {InfillPattern::rows, 0, spacing, kWidth, 0, widest});
                 for (std::size_t l = 0; l < found.size(); ++l)
                     for (std::size_t i = 0; i < found[l].size(); ++i) {
                         const geom::Vec2 a = found[l][i], b = found[l][(i + 1) % found[l].size()];
@@ -228,7 +228,8 @@ TEST(Infill, PartsOfDifferentSpacingAreOne) {
     const Loops rest = polygon::subtract(all, island);
     for (const double parted : {3.0, 2.0, 4.0 / 3, 1.0})
         for (const double angle : {0.0, 0.3, 0.7853981633974483, 1.2}) {
-            const Lines coarse{Pattern::rows, angle, 4, kWidth, 0}, fine{Pattern::rows, angle, 4, kWidth, 0, parted};
+            const Lines coarse{InfillPattern::rows, angle, 4, kWidth, 0},
+                fine{InfillPattern::rows, angle, 4, kWidth, 0, parted};
             const Task parts[] = {{&island, fine}, {&rest, coarse}};
             const Loops found = loops(all, parts);
             EXPECT_TRUE(polygon::is_simple(found));
@@ -240,7 +241,7 @@ TEST(Infill, PartsOfDifferentSpacingAreOne) {
 }
 
 TEST(Infill, HollowAreasStayEmpty) {
-    for (const Pattern pattern : {Pattern::rows, Pattern::wave, Pattern::concentric})
+    for (const InfillPattern pattern : {InfillPattern::rows, InfillPattern::wave, InfillPattern::concentric})
         for (const Loops& area : random_areas(3, 20)) {
             const Lines hollow = lines_of(pattern, 1, kHollow);
             EXPECT_TRUE(loops(area, hollow).empty());
@@ -262,7 +263,8 @@ TEST(Infill, DensityOfAPrism) {
             std::vector<Task> tasks;
             for (int layer = 0; layer < 6; ++layer)
                 tasks.push_back(
-                    {&square, {polygon::Pattern::rows, (layer % 2 == 0 ? 1 : 3) * 0.7853981633974483, 0, kWidth, 0}});
+                    {&square,
+                     {polygon::InfillPattern::rows, (layer % 2 == 0 ? 1 : 3) * 0.7853981633974483, 0, kWidth, 0}});
             const double spacing = spacing_for(tasks, density, kWidth);
             double laid = 0;
             for (Task t : tasks) {

@@ -1,8 +1,8 @@
 // Cells by index against Boolean operations, and cells with round corners against openings.
 #include "infill/strips.hpp"
 
-#include "../fill/pattern_check.hpp"
 #include "../../trials.hpp"
+#include "../fill/pattern_check.hpp"
 #include "infill/cells.hpp"
 #include "infill/opening.hpp"
 #include "infill/ruler.hpp"
@@ -14,7 +14,7 @@
 namespace filum::infill {
 namespace {
 
-using polygon::Pattern;
+using polygon::InfillPattern;
 
 constexpr double kBead = 0.4;
 
@@ -25,7 +25,7 @@ double difference(const Loops& a, const Loops& b) {
 // Lines of every kind: few and many, with and without further lines.
 Lines mixed_lines(unsigned seed) {
     const double spacing[] = {0.7, 1.3, 3, 9, 40};
-    return {.pattern = seed % 2 == 0 ? Pattern::rows : Pattern::wave,
+    return {.pattern = seed % 2 == 0 ? InfillPattern::rows : InfillPattern::wave,
             .direction = seed % 4 < 2 ? 0.7853981633974483 * (seed % 5) : 0.1 * seed,
             .spacing = spacing[seed % 5],
             .bead_width = kBead,
@@ -52,7 +52,7 @@ TEST(Strips, CellsAreThoseOfABooleanOperation) {
 
 // Outlines along lines, through their knots, and with corners on them.
 TEST(Strips, OutlinesOnLinesAreCut) {
-    const Lines rows{Pattern::rows, 0, 2, kBead, 0};
+    const Lines rows{InfillPattern::rows, 0, 2, kBead, 0};
     const std::pair<Loops, double> cases[] = {
         {test::loop({{0, 0}, {10, 0}, {10, 2}, {0, 2}}), 20},                                   // an even cell
         {test::loop({{0, 2}, {10, 2}, {10, 4}, {0, 4}}), 0},                                    // an odd one
@@ -84,7 +84,7 @@ TEST(Strips, CellsAreOpenedAsByBooleanOperations) {
 // Where lines are far apart, even cells stay narrow, and squares are no wider than those.
 TEST(Strips, FewLinesLieInPairs) {
     for (const double spacing : {1.0, 6.4, 6.5, 9.0, 20.0, 77.0}) {
-        const Lines lines{Pattern::rows, 0, spacing, kBead, 0};
+        const Lines lines{InfillPattern::rows, 0, spacing, kBead, 0};
         const Ruler ruler(lines), squares = Ruler::of_squares(lines);
         const double even = std::min(spacing, kWidestCell * kBead);
         for (int k = -3; k < 3; ++k) {

@@ -70,7 +70,7 @@ TEST(Connectors, GoOutsideThePartAndStack) {
 TEST(Connectors, CarriedOnesHangNowhere) {
     auto regions = towers(8, Join::start);
     Options o = with(Connect::outside);
-    o.strand = Strand::carried;
+    o.connector_support = ConnectorSupport::carried;
     const auto on_bed = link(regions, o);
     check(regions, on_bed);
     EXPECT_GE(on_bed.counts.connectors, 1U);
@@ -83,7 +83,7 @@ TEST(Connectors, CarriedOnesHangNowhere) {
     check(high, broken);
     EXPECT_EQ(broken.counts.connectors, 0U);
     EXPECT_EQ(count(broken, "connector-impossible"), 1U);
-    o.strand = Strand::free;
+    o.connector_support = ConnectorSupport::free;
     const auto free = link(high, o);
     EXPECT_EQ(free.counts.strokes, 1U);
     EXPECT_GT(free.counts.connector_free, 20);

@@ -296,8 +296,8 @@ TEST(Linker, TravelsOverWhatIsPrinted) {
 }
 
 // A region that breaks into pieces leaves bodies without an extent: they are nowhere.
-TEST(Printed, IgnoresBodiesWithNothingInThem) {
-    Printed printed;
+TEST(PrintedBodies, IgnoresBodiesWithNothingInThem) {
+    PrintedBodies printed;
     printed.begin();
     printed.begin();
     printed.add({{0, 0}, {1, 1}}, 2);

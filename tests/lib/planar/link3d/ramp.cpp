@@ -42,7 +42,7 @@ TEST(Ramp, EndsWithItsComplement) {
     const Place at = *index.nearest({4, 0});
     const Ramp ramp{4, 0.5, 0.2};
     const Bead bead = cut_over(c, at, false, 3.5);
-    const Laid laid = lay(bead, 0.4, 0.2, ramp, 0.2);
+    const SpatialBead laid = lay(bead, 0.4, 0.2, ramp, 0.2);
     const double all = length(bead.points);
     double s = 0;
     int rising = 0, over = 0;

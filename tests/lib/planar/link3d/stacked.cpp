@@ -13,7 +13,7 @@ using test::kHeight;
 
 constexpr double kZ = 1; // mm
 
-double volume(const Laid& l) {
+double volume(const SpatialBead& l) {
     double sum = 0;
     for (std::size_t i = 0; i + 1 < l.points.size(); ++i)
         sum += geom::distance(l.points[i].xy(), l.points[i + 1].xy()) *

@@ -51,7 +51,7 @@ TEST(Plate, PartsKeepTheAskedDistanceAndLieOnTheBed) {
         for (int k = 0; k < 3 + static_cast<int>(seed); ++k) things.push_back(random_thing(random));
         const plate::Spacing apart_by{5.0 + seed % 3, 8, false};
         const Vec2 size{260, 240};
-        const plate::Packed packed = plate::pack(things, apart_by, size);
+        const plate::Packing packed = plate::pack(things, apart_by, size);
         ASSERT_TRUE(packed.left.empty()) << seed;
         geom::Box2 box;
         for (std::size_t i = 0; i < things.size(); ++i) {
@@ -84,15 +84,15 @@ TEST(Plate, TurnedPartsKeepTheirDistanceToo) {
         double x, y;
         std::size_t count;
         Vec2 bed;
-        plate::Turn turn;
+        plate::QuarterTurns turn;
         std::size_t odd; // how many of them by an odd number of quarters
     };
     const plate::Spacing by{2, 4, true};
-    for (const Try& t :
-         {Try{95, 60, 3, {200, 100}, plate::Turn::all, 3}, Try{140, 70, 4, {220, 220}, plate::Turn::each, 1}}) {
+    for (const Try& t : {Try{95, 60, 3, {200, 100}, plate::QuarterTurns::all, 3},
+                         Try{140, 70, 4, {220, 220}, plate::QuarterTurns::each, 1}}) {
         const std::vector<plate::Thing> bars(t.count, {{{0, 0}, {t.x, 0}, {t.x, t.y}, {0, t.y}}, 10});
         EXPECT_FALSE(plate::pack(bars, by, t.bed).left.empty());
-        const plate::Packed packed = plate::pack(bars, by, t.bed, t.turn);
+        const plate::Packing packed = plate::pack(bars, by, t.bed, t.turn);
         ASSERT_TRUE(packed.left.empty());
         geom::Box2 box;
         std::size_t odd = 0;

@@ -8,7 +8,7 @@
 namespace filum::regions {
 namespace {
 
-constexpr Carried kBeads{0.4, 0.04};
+constexpr CarrierOptions kBeads{0.4, 0.04};
 
 Air hung(std::vector<polygon::Region>& upper, const std::vector<polygon::Region>& lower) {
     Air air;

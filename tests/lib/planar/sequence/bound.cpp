@@ -28,13 +28,13 @@ Order random_order(Random& random, const Graph& g) {
     return out;
 }
 
-TEST(Cuts, HoldForEveryOrder) {
+TEST(CuttingPlanes, HoldForEveryOrder) {
     Random random(7);
     std::size_t cuts = 0, rivals = 0, tight = 0;
     for (int trial = 0; trial < 60; ++trial) {
         const Towers t = random_towers(random, {any(random, 3, 8), 20, 8});
         const Graph& g = t.g;
-        Cuts source(g, t.columns, kAmple);
+        CuttingPlanes source(g, t.columns, kAmple);
         std::vector<Inequality> all = source.degrees();
         Cover cover(g.up.size());
         cover.add(all);

@@ -108,7 +108,7 @@ TEST(Skins, ModifiersChangeWhatLiesWithin) {
         Loops rest = sparse_of(plain[i]);
         for (const auto& a : changed[i].areas) {
             if (a.kind != AreaKind::sparse) continue;
-            const bool waves = a.pattern == polygon::Pattern::wave;
+            const bool waves = a.pattern == polygon::InfillPattern::wave;
             const Loops off =
                 waves ? polygon::subtract(a.loops, polygon::offset(body, -o.bead_width + 1e-2))
                       : polygon::intersect(a.loops, there ? polygon::offset(body, o.bead_width - 1e-2) : Loops{});

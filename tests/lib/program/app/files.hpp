@@ -70,7 +70,7 @@ inline std::string write_stream(const std::string& file, stream::Payload payload
 }
 
 struct Stream {
-    cli::Whole told;
+    cli::WholeInput told;
     std::vector<stream::RawFrame> frames;
 };
 

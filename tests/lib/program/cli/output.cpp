@@ -52,9 +52,9 @@ std::vector<std::string> frames(const std::string& path) {
 TEST(Output, KeepsTheOrderAndNamesWhatIsItsOwn) {
     const File file;
     const Io io = stage(file);
-    Whole before{header(io, Payload::layers),
-                 {{.code = NoteCode::sliver_dropped, .amount = 1, .stage = "other"}},
-                 {{"other", "area", 2, "mm2"}}};
+    WholeInput before{header(io, Payload::layers),
+                      {{.code = NoteCode::sliver_dropped, .amount = 1, .stage = "other"}},
+                      {{"other", "area", 2, "mm2"}}};
     before.facts.push_back({"stage", "area", 3, "mm2"});
     testing::internal::CaptureStderr();
     Output output(io, header(io, Payload::regions, {&before.header}));

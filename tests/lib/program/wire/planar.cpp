@@ -40,7 +40,7 @@ polygon::Region good_region() {
     r.join = Join::beside;
     r.loops = square(10);
     r.below = {{1, 50, 2}, {2, 25, 0}};
-    r.areas = {{polygon::AreaKind::sparse, square(5), 0.5, 3, polygon::Pattern::wave, 1.5},
+    r.areas = {{polygon::AreaKind::sparse, square(5), 0.5, 3, polygon::InfillPattern::wave, 1.5},
                {polygon::AreaKind::skin_top, square(2), 0, 0, {}},
                {polygon::AreaKind::zone, square(3), 0, 0, {}, 0, 2, 0.6}};
     r.walls = 2;
@@ -94,7 +94,7 @@ TEST(Planar, EverythingComesOutAsItWentIn) {
     EXPECT_EQ(r.areas[0].loops.points, square(5).points);
     EXPECT_EQ(r.areas[0].direction, 0.5);
     EXPECT_EQ(r.areas[0].spacing, 3);
-    EXPECT_EQ(r.areas[0].pattern, polygon::Pattern::wave);
+    EXPECT_EQ(r.areas[0].pattern, polygon::InfillPattern::wave);
     EXPECT_EQ(r.areas[1].kind, polygon::AreaKind::skin_top);
     EXPECT_EQ(r.areas[2].kind, polygon::AreaKind::zone);
     EXPECT_EQ(r.areas[2].walls, 2U);

@@ -46,7 +46,7 @@ stream::RawFrame region_frame() {
     r.stroke = 9;
     r.join = Join::beside;
     r.inradius = 0.6;
-    r.areas = {{polygon::AreaKind::sparse, r.loops, 0.5, 3, polygon::Pattern::wave}};
+    r.areas = {{polygon::AreaKind::sparse, r.loops, 0.5, 3, polygon::InfillPattern::wave}};
     r.walls = 2;
     return frame(r);
 }

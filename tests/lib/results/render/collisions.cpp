@@ -69,15 +69,15 @@ TEST(Collisions, ThePlaceIsSeen) {
         machine::Head head;
         head.gantry_height = 40;
         const auto m = read_meetings(kHead + line(3, -0.5, piece), "'list'");
-        const Image one = draw_collisions(beads(), m, head, By::progress, view, 1);
+        const Image one = draw_collisions(beads(), m, head, ColourBy::progress, view, 1);
         EXPECT_GT(red(one), 8) << piece;
-        EXPECT_EQ(one.rgb, draw_collisions(beads(), m, head, By::progress, view, 2).rgb);
+        EXPECT_EQ(one.rgb, draw_collisions(beads(), m, head, ColourBy::progress, view, 2).rgb);
     }
     // sizes of nothing, and far too large
     const auto m = read_meetings(kHead + line(3, -0.5, "carriage"), "'list'");
-    EXPECT_GT(red(draw_collisions(beads(), m, {0.2, 0, 0, 0, 0, 0}, By::progress, view, 1)), 4);
-    EXPECT_EQ(draw_collisions(beads(), m, {50, 1, 900, 1e4, 1e4}, By::progress, view, 1).width, 400);
-    EXPECT_GT(red(draw_collisions({}, m, {}, By::progress, view, 1)), 4);
+    EXPECT_GT(red(draw_collisions(beads(), m, {0.2, 0, 0, 0, 0, 0}, ColourBy::progress, view, 1)), 4);
+    EXPECT_EQ(draw_collisions(beads(), m, {50, 1, 900, 1e4, 1e4}, ColourBy::progress, view, 1).width, 400);
+    EXPECT_GT(red(draw_collisions({}, m, {}, ColourBy::progress, view, 1)), 4);
 }
 
 // What is laid after the place does not stand in the picture.
@@ -87,7 +87,7 @@ TEST(Collisions, OnlyWhatIsThereThen) {
     early.spans[0].points.resize(4);
     const auto at = [&](int point) { return read_meetings(kHead + line(point, 0), "'list'"); };
     const auto draw = [&](const Scene& s, const Meetings& m) {
-        return draw_collisions(s, m, {}, By::layer, view, 1).rgb;
+        return draw_collisions(s, m, {}, ColourBy::layer, view, 1).rgb;
     };
     EXPECT_EQ(draw(beads(), at(3)), draw(early, at(3)));
     EXPECT_NE(draw(beads(), at(3)), draw(beads(), at(9)));

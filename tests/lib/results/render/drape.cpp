@@ -63,7 +63,7 @@ TEST(Drape, CountsWhatIsUncovered) {
             Scene s;
             s.sheet = square(n);
             s.spans = lanes(missing);
-            const Laid laid = lay(s, tint(s, By::role, nullptr));
+            const SurfaceBeads laid = surface_beads(s, tint(s, ColourBy::role, nullptr));
             EXPECT_NEAR(uncovered(s.sheet->surface, laid), missing / 10.0, 0.002);
             EXPECT_EQ(laid.loose.size(), 0u);
             EXPECT_FALSE(laid.behind);
@@ -80,7 +80,7 @@ TEST(Drape, TellsTheTwoSidesOfAThinWallApart) {
     s.spans = lanes(0, 0.3);
     EXPECT_LT(decode(draw(s, plain("top"), "class", 1)).share(red), 0.02);
     EXPECT_NEAR(decode(draw(s, plain("bottom"), "class", 1)).share(red), share_of(100), 0.03);
-    EXPECT_NEAR(uncovered(s.sheet->surface, lay(s, tint(s, By::role, nullptr))), 0.5, 0.002);
+    EXPECT_NEAR(uncovered(s.sheet->surface, surface_beads(s, tint(s, ColourBy::role, nullptr))), 0.5, 0.002);
 }
 
 TEST(Drape, KnowsTheSideOfPathsWithoutNormals) {
@@ -91,7 +91,7 @@ TEST(Drape, KnowsTheSideOfPathsWithoutNormals) {
     s.sheet = sheet_of(std::move(m));
     s.spans = lanes(0, 0.3);
     for (auto& span : s.spans) span.normals.clear();
-    const Laid laid = lay(s, tint(s, By::role, nullptr));
+    const SurfaceBeads laid = surface_beads(s, tint(s, ColourBy::role, nullptr));
     EXPECT_TRUE(laid.loose.empty());
     EXPECT_NEAR(uncovered(s.sheet->surface, laid), 0.5, 0.002);
 }
@@ -100,7 +100,7 @@ TEST(Drape, FollowsThePathToTheBack) {
     Scene s;
     s.sheet = square(3);
     s.spans = lanes(3, 0, {0, 0, -1});
-    const Laid laid = lay(s, tint(s, By::role, nullptr));
+    const SurfaceBeads laid = surface_beads(s, tint(s, ColourBy::role, nullptr));
     EXPECT_TRUE(laid.behind);
     EXPECT_TRUE(laid.loose.empty());
     EXPECT_NEAR(uncovered(s.sheet->surface, laid), 0.3, 0.002);
@@ -113,7 +113,7 @@ TEST(Drape, ShowsBeadsThatDoNotLieOnTheSurface) {
     Scene s;
     s.sheet = square();
     s.spans = {lane({1, 5, 4}, {9, 5, 4}), lane({1, 2, 0.4}, {9, 2, 0.4})};
-    const Laid laid = lay(s, tint(s, By::role, nullptr));
+    const SurfaceBeads laid = surface_beads(s, tint(s, ColourBy::role, nullptr));
     EXPECT_NEAR(laid.loose_length, 8, 1e-9);
     const auto blue = [](Srgb8 c) { return c.b > c.r + 40; };
     const double seen = decode(draw(s, plain("front"), "class", 1)).share(blue);
@@ -281,12 +281,13 @@ TEST(Looks, AreNamesAndDirections) {
 TEST(ContactSheet, HasEveryViewOnce) {
     for (const int n : {2, 4, 7}) {
         int drawn = 0;
-        const Image sheet = contact_sheet(std::vector<Look>(static_cast<std::size_t>(n), Look{"", {0, 0, 1}}), 320, 240,
-                                          [&](const Look&, int w, int h) {
-                                              Image cell(w, h);
-                                              draw_box(cell, 0, 0, w, h, {0.1F * static_cast<float>(++drawn), 0, 0});
-                                              return cell;
-                                          });
+        const Image sheet =
+            contact_sheet(std::vector<ViewDirection>(static_cast<std::size_t>(n), ViewDirection{"", {0, 0, 1}}), 320,
+                          240, [&](const ViewDirection&, int w, int h) {
+                              Image cell(w, h);
+                              draw_box(cell, 0, 0, w, h, {0.1F * static_cast<float>(++drawn), 0, 0});
+                              return cell;
+                          });
         EXPECT_EQ(drawn, n);
         std::vector<bool> seen(static_cast<std::size_t>(n));
         for (int y = 0; y < 240; ++y)

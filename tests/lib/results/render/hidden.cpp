@@ -23,9 +23,9 @@ Scene block(double pitch, geom::Vec3 at) {
     return s;
 }
 
-TEST(Hidden, IsTheInsideOfABlock) {
+TEST(HiddenBeads, IsTheInsideOfABlock) {
     for (const geom::Vec3 at : {geom::Vec3{}, geom::Vec3{-1e4, 1e5, 7}}) {
-        const Hidden hidden(block(0.4, at), 0.4, 0.2);
+        const HiddenBeads hidden(block(0.4, at), 0.4, 0.2);
         EXPECT_TRUE(hidden(at + geom::Vec3{2, 4, 1}, at + geom::Vec3{6, 4, 1}));
         EXPECT_FALSE(hidden(at + geom::Vec3{0, 4, 1}, at + geom::Vec3{8, 4, 1})); // comes out at both ends
         EXPECT_FALSE(hidden(at + geom::Vec3{2, 4, 2}, at + geom::Vec3{6, 4, 2})); // the top
@@ -34,16 +34,16 @@ TEST(Hidden, IsTheInsideOfABlock) {
     }
 }
 
-TEST(Hidden, IsNothingBetweenGaps) {
-    const Hidden hidden(block(1.2, {}), 0.4, 0.2);
+TEST(HiddenBeads, IsNothingBetweenGaps) {
+    const HiddenBeads hidden(block(1.2, {}), 0.4, 0.2);
     for (double y = 0; y < 8; y += 1.2) EXPECT_FALSE(hidden({2, y, 1}, {6, y, 1}));
 }
 
-TEST(Hidden, IsNothingInAnEmptyOrEndlessScene) {
-    EXPECT_FALSE(Hidden({}, 0.4, 0.2)({0, 0, 0}, {1, 0, 0}));
+TEST(HiddenBeads, IsNothingInAnEmptyOrEndlessScene) {
+    EXPECT_FALSE(HiddenBeads({}, 0.4, 0.2)({0, 0, 0}, {1, 0, 0}));
     Scene far = block(0.4, {});
     far.spans.push_back({toolpath::Role::bead, 0, 0, 0, {{1e8, 1e8, 1e8}, {1e8, 1e8, 1e8 - 1}}, {0.4}, {0.2}});
-    EXPECT_FALSE(Hidden(far, 0.4, 0.2)({2, 4, 1}, {6, 4, 1}));
+    EXPECT_FALSE(HiddenBeads(far, 0.4, 0.2)({2, 4, 1}, {6, 4, 1}));
 }
 
 } // namespace

@@ -19,7 +19,7 @@ double seen(const Tubes& tubes, double z) {
 TEST(Tubes, ABeadOnAWallIsAsWideAndHighAsItIs) {
     Scene s;
     s.spans.push_back({toolpath::Role::bead, 0, 0, 0, {{-5, 6.2, 1}, {5, 6.2, 1}}, {1}, {0.2}, {{0, 1, 0}, {0, 1, 0}}});
-    const Tubes tubes(s, tint(s, By::stroke, nullptr), false, 1);
+    const Tubes tubes(s, tint(s, ColourBy::stroke, nullptr), false, 1);
     EXPECT_NEAR(seen(tubes, 1), 6.2, 0.03);
     EXPECT_NEAR(seen(tubes, 1.5), 6, 0.05);
     EXPECT_NEAR(seen(tubes, 0.5), 6, 0.05);
@@ -31,7 +31,7 @@ TEST(Tubes, BeadsOfACoreBelowAPatchKeepTheirTops) {
     Scene s;
     s.spans.push_back({toolpath::Role::bead, 0, 0, 0, {{-5, 0, 1}, {5, 0, 1}}, {0.8}, {0.4}});
     s.spans.push_back({toolpath::Role::bead, 1, 0, 0, {{-5, 9, 1}, {5, 9, 1}}, {1}, {0.2}, {{0, 1, 0}, {0, 1, 0}}});
-    const Tubes tubes(s, tint(s, By::stroke, nullptr), false, 1);
+    const Tubes tubes(s, tint(s, ColourBy::stroke, nullptr), false, 1);
     const Vec3 above{0, 0 - tubes.centre().y, 50 - tubes.centre().z}, down{0, 0, -1};
     const auto hit = tubes.shoot(above, {down, down, down, down})[0];
     ASSERT_TRUE(hit.any);

@@ -49,7 +49,7 @@ TEST(Merge, KeepsTheLineItsEndsAndItsMaterial) {
         t.path = k % 4 == 0 ? 0.1 : k % 4 == 1 ? 0.02 : k % 4 == 2 ? 0.005 : 0;
         t.arcs = k % 2 == 0;
         t.grid = k % 3 == 0 ? 1e-3 : 0;
-        const Merged m = merge(s, t);
+        const MergeResult m = merge(s, t);
         ASSERT_FALSE(m.moves.empty());
         ASSERT_EQ(m.moves.back().to, s.points.back()) << k;
         double laid = 0, length = 0;
@@ -88,7 +88,7 @@ TEST(Merge, NoMoveIsShorterThanAMicrometre) {
         const Span s = lines::random_line(random);
         Tolerance t;
         t.path = k % 2 == 0 ? 0 : 0.01;
-        const Merged m = merge(s, t);
+        const MergeResult m = merge(s, t);
         if (m.moves.size() < 2) continue;
         for (const Move& move : m.moves) ASSERT_GE(move.length, kLeastMove * (1 - 1e-9)) << k;
     }
@@ -142,7 +142,7 @@ TEST(Merge, NothingCrossesWhatOthersLay) {
         const double a = 2 * std::numbers::pi * (k + 0.5) / 50, r = 4.9985;
         others.push_back({{r * std::cos(a), r * std::sin(a)}, {4 * std::cos(a), 4 * std::sin(a)}});
     }
-    const auto count = [&](const Merged& m) {
+    const auto count = [&](const MergeResult& m) {
         int out = 0;
         const auto way = lines::way(s.points.front(), m.moves, 1e-5);
         for (std::size_t i = 0; i + 1 < way.size(); ++i)

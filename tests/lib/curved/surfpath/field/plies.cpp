@@ -92,14 +92,14 @@ Off off(const Surface& s, const std::vector<Line>& lines, const std::vector<Vec3
     return out;
 }
 
-struct Found {
+struct PlyResult {
     double directions = 0; // degrees: the most that these are off
     Off lines;
     double spacing = 0; // mm: area over length
     std::size_t births = 0;
 };
 
-Found ply(const Revolved& shape, bool uneven) {
+PlyResult ply(const Revolved& shape, bool uneven) {
     surface::Sheet sheet{surface_of(shape, uneven), {}, {}};
     const Surface& s = sheet.surface;
     const Cells cells = surface::directions::cells(s);
@@ -108,7 +108,7 @@ Found ply(const Revolved& shape, bool uneven) {
     o.turn = kTurn;
     o.reference = {0, 0, 1};
     const auto d = smooth(s, cells, prescribed(sheet, cells, o), 0.2, 2.4);
-    Found out;
+    PlyResult out;
     for (std::size_t v = 0; v < s.vertices.size(); ++v)
         out.directions =
             std::max(out.directions,
@@ -125,14 +125,14 @@ Found ply(const Revolved& shape, bool uneven) {
 class Plies : public testing::TestWithParam<bool> {};
 
 TEST_P(Plies, OnACylinderAreHelices) {
-    const Found f = ply(cylinder(), GetParam());
+    const PlyResult f = ply(cylinder(), GetParam());
     EXPECT_EQ(f.births, 0U);
     EXPECT_LT(f.directions, 0.5);
     EXPECT_LT(f.lines.most, 0.5);
 }
 
 TEST_P(Plies, OnAConeAreLoxodromes) {
-    const Found f = ply(cone(), GetParam());
+    const PlyResult f = ply(cone(), GetParam());
     EXPECT_LT(f.directions, 0.5);
     EXPECT_LT(f.lines.mean, 0.5);
     EXPECT_LT(f.births, 40U);
@@ -140,7 +140,7 @@ TEST_P(Plies, OnAConeAreLoxodromes) {
 }
 
 TEST_P(Plies, OnASphereAreLoxodromes) {
-    const Found f = ply(sphere(), GetParam());
+    const PlyResult f = ply(sphere(), GetParam());
     EXPECT_LT(f.directions, 0.5);
     EXPECT_LT(f.lines.mean, 0.5);
     EXPECT_LT(f.births, 40U);

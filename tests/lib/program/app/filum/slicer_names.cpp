@@ -85,7 +85,7 @@ TEST(SlicerNames, AFileGivesWhatHasAMeaningAndTellsTheRest) {
                                                "ironing = 1\ntemperature = 230\nskirts = 0\nskirt_distance = 6\n"
                                                "support_material = 0\nsupport_material_threshold = 40\n"
                                                "default_speed = 60\nperimeter_speed = 80%\nfill_pattern = honeycomb\n");
-    const Translated t = translated({"--walls", "4", "--load", file, "--temperature", "200"}, some_stages());
+    const SlicerTranslation t = translated({"--walls", "4", "--load", file, "--temperature", "200"}, some_stages());
     EXPECT_EQ(t.words, (Words{"--layer-height=0.3", "--infill=25%", "--walls=3", "--bead-width=0.45",
                               "--set=nozzle_temp=230,feeds.wall=48,nozzle_temp=200", "--walls", "4"}));
     EXPECT_EQ(t.left, (Words{"ironing", "fill_pattern"}));
@@ -221,7 +221,7 @@ TEST(SlicerSettings, ProgramsKeepSettingsInTheirComments) {
 
 TEST(SlicerSettings, WhatCanDoHarmIsNamedApart) {
     const test::Folder at;
-    const Translated t = translated(
+    const SlicerTranslation t = translated(
         {"--load",
          at.write("x.ini",
                   "start_gcode = G28\\nG1 Z5\nend_gcode = ; nothing\\n\nbed_exclude_area = 0x0,18x0,18x28,0x28\n"
@@ -247,7 +247,7 @@ TEST(SlicerMachine, ThePrinterOfAFileIsTheMachine) {
     const test::Folder at;
     const std::string file = at.write("x.ini", "start_gcode = G28\\nM104 S[temperature]\ntemperature = 215\n"
                                                "bed_shape = -90x-80,90x-80,90x80,-90x80\nmax_print_height = 120\n");
-    const Translated t = translated({"--load", file, "--temperature", "230"}, some_stages());
+    const SlicerTranslation t = translated({"--load", file, "--temperature", "230"}, some_stages());
     ASSERT_NE(t.machine, nullptr);
     EXPECT_EQ(t.words.front(), "--machine=" + t.machine->path());
     EXPECT_EQ(t.words.back(), "--set=nozzle_temp=230"); // not that of the file: its G-code heats

@@ -92,7 +92,7 @@ Scene random_scene(std::mt19937& random) {
 
 } // namespace
 
-TEST(Carved, AreasAndHeightsAreThoseOfCells) {
+TEST(CarvedPart, AreasAndHeightsAreThoseOfCells) {
     std::mt19937 random(11);
     const char* asked = std::getenv("FILUM_TRIALS");
     const int trials = asked != nullptr ? std::atoi(asked) : 60;
@@ -109,7 +109,7 @@ TEST(Carved, AreasAndHeightsAreThoseOfCells) {
             EXPECT_THROW(carve(scene.file, 0.05, 0.1, 1, notes), Error);
             continue;
         }
-        Carved carved = carve(scene.file, 0.05, 0.1, 1, notes);
+        CarvedPart carved = carve(scene.file, 0.05, 0.1, 1, notes);
         EXPECT_NEAR(carved.box.lo.z, low, 1e-9) << trial;
         EXPECT_NEAR(carved.box.hi.z, high, 1e-9) << trial;
         std::vector<filum::slice::Level> levels;

@@ -82,7 +82,7 @@ TEST(Widths, TooManyBinsEndOpen) {
     EXPECT_NEAR(w.share.back(), 1.0 / 101, 1e-6);
 }
 
-TEST(Seams, AreBetweenARegionAndThoseBelow) {
+TEST(SeamDistances, AreBetweenARegionAndThoseBelow) {
     std::vector<polygon::Region> r{region(0, 0, box(0, 0, 5, 5)), region(1, 0, box(10, 0, 15, 5)),
                                    region(2, 1, box(0, 0, 5, 5))};
     r[2].below = {{0, 25, 2.5}};
@@ -93,7 +93,7 @@ TEST(Seams, AreBetweenARegionAndThoseBelow) {
     add(b, bead({{11, 1, 0.2}, {14, 1, 0.2}}, 0.4, 0.2, 0, 1));
     add(b, travel({14, 1, 0.2}, {4, 5, 0.4}));
     add(b, bead({{4, 5, 0.4}, {1, 5, 0.4}}, 0.4, 0.2, 1, 2));
-    const Seams s = seams(b, r, 0.4);
+    const SeamDistances s = seams(b, r, 0.4);
     EXPECT_EQ(s.pairs, 1);
     EXPECT_NEAR(s.mean, 5, 1e-12);
     EXPECT_EQ(s.near, 0);

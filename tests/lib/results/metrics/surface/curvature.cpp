@@ -22,9 +22,9 @@ struct Uneven {
     double operator()() { return 0.01 + 0.48 * (static_cast<double>(random()) / 4294967296.0); }
 };
 
-Chain chain(const std::vector<Vec3>& points) { return paths::fibres({paths::span(points)}).chains.at(0); }
+Fibre chain(const std::vector<Vec3>& points) { return paths::fibres({paths::span(points)}).all.at(0); }
 
-Bends on(const Chain& c, const std::function<Vec3(const Vec3&)>& normal, double step = 0.25) {
+Bends on(const Fibre& c, const std::function<Vec3(const Vec3&)>& normal, double step = 0.25) {
     std::vector<Vec3> normals;
     for (const Vec3& p : c.points) normals.push_back(normal(p));
     return bends(c, normals, step);
@@ -93,7 +93,7 @@ TEST(Curvature, IsolinesOfTrianglesOnASphereCap) {
     points.push_back(points.front());
     const Ground ground(cap.surface, 1);
     const Fibres f = paths::fibres({paths::span(points)});
-    const Bends b = bends(f.chains[0], feet(f, ground, 1).normals[0], 0.25);
+    const Bends b = bends(f.all[0], feet(f, ground, 1).normals[0], 0.25);
     std::vector<Weighted> geodesic;
     for (const Bend& p : b.places) {
         geodesic.push_back({p.geodesic, p.length});

@@ -23,7 +23,7 @@ std::vector<Vec3> hook(double radius, double apart) {
 TightLength measured(const std::vector<paths::Span>& spans, double radius, double spacing = 1) {
     const Fibres fibres = paths::fibres(spans);
     std::vector<std::vector<Vec3>> normals;
-    for (const Chain& c : fibres.chains) normals.emplace_back(c.points.size(), Vec3{0, 0, 1});
+    for (const Fibre& c : fibres.all) normals.emplace_back(c.points.size(), Vec3{0, 0, 1});
     return tight(fibres, normals, radius, spacing);
 }
 

@@ -1,4 +1,4 @@
-#include "metrics/planar/lanes.hpp"
+#include "metrics/planar/row_sections.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ void clip(double& lo, double& hi, double slope, double offset, double from, doub
 
 } // namespace
 
-bool section(const Lane& l, double y, Interval& out) {
+bool section(const SweptBead& l, double y, Interval& out) {
     double lo = INFINITY, hi = -INFINITY;
     for (const Vec2 c : {l.a, l.b}) {
         const double d2 = l.half * l.half - (y - c.y) * (y - c.y);
@@ -41,17 +41,17 @@ bool section(const Lane& l, double y, Interval& out) {
     return lo < hi;
 }
 
-std::vector<Lane> lanes(std::span<const Bead> beads) {
-    std::vector<Lane> out;
+std::vector<SweptBead> swept_beads(std::span<const Bead> beads) {
+    std::vector<SweptBead> out;
     out.reserve(beads.size());
     for (const Bead& b : beads) {
-        Lane l{b.a, b.b, {1, 0}, b.width / 2, geom::distance(b.a, b.b), 0, 0, b.slot};
+        SweptBead l{b.a, b.b, {1, 0}, b.width / 2, geom::distance(b.a, b.b), 0, 0, b.slot};
         if (l.length > 0) l.u = (1 / l.length) * (b.b - b.a);
         l.lo = std::min(b.a.y, b.b.y) - l.half;
         l.hi = std::max(b.a.y, b.b.y) + l.half;
         out.push_back(l);
     }
-    std::sort(out.begin(), out.end(), [](const Lane& p, const Lane& q) { return p.lo < q.lo; });
+    std::sort(out.begin(), out.end(), [](const SweptBead& p, const SweptBead& q) { return p.lo < q.lo; });
     return out;
 }
 

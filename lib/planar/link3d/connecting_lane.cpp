@@ -1,4 +1,4 @@
-#include "link3d/lane.hpp"
+#include "link3d/connecting_lane.hpp"
 
 #include "link3d/connector.hpp"
 #include "link3d/strip_route.hpp"
@@ -28,7 +28,7 @@ int rank_above(const State& state, Vec2 p, int least, double reach) {
 // Whether the next region can be reached from the end of the front region's last bead.
 bool ends_well(const State& state, std::uint32_t c, const Bead& bead, double reach) {
     const Vec2 end = bead.points.back();
-    if (state.front.next == Next::above)
+    if (state.front.next == NextPlace::above)
         return nearest_entry(state.window[1], end, reach * (state.window[0].width + state.window[1].width) / 2)
             .has_value();
     return sees_outside(state, end, SegmentIndex(as_printed(state, c, bead)));
@@ -45,7 +45,7 @@ std::optional<std::vector<Vec2>> lane(const State& state, std::uint32_t c, const
         if (curve.closed) lines.back().push_back(curve.points.front());
     }
     const SegmentIndex index(curves);
-    const bool above = state.front.next == Next::above;
+    const bool above = state.front.next == NextPlace::above;
     const auto strips = std::span(kStrips).first(above ? kStrips.size() : 1); // a way out of the region needs room
     return strip_route(lines, curves, index, bead.points.back(), state.region().width, strips,
                        above ? static_cast<int>(climbing(state)) : 1, [&](Vec2 p, int least) {
@@ -56,7 +56,7 @@ std::optional<std::vector<Vec2>> lane(const State& state, std::uint32_t c, const
 } // namespace
 
 std::optional<std::vector<Vec2>> leave(State& state, std::uint32_t c, Bead& bead, const std::function<Bead()>& other) {
-    if (state.front.next == Next::anywhere) return std::nullopt;
+    if (state.front.next == NextPlace::anywhere) return std::nullopt;
     for (const double reach : reaches(state, state.window[std::min<std::size_t>(1, state.window.size() - 1)])) {
         if (ends_well(state, c, bead, reach)) return std::nullopt;
         Bead back = other();
@@ -71,7 +71,7 @@ std::optional<std::vector<Vec2>> leave(State& state, std::uint32_t c, Bead& bead
             state.counts.lane_length += length(*way);
             return way;
         }
-        if (state.front.next == Next::outside) break;
+        if (state.front.next == NextPlace::outside) break;
     }
     return std::nullopt;
 }

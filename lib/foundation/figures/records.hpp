@@ -8,6 +8,6 @@
 namespace filum::figures {
 
 // Appends every fact, and the notes summed by stage and phrase, in the order in which they first come.
-void said_before(const Notes& notes, const Facts& facts, Figures& out);
+void add_records(const Notes& notes, const Facts& facts, Figures& out);
 
 } // namespace filum::figures

@@ -1,4 +1,4 @@
-#include "surfpath/follow.hpp"
+#include "surfpath/field_hybrid.hpp"
 
 #include "surface/curve/ease.hpp"
 #include "surfpath/field/rings.hpp"

@@ -1,5 +1,5 @@
 // Paths along fields, where what must come of them is known.
-#include "surfpath/follow.hpp"
+#include "surfpath/field_hybrid.hpp"
 
 #include "../../shapes/surface/grid.hpp"
 #include "base/error.hpp"

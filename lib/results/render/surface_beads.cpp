@@ -1,4 +1,4 @@
-#include "render/lay.hpp"
+#include "render/surface_beads.hpp"
 
 #include "render/camera.hpp"
 #include "render/sampling.hpp"
@@ -58,8 +58,8 @@ bool lies_on(const surface::curve::Locator& locator, const Stroke& s, bool again
 
 } // namespace
 
-Laid lay(const Scene& scene, const Tint& tint) {
-    Laid out;
+SurfaceBeads surface_beads(const Scene& scene, const Tint& tint) {
+    SurfaceBeads out;
     auto all = beads(scene, tint);
     if (all.empty()) return out;
     const auto& surface = scene.sheet->surface;
@@ -81,7 +81,7 @@ Laid lay(const Scene& scene, const Tint& tint) {
     return out;
 }
 
-double uncovered(const surface::Surface& s, const Laid& laid) {
+double uncovered(const surface::Surface& s, const SurfaceBeads& laid) {
     double total = 0;
     std::vector<double> before;
     for (const auto& t : s.triangles) {

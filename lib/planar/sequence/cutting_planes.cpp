@@ -1,4 +1,4 @@
-#include "sequence/cuts.hpp"
+#include "sequence/cutting_planes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ constexpr Index kShared = 2; // cuts per round in which a link may be before fur
 
 } // namespace
 
-Cuts::Cuts(const Graph& g, const Columns& columns, std::uint64_t most_work)
+CuttingPlanes::CuttingPlanes(const Graph& g, const Columns& columns, std::uint64_t most_work)
     : g_(g), columns_(columns), following_(g, columns, most_work), link_(g.size(), kNone), so_far_(g.size()),
       level_(g.size()), work_(following_.work()) {
     for (const auto& member : columns.member)
@@ -23,7 +23,7 @@ Cuts::Cuts(const Graph& g, const Columns& columns, std::uint64_t most_work)
         }
 }
 
-std::vector<Inequality> Cuts::degrees() const {
+std::vector<Inequality> CuttingPlanes::degrees() const {
     std::vector<Inequality> out;
     std::vector<std::vector<Index>> entering(g_.size());
     for (Index u = 0; u < g_.size(); ++u) {
@@ -40,7 +40,7 @@ std::vector<Inequality> Cuts::degrees() const {
     return out;
 }
 
-std::vector<Inequality> Cuts::apart() const {
+std::vector<Inequality> CuttingPlanes::apart() const {
     std::vector<Inequality> out;
     for (Index c = 0; c < columns_.member.size(); ++c)
         for (Index p = 0; p < columns_.member[c].size();) {
@@ -53,7 +53,7 @@ std::vector<Inequality> Cuts::apart() const {
     return out;
 }
 
-void Cuts::sum_up(std::span<const double> unused) {
+void CuttingPlanes::sum_up(std::span<const double> unused) {
     for (const auto& member : columns_.member) {
         so_far_[member[0]] = 0;
         level_[member[0]] = 0;
@@ -66,7 +66,7 @@ void Cuts::sum_up(std::span<const double> unused) {
     }
 }
 
-std::vector<Cuts::Violation> Cuts::again() const {
+std::vector<CuttingPlanes::Violation> CuttingPlanes::again() const {
     std::vector<Violation> out;
     for (Index c = 0; c < columns_.member.size(); ++c)
         for (Index p = 0; p < columns_.member[c].size(); ++p) {
@@ -79,7 +79,7 @@ std::vector<Cuts::Violation> Cuts::again() const {
 }
 
 // Adds the stretch of another column that increases the breaks least; `sum` is the total. False if none fits.
-bool Cuts::add_rival(Stretches& s, double& sum) {
+bool CuttingPlanes::add_rival(Stretches& s, double& sum) {
     Stretches best;
     double least = 0;
     for (Index c = 0; c < columns_.member.size(); ++c) {
@@ -120,7 +120,7 @@ bool Cuts::add_rival(Stretches& s, double& sum) {
 }
 
 // Shortens the stretches from below as far as their heads stay the same.
-void Cuts::raise_feet(Stretches& s) const {
+void CuttingPlanes::raise_feet(Stretches& s) const {
     for (Stretch& x : s) {
         const auto may_rise = [&] {
             return std::all_of(s.begin(), s.end(), [&](const Stretch& o) {
@@ -133,7 +133,7 @@ void Cuts::raise_feet(Stretches& s) const {
 }
 
 // Starting with a stretch from each place above a break, adds rivals one by one as long as a violation is likely.
-std::vector<Cuts::Violation> Cuts::rivals() {
+std::vector<CuttingPlanes::Violation> CuttingPlanes::rivals() {
     constexpr double kHope = 0.7;
     std::vector<Violation> out;
     for (Index c = 0; c < columns_.member.size(); ++c)
@@ -155,7 +155,7 @@ std::vector<Cuts::Violation> Cuts::rivals() {
     return out;
 }
 
-Inequality Cuts::cut(const Stretches& s, Index least) const {
+Inequality CuttingPlanes::cut(const Stretches& s, Index least) const {
     Inequality out{{}, least};
     for (const Stretch& x : s)
         for (Index p = x.foot; p < x.head; ++p) {
@@ -169,7 +169,7 @@ Inequality Cuts::cut(const Stretches& s, Index least) const {
     return out;
 }
 
-std::vector<Inequality> Cuts::violated(std::span<const double> unused) {
+std::vector<Inequality> CuttingPlanes::violated(std::span<const double> unused) {
     sum_up(unused);
     work_ += g_.size();
     auto found = again();

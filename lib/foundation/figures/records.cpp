@@ -1,4 +1,4 @@
-#include "figures/said.hpp"
+#include "figures/records.hpp"
 
 #include "base/number.hpp"
 #include "figures/meanings.hpp"
@@ -18,7 +18,7 @@ int decimals(double v) {
 
 } // namespace
 
-void said_before(const Notes& notes, const Facts& facts, Figures& out) {
+void add_records(const Notes& notes, const Facts& facts, Figures& out) {
     for (const Fact& f : facts) {
         Figure said{"said by the stages before", f.stage + ": " + f.name, f.value, decimals(f.value), f.unit};
         said.key = "said." + key_text(f.stage) + "." + key_text(f.name);

@@ -3,7 +3,7 @@
 
 #include "surface/curve/line.hpp"
 
-namespace filum::surfpath::strands {
+namespace filum::surfpath::fronts {
 
 using geom::Vec2;
 using geom::Vec3;
@@ -16,4 +16,4 @@ using surface::curve::Place;
 // length are left out.
 std::vector<Line> source_lines(const surface::Sources& sources);
 
-} // namespace filum::surfpath::strands
+} // namespace filum::surfpath::fronts

@@ -1,8 +1,8 @@
-#include "surfpath/rows/turner.hpp"
+#include "surfpath/rows/surface_turn.hpp"
 
 #include "surface/curve/ease.hpp"
 #include "surface/curve/walk.hpp"
-#include "surfpath/rows/turn.hpp"
+#include "surfpath/rows/flat_turn.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "metrics/surface/strands.hpp"
+#include "metrics/surface/neighbours.hpp"
 
 #include "geom/point_grid.hpp"
 #include "parallel/parallel.hpp"

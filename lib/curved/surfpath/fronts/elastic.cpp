@@ -1,9 +1,9 @@
-#include "surfpath/strands/elastic.hpp"
+#include "surfpath/fronts/elastic.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace filum::surfpath::strands {
+namespace filum::surfpath::fronts {
 
 namespace {
 
@@ -18,7 +18,7 @@ constexpr int kSmoothings = 4;
 
 constexpr std::size_t kNoKnot = ~std::size_t{0};
 
-// A spot of a strand with its neighbours along the front and along the strand.
+// A spot of a line with its neighbours along the front and along the line.
 struct Knot {
     std::size_t left = kNoKnot, right = kNoKnot, before = kNoKnot, behind = kNoKnot;
     double left_gap = 0, right_gap = 0; // mm, before anything moved
@@ -29,8 +29,8 @@ struct Knot {
 
 class ElasticSheet {
   public:
-    ElasticSheet(const std::vector<Strand>& strands, const Fronts& fronts, double d) : fronts_(fronts), d_(d) {
-        for (const Strand& s : strands) {
+    ElasticSheet(const std::vector<FrontLine>& lines, const Fronts& fronts, double d) : fronts_(fronts), d_(d) {
+        for (const FrontLine& s : lines) {
             first_.push_back(knots_.size());
             for (std::size_t j = 0; j < s.spots.size(); ++j) {
                 Knot k;
@@ -41,11 +41,11 @@ class ElasticSheet {
             }
         }
         std::vector<std::vector<FrontKnot>> rows(fronts.levels());
-        for (std::size_t i = 0; i < strands.size(); ++i)
-            for (std::size_t j = 0; j < strands[i].spots.size(); ++j)
-                rows[strands[i].first + j].push_back({strands[i].spots[j], first_[i] + j});
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            for (std::size_t j = 0; j < lines[i].spots.size(); ++j)
+                rows[lines[i].first + j].push_back({lines[i].spots[j], first_[i] + j});
         for (std::size_t level = 0; level < rows.size(); ++level) connect(level, rows[level]);
-        for (std::size_t i = 0; i < strands.size(); ++i) add_rims(strands[i], first_[i]);
+        for (std::size_t i = 0; i < lines.size(); ++i) add_rims(lines[i], first_[i]);
     }
 
     void relax() {
@@ -58,9 +58,7 @@ class ElasticSheet {
         for (int i = 0; i < kSmoothings; ++i) smooth();
     }
 
-    [[nodiscard]] double moved(std::size_t strand, std::size_t spot) const {
-        return knots_[first_[strand] + spot].moved;
-    }
+    [[nodiscard]] double moved(std::size_t line, std::size_t spot) const { return knots_[first_[line] + spot].moved; }
 
   private:
     struct FrontKnot {
@@ -93,9 +91,9 @@ class ElasticSheet {
         knots_[b].left_gap = gap;
     }
 
-    // Adds the attraction of rims to the outermost strands of open fronts. It is weaker the more a strand diverges
+    // Adds the attraction of rims to the outermost lines of open fronts. It is weaker the more a line diverges
     // from the rim.
-    void add_rims(const Strand& s, std::size_t first) {
+    void add_rims(const FrontLine& s, std::size_t first) {
         for (std::size_t j = 0; j < s.spots.size(); ++j) {
             Knot& k = knots_[first + j];
             const Front& front = fronts_.at(s.first + j)[s.spots[j].front];
@@ -156,21 +154,21 @@ class ElasticSheet {
     const Fronts& fronts_;
     double d_;
     std::vector<Knot> knots_;
-    std::vector<std::size_t> first_; // per strand: index of its first knot
+    std::vector<std::size_t> first_; // per line: index of its first knot
 };
 
 } // namespace
 
-void make_room(std::vector<Strand>& strands, const Fronts& fronts, double spacing) {
-    ElasticSheet sheet(strands, fronts, spacing);
+void make_room(std::vector<FrontLine>& lines, const Fronts& fronts, double spacing) {
+    ElasticSheet sheet(lines, fronts, spacing);
     sheet.relax();
-    for (std::size_t i = 0; i < strands.size(); ++i)
-        for (std::size_t j = 0; j < strands[i].spots.size(); ++j) {
-            Spot& spot = strands[i].spots[j];
-            const Front& front = fronts.at(strands[i].first + j)[spot.front];
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        for (std::size_t j = 0; j < lines[i].spots.size(); ++j) {
+            Spot& spot = lines[i].spots[j];
+            const Front& front = fronts.at(lines[i].first + j)[spot.front];
             const double l = front.length(), x = spot.x + sheet.moved(i, j);
             spot.x = front.line.closed ? x - l * std::floor(x / l) : std::clamp(x, 0.0, l);
         }
 }
 
-} // namespace filum::surfpath::strands
+} // namespace filum::surfpath::fronts

@@ -1,4 +1,4 @@
-#include "app/filum/route.hpp"
+#include "app/filum/distribute.hpp"
 #include "app/filum/process.hpp"
 #include "base/error.hpp"
 
@@ -16,7 +16,7 @@ using Lists = std::vector<std::vector<std::string>>;
 
 TEST(Route, OptionsGoToAllThatHaveThemOwnOnesLast) {
     const auto r =
-        route({"--fill.height=2", "part.stl", "--height", "-1", "--fast", "--width=0.4", "-o", "x"}, kStages);
+        distribute({"--fill.height=2", "part.stl", "--height", "-1", "--fast", "--width=0.4", "-o", "x"}, kStages);
     EXPECT_EQ(r.arguments, (Lists{{"--height=-1", "--fast"}, {"--height=-1", "--width=0.4", "--height=2"}}));
     EXPECT_EQ(r.inputs, std::vector<std::string>{"part.stl"});
     EXPECT_EQ(r.output, "x");
@@ -26,7 +26,7 @@ TEST(Route, MachineIsTheHeadToKeepClearOfUnlessAnotherIsGiven) {
     const std::vector<Stage> stages{{"sequence", "", "", "", "", {{"head", true}}},
                                     {"link3d", "", "", "", "", {{"head", true}}},
                                     {"postproc", "", "", "", "", {{"machine", true}}}};
-    const auto heads = [&](const std::vector<std::string>& words) { return route(words, stages).arguments; };
+    const auto heads = [&](const std::vector<std::string>& words) { return distribute(words, stages).arguments; };
     EXPECT_EQ(heads({}), (Lists{{}, {}, {}}));
     EXPECT_EQ(heads({"--machine", "bio"}), (Lists{{"--head=bio"}, {"--head=bio"}, {"--machine=bio"}}));
     EXPECT_EQ(heads({"--postproc.machine=bio"}), (Lists{{"--head=bio"}, {"--head=bio"}, {"--machine=bio"}}));
@@ -39,7 +39,7 @@ TEST(Route, AnOptionForAllGoesWhereItDoesSomething) {
     const std::vector<Stage> stages{
         {"fill", "", "", "", "", {{"method", true, "cyc", ""}, {"shift", true, "1", "method=paper"}}},
         {"link", "", "", "", "", {{"links", true, "free", ""}, {"shift", true, "1", "links=paper"}}}};
-    const auto given = [&](const std::vector<std::string>& words) { return route(words, stages).arguments; };
+    const auto given = [&](const std::vector<std::string>& words) { return distribute(words, stages).arguments; };
     EXPECT_EQ(given({"--shift=2", "--method=paper"}), (Lists{{"--shift=2", "--method=paper"}, {}}));
     EXPECT_EQ(given({"--shift=2", "--links=paper"}), (Lists{{}, {"--shift=2", "--links=paper"}}));
     EXPECT_EQ(given({"--shift=2", "--links=paper", "--method=paper"}),
@@ -49,15 +49,15 @@ TEST(Route, AnOptionForAllGoesWhereItDoesSomething) {
 }
 
 TEST(Route, BehindTwoDashesAllAreNames) {
-    EXPECT_EQ(route({"--", "--fast"}, kStages).inputs, std::vector<std::string>{"--fast"});
-    EXPECT_EQ(route({"--fast", "--", "-o"}, kStages).inputs, std::vector<std::string>{"-o"});
-    EXPECT_EQ(route({"a", "--", "--b", "c"}, kStages).inputs, (std::vector<std::string>{"a", "--b", "c"}));
+    EXPECT_EQ(distribute({"--", "--fast"}, kStages).inputs, std::vector<std::string>{"--fast"});
+    EXPECT_EQ(distribute({"--fast", "--", "-o"}, kStages).inputs, std::vector<std::string>{"-o"});
+    EXPECT_EQ(distribute({"a", "--", "--b", "c"}, kStages).inputs, (std::vector<std::string>{"a", "--b", "c"}));
 }
 
 TEST(Route, SuggestsWhatWasMeant) {
     const auto why = [](const std::vector<std::string>& words) -> std::string {
         try {
-            route(words, kStages);
+            distribute(words, kStages);
         } catch (const Error& e) {
             return e.what();
         }
@@ -80,7 +80,7 @@ TEST(Route, RefusesWhatIsNobodys) {
                                                                    {""},
                                                                    {"--fill.output=x"}}) {
         try {
-            route(words, kStages);
+            distribute(words, kStages);
             ADD_FAILURE() << words[0];
         } catch (const Error& e) {
             EXPECT_EQ(e.exit(), Exit::usage);
@@ -89,7 +89,7 @@ TEST(Route, RefusesWhatIsNobodys) {
 }
 
 TEST(Verdict, IsTheFirstThatFailedByItself) {
-    const Ended fine{}, pipe{128 + SIGPIPE, true}, cut{4, false}, bad{3, false}, killed{128 + SIGKILL, true};
+    const ProcessEnd fine{}, pipe{128 + SIGPIPE, true}, cut{4, false}, bad{3, false}, killed{128 + SIGKILL, true};
     std::size_t who = 9;
     EXPECT_EQ(verdict({fine, fine}, who), 0);
     EXPECT_EQ(verdict({pipe, bad, cut}, who), 3);
@@ -98,7 +98,7 @@ TEST(Verdict, IsTheFirstThatFailedByItself) {
     EXPECT_EQ(who, 1U);
     EXPECT_EQ(verdict({cut, cut}, who), 4); // the first reads no stage
     EXPECT_EQ(who, 0U);
-    EXPECT_EQ(verdict({pipe, pipe, Ended{5, false}}, who), 5);
+    EXPECT_EQ(verdict({pipe, pipe, ProcessEnd{5, false}}, who), 5);
     EXPECT_EQ(who, 2U);
 }
 

@@ -1,4 +1,4 @@
-#include "metrics/surface/chains.hpp"
+#include "metrics/surface/fibres.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +14,10 @@ constexpr double kStill = 1e-9; // mm
 void lay(Fibres& f, const toolpath::Span& span, std::size_t i, double d) {
     const auto axis = [&](std::size_t k) { return span.normals.empty() ? Vec3{} : span.normals[k]; };
     if (!f.open) {
-        f.chains.push_back({{span.points[i]}, {0}, {axis(i)}, {}, {}, {}, {}});
+        f.all.push_back({{span.points[i]}, {0}, {axis(i)}, {}, {}, {}, {}});
         f.open = true;
     }
-    Chain& c = f.chains.back();
+    Fibre& c = f.all.back();
     c.axes.push_back(axis(i + 1));
     c.points.push_back(span.points[i + 1]);
     c.along.push_back(c.along.back() + d);
@@ -52,25 +52,25 @@ void add(Fibres& f, const toolpath::Span& span) {
 
 double length(const Fibres& fibres) {
     double sum = 0;
-    for (const Chain& c : fibres.chains) sum += c.length();
+    for (const Fibre& c : fibres.all) sum += c.length();
     return sum;
 }
 
 double median_width(const Fibres& fibres) {
     std::vector<Weighted> all;
-    for (const Chain& c : fibres.chains)
+    for (const Fibre& c : fibres.all)
         for (std::size_t i = 0; i < c.width.size(); ++i) all.push_back({c.width[i], c.along[i + 1] - c.along[i]});
     return all.empty() ? 0 : quantile(all, 0.5);
 }
 
-Vec3 point_at(const Chain& c, double s, std::size_t& stretch) {
+Vec3 point_at(const Fibre& c, double s, std::size_t& stretch) {
     while (stretch + 2 < c.points.size() && c.along[stretch + 1] < s) ++stretch;
     const double t = (s - c.along[stretch]) / (c.along[stretch + 1] - c.along[stretch]);
     const Vec3 &a = c.points[stretch], &b = c.points[stretch + 1];
     return a + std::clamp(t, 0.0, 1.0) * (b - a);
 }
 
-std::vector<Vec3> resampled(const Chain& c, double step) {
+std::vector<Vec3> resampled(const Fibre& c, double step) {
     const auto n = static_cast<std::size_t>(std::max(1.0, std::round(c.length() / step)));
     std::vector<Vec3> out{c.points.front()};
     std::size_t stretch = 0;

@@ -1,4 +1,4 @@
-#include "surfpath/rows/turn.hpp"
+#include "surfpath/rows/flat_turn.hpp"
 
 #include "geom/polyline.hpp"
 

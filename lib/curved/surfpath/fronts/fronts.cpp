@@ -1,4 +1,4 @@
-#include "surfpath/strands/fronts.hpp"
+#include "surfpath/fronts/fronts.hpp"
 
 #include "base/error.hpp"
 #include "geodesic/isolines.hpp"
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace filum::surfpath::strands {
+namespace filum::surfpath::fronts {
 
 namespace {
 
@@ -249,4 +249,4 @@ Line Fronts::last(std::size_t level, Spot spot) const {
     return surface::curve::part(whole, ways, 0, lo);
 }
 
-} // namespace filum::surfpath::strands
+} // namespace filum::surfpath::fronts

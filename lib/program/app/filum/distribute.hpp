@@ -35,6 +35,6 @@ const std::string& value_behind(const std::vector<std::string>& words, std::size
 // --place, --wells sets --wall-height.  --machine sets --head in each stage that has --head.
 // A value follows its option after a space or a '='.  All words behind "--" are files.
 // Throws Error(usage) for an option that no stage has, and for a missing value.
-Request route(const std::vector<std::string>& words, const std::vector<Stage>& stages);
+Request distribute(const std::vector<std::string>& words, const std::vector<Stage>& stages);
 
 } // namespace filum::app::filum

@@ -1,10 +1,10 @@
-#include "surfpath/strands/source_lines.hpp"
+#include "surfpath/fronts/source_lines.hpp"
 
 #include <algorithm>
 #include <array>
 #include <numeric>
 
-namespace filum::surfpath::strands {
+namespace filum::surfpath::fronts {
 
 namespace {
 
@@ -98,4 +98,4 @@ std::vector<Line> source_lines(const surface::Sources& sources) {
     return CurveBuilder(std::move(long_ones)).all();
 }
 
-} // namespace filum::surfpath::strands
+} // namespace filum::surfpath::fronts

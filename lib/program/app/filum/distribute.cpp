@@ -1,4 +1,4 @@
-#include "app/filum/route.hpp"
+#include "app/filum/distribute.hpp"
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
@@ -42,11 +42,11 @@ const StageOption* find(const Stage& stage, const std::string& name) {
 }
 
 // The options of one stage.  `all`: those that were given to all stages; `own`: those for this stage, which win.
-struct Given {
+struct StageArguments {
     std::vector<std::string> all, own;
 };
 
-bool give(const Word& word, const std::vector<Stage>& stages, std::vector<Given>& to, std::size_t& at,
+bool give(const Word& word, const std::vector<Stage>& stages, std::vector<StageArguments>& to, std::size_t& at,
           const std::vector<std::string>& words) {
     std::optional<std::string> value = word.value;
     bool known = false;
@@ -66,7 +66,7 @@ bool give(const Word& word, const std::vector<Stage>& stages, std::vector<Given>
 
 namespace {
 
-const std::string* last(const Given& given, const std::string& start) {
+const std::string* last(const StageArguments& given, const std::string& start) {
     for (const auto* list : {&given.own, &given.all})
         for (auto word = list->rbegin(); word != list->rend(); ++word)
             if (word->starts_with(start)) return &*word;
@@ -74,10 +74,10 @@ const std::string* last(const Given& given, const std::string& start) {
 }
 
 // Gives --head=MACHINE to each stage that has the option --head, unless it has a value for it.
-void hand_on_machine(const std::vector<Stage>& stages, std::vector<Given>& to) {
+void hand_on_machine(const std::vector<Stage>& stages, std::vector<StageArguments>& to) {
     const std::string machine = "--machine=";
     const std::string* word = nullptr;
-    for (const Given& g : to)
+    for (const StageArguments& g : to)
         if (const auto* found = last(g, machine)) word = found;
     if (word == nullptr) return;
     const std::string name = word->substr(machine.size());
@@ -88,16 +88,16 @@ void hand_on_machine(const std::vector<Stage>& stages, std::vector<Given>& to) {
 
 // Gives the option to each stage that has it, unless the stage has a value for it.
 void hand_on(const std::string& name, const std::string& value, const std::vector<Stage>& stages,
-             std::vector<Given>& to) {
+             std::vector<StageArguments>& to) {
     const std::string start = "--" + name + "=";
     for (std::size_t s = 0; s < stages.size(); ++s)
         if (find(stages[s], name) != nullptr && last(to[s], start) == nullptr) to[s].all.push_back(start + value);
 }
 
 // The value of an option in the first stage to which it was given; "" for none.
-std::string value_of(const std::string& name, const std::vector<Given>& to) {
+std::string value_of(const std::string& name, const std::vector<StageArguments>& to) {
     const std::string start = "--" + name + "=";
-    for (const Given& given : to)
+    for (const StageArguments& given : to)
         if (const std::string* word = last(given, start)) return word->substr(start.size());
     return "";
 }
@@ -105,7 +105,7 @@ std::string value_of(const std::string& name, const std::vector<Given>& to) {
 // Sets options that follow from others.  The single wall of a vase is a helix.  Two or more walls side by side are
 // printed flat, layer by layer, since a helix cannot return to its start.  A bead is as wide as the nozzle.  Parts in
 // wells and grids stay in place, and travels rise above the walls of wells.
-void hand_on_meant(const Request& request, const std::vector<Stage>& stages, std::vector<Given>& to) {
+void hand_on_meant(const Request& request, const std::vector<Stage>& stages, std::vector<StageArguments>& to) {
     const std::string walls = value_of("walls", to), nozzle = value_of("nozzle", to), wells = value_of("wells", to);
     if (request.vase) hand_on("lift", walls.empty() || walls == "1" ? "helical" : "ramp", stages, to);
     if (!nozzle.empty()) hand_on("bead-width", nozzle, stages, to);
@@ -116,8 +116,8 @@ void hand_on_meant(const Request& request, const std::vector<Stage>& stages, std
 
 // Looks up options of the stage: the value in `given`, else the default, and whether the value differs from the
 // default.
-cli::Lookup lookup(const Stage& stage, const Given& given) {
-    return [&](const std::string& name) -> cli::Standing {
+cli::Lookup lookup(const Stage& stage, const StageArguments& given) {
+    return [&](const std::string& name) -> cli::OptionState {
         const StageOption* option = find(stage, name);
         if (option == nullptr) return {};
         const std::string* word = last(given, "--" + name + "=");
@@ -129,15 +129,15 @@ cli::Lookup lookup(const Stage& stage, const Given& given) {
 
 std::string name_in(const std::string& word) { return split(word).name; }
 
-bool idle(const Stage& stage, const Given& given, const std::string& name) {
+bool idle(const Stage& stage, const StageArguments& given, const std::string& name) {
     const StageOption* option = find(stage, name);
     return option != nullptr && cli::fault(name, option->needs, lookup(stage, given)).has_value();
 }
 
 // Removes options for all stages from each stage where they have no effect.  If an option has no effect in any stage,
 // all stages keep it, and report what it needs.
-void keep_effective(const std::vector<Stage>& stages, std::vector<Given>& to) {
-    const std::vector<Given> before = to;
+void keep_effective(const std::vector<Stage>& stages, std::vector<StageArguments>& to) {
+    const std::vector<StageArguments> before = to;
     const auto works = [&](const std::string& name) {
         for (std::size_t s = 0; s < stages.size(); ++s)
             if (find(stages[s], name) != nullptr && !idle(stages[s], before[s], name)) return true;
@@ -198,9 +198,9 @@ const std::string& value_behind(const std::vector<std::string>& words, std::size
     return words[i];
 }
 
-Request route(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
+Request distribute(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
     Request out;
-    std::vector<Given> given(stages.size());
+    std::vector<StageArguments> given(stages.size());
     bool names_only = false;
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string& word = words[i];
@@ -240,7 +240,7 @@ Request route(const std::vector<std::string>& words, const std::vector<Stage>& s
     hand_on_machine(stages, given);
     hand_on_meant(out, stages, given);
     keep_effective(stages, given);
-    for (Given& g : given) {
+    for (StageArguments& g : given) {
         g.all.insert(g.all.end(), g.own.begin(), g.own.end());
         out.arguments.push_back(std::move(g.all));
     }

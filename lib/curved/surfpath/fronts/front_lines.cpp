@@ -1,24 +1,24 @@
-#include "surfpath/strands/strands.hpp"
+#include "surfpath/fronts/front_lines.hpp"
 
-#include "surfpath/strands/elastic.hpp"
+#include "surfpath/fronts/elastic.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-namespace filum::surfpath::strands {
+namespace filum::surfpath::fronts {
 
 namespace {
 
 using surface::kNone;
 
-constexpr double kTooNear = 0.35; // spacings: of two strands nearer than this one dies
+constexpr double kTooNear = 0.35; // spacings: of two lines nearer than this one dies
 constexpr double kTie = 1e-9;     // spacings: smaller differences are ties
-constexpr double kBrief = 3;      // spacings: a strand is not worth starting, or ending, nearer than this to a rim
+constexpr double kBrief = 3;      // spacings: a line is not worth starting, or ending, nearer than this to a rim
 
-struct LiveStrand {
+struct LiveLine {
     double x = 0; // mm along its front
-    std::uint32_t strand = 0;
+    std::uint32_t line = 0;
     double before = -1;     // mm from the start of the front before; negative: none
     double before_end = -1; // mm from the end of the front before
 };
@@ -29,7 +29,7 @@ class March {
         : fronts_(fronts), rule_(rule), d_(rule.spacing), half_(rule.group == 1 ? 5 : 9),
           most_(rule.group == 1 ? 0.55 : 1.05), wide_(rule.group == 1 ? 1.8 : 2.6) {}
 
-    Strands run() {
+    FrontLines run() {
         begin();
         for (std::size_t k = 0; k + 1 < fronts_.levels() && !done_; ++k) advance(k);
         out_.bound = bound();
@@ -39,18 +39,18 @@ class March {
   private:
     [[nodiscard]] const Front& front(std::uint32_t f) const { return fronts_.at(level_)[f]; }
 
-    std::uint32_t add(std::uint32_t f, double x, StrandEnd begin, std::uint32_t group) {
-        Strand s;
+    std::uint32_t add(std::uint32_t f, double x, FrontLineEnd begin, std::uint32_t group) {
+        FrontLine s;
         s.first = level_;
         s.spots = {{f, x}};
         s.begin = begin;
         s.born_with = group;
-        out_.strands.push_back(std::move(s));
+        out_.lines.push_back(std::move(s));
         root_.push_back(level_ == 0 ? f : kNone);
-        return static_cast<std::uint32_t>(out_.strands.size() - 1);
+        return static_cast<std::uint32_t>(out_.lines.size() - 1);
     }
 
-    // Starts strands at equal distances on both sides of each source curve, in pairs at the same places.
+    // Starts lines at equal distances on both sides of each source curve, in pairs at the same places.
     void begin() {
         const auto& sources = fronts_.at(0);
         alive_.assign(sources.size(), {});
@@ -58,34 +58,34 @@ class March {
             const double l = sources[f].length();
             const bool closed = sources[f].line.closed;
             const auto n = static_cast<std::uint32_t>(std::max(1.0, std::round(l / d_)));
-            const auto first = static_cast<std::uint32_t>(out_.strands.size());
+            const auto first = static_cast<std::uint32_t>(out_.lines.size());
             for (std::uint32_t side = 0; side < 2; ++side)
                 for (std::uint32_t i = 0; i < n; ++i) {
                     const double x = l * (i + (closed ? 0.0 : 0.5)) / n;
-                    const std::uint32_t s = add(f + side, x, StrandEnd::source, kNone);
+                    const std::uint32_t s = add(f + side, x, FrontLineEnd::source, kNone);
                     alive_[f + side].push_back({x, s});
                     const std::uint32_t across = closed ? (n - i) % n : n - 1 - i;
-                    out_.strands[s].mate = first + (1 - side) * n + across;
+                    out_.lines[s].mate = first + (1 - side) * n + across;
                 }
         }
     }
 
     void advance(std::size_t k) {
-        std::vector<std::vector<LiveStrand>> next(fronts_.at(k + 1).size());
+        std::vector<std::vector<LiveLine>> next(fronts_.at(k + 1).size());
         for (std::uint32_t f = 0; f < alive_.size(); ++f) {
             const double l = fronts_.at(k)[f].length();
-            for (const LiveStrand& a : alive_[f]) {
+            for (const LiveLine& a : alive_[f]) {
                 const auto to = fronts_.onward(k, {f, a.x});
                 if (!to) continue;
-                out_.strands[a.strand].spots.push_back(*to);
+                out_.lines[a.line].spots.push_back(*to);
                 const bool closed = fronts_.at(k)[f].line.closed || fronts_.at(k + 1)[to->front].line.closed;
-                next[to->front].push_back({to->x, a.strand, closed ? -1 : a.x, closed ? -1 : l - a.x});
+                next[to->front].push_back({to->x, a.line, closed ? -1 : a.x, closed ? -1 : l - a.x});
             }
         }
         level_ = k + 1;
         for (std::uint32_t f = 0; f < next.size(); ++f) {
             std::stable_sort(next[f].begin(), next[f].end(),
-                             [](const LiveStrand& a, const LiveStrand& b) { return a.x < b.x; });
+                             [](const LiveLine& a, const LiveLine& b) { return a.x < b.x; });
             apply(f, next[f]);
         }
         record(next);
@@ -93,36 +93,36 @@ class March {
     }
 
     // ---- the spacing rule, on one front
-    void apply(std::uint32_t f, std::vector<LiveStrand>& row) {
+    void apply(std::uint32_t f, std::vector<LiveLine>& row) {
         if (row.empty()) return settle(f, row);
         thin(f, row);
         fill(f, row);
         const std::size_t before = row.size();
         while (row.size() < 2 * before + 2 && bear(f, row)) {
         }
-        if (row.size() > before) return; // windows at rims hold fewer gaps; no strand may die for one just born
+        if (row.size() > before) return; // windows at rims hold fewer gaps; no line may die for one just born
         while (reap(f, row)) {
         }
     }
 
-    // Starts strands on a front that no strand reaches.
-    void settle(std::uint32_t f, std::vector<LiveStrand>& row) {
+    // Starts lines on a front that no line reaches.
+    void settle(std::uint32_t f, std::vector<LiveLine>& row) {
         const double l = front(f).length();
         auto n = static_cast<std::size_t>(std::round(l / d_));
         n -= n % rule_.group;
         const std::uint32_t group = groups_;
         for (std::size_t i = 0; i < n; ++i) {
             const double x = l * (static_cast<double>(i) + 0.5) / static_cast<double>(n);
-            row.push_back({x, add(f, x, StrandEnd::interior, group + static_cast<std::uint32_t>(i / rule_.group))});
+            row.push_back({x, add(f, x, FrontLineEnd::interior, group + static_cast<std::uint32_t>(i / rule_.group))});
         }
         groups_ += static_cast<std::uint32_t>((n + 1) / rule_.group);
         out_.born += n;
     }
 
-    // How much too wide each gap is: the one before each strand and, on an open front, the one behind the last.
-    // Between a strand and a rim along which it runs there should be half a spacing. If the strand runs towards the
-    // rim, that gap counts only if it has room for one more strand.
-    [[nodiscard]] std::vector<double> excess(std::uint32_t f, const std::vector<LiveStrand>& row) const {
+    // How much too wide each gap is: the one before each line and, on an open front, the one behind the last.
+    // Between a line and a rim along which it runs there should be half a spacing. If the line runs towards the
+    // rim, that gap counts only if it has room for one more line.
+    [[nodiscard]] std::vector<double> excess(std::uint32_t f, const std::vector<LiveLine>& row) const {
         const Front& on = front(f);
         const double l = on.length();
         std::vector<double> e;
@@ -138,42 +138,42 @@ class March {
         return e;
     }
 
-    // Inserts n strands into gap i, which is before strand i.
-    void insert(std::uint32_t f, std::vector<LiveStrand>& row, std::size_t i, std::size_t n) {
+    // Inserts n lines into gap i, which is before line i.
+    void insert(std::uint32_t f, std::vector<LiveLine>& row, std::size_t i, std::size_t n) {
         const Front& on = front(f);
         const double l = on.length();
         double from, to;
         if (on.line.closed) {
             from = i > 0 ? row[i - 1].x : row.back().x - l;
             to = row[i].x;
-        } else { // a rim counts as a strand half a spacing outside
+        } else { // a rim counts as a line half a spacing outside
             from = i > 0 ? row[i - 1].x : -d_ / 2;
             to = i < row.size() ? row[i].x : l + d_ / 2;
         }
-        std::vector<LiveStrand> added;
+        std::vector<LiveLine> added;
         for (std::size_t j = 1; j <= n; ++j) {
             double x = from + (to - from) * static_cast<double>(j) / static_cast<double>(n + 1);
             if (on.line.closed && x < 0) x += l;
             x = std::clamp(x, 0.0, l);
             const auto group = groups_ + static_cast<std::uint32_t>((j - 1) / rule_.group);
-            added.push_back({x, add(f, x, StrandEnd::interior, group)});
+            added.push_back({x, add(f, x, FrontLineEnd::interior, group)});
         }
         groups_ += static_cast<std::uint32_t>((n + rule_.group - 1) / rule_.group);
         out_.born += n;
         row.insert(row.begin() + static_cast<std::ptrdiff_t>(i), added.begin(), added.end());
-        std::stable_sort(row.begin(), row.end(), [](const LiveStrand& a, const LiveStrand& b) { return a.x < b.x; });
+        std::stable_sort(row.begin(), row.end(), [](const LiveLine& a, const LiveLine& b) { return a.x < b.x; });
     }
 
-    void kill(std::vector<LiveStrand>& row, std::size_t i, std::uint32_t group) {
-        Strand& s = out_.strands[row[i].strand];
-        s.end = StrandEnd::interior;
+    void kill(std::vector<LiveLine>& row, std::size_t i, std::uint32_t group) {
+        FrontLine& s = out_.lines[row[i].line];
+        s.end = FrontLineEnd::interior;
         s.dies_with = group;
         ++out_.died;
         row.erase(row.begin() + static_cast<std::ptrdiff_t>(i));
     }
 
-    // Of two strands that are much too near the younger dies.
-    void thin(std::uint32_t f, std::vector<LiveStrand>& row) {
+    // Of two lines that are much too near the younger dies.
+    void thin(std::uint32_t f, std::vector<LiveLine>& row) {
         for (std::size_t i = 0; row.size() > 1 && i < row.size();) {
             const bool closed = front(f).line.closed;
             const double gap = i > 0 ? row[i].x - row[i - 1].x : row[0].x + front(f).length() - row.back().x;
@@ -182,13 +182,13 @@ class March {
                 continue;
             }
             const std::size_t before = i > 0 ? i - 1 : row.size() - 1;
-            const bool first = out_.strands[row[before].strand].first > out_.strands[row[i].strand].first;
+            const bool first = out_.lines[row[before].line].first > out_.lines[row[i].line].first;
             kill(row, first ? before : i, groups_++);
         }
     }
 
     // Fills wide gaps.
-    void fill(std::uint32_t f, std::vector<LiveStrand>& row) {
+    void fill(std::uint32_t f, std::vector<LiveLine>& row) {
         for (std::size_t i = 0; i < excess(f, row).size(); ++i) {
             const double gap = excess(f, row)[i] + d_;
             if (gap < wide_ * d_) continue;
@@ -233,7 +233,7 @@ class March {
 
     // Makes a birth where a window demands one, unless it would make another window demand a death. Returns false if
     // none is due.
-    bool bear(std::uint32_t f, std::vector<LiveStrand>& row) {
+    bool bear(std::uint32_t f, std::vector<LiveLine>& row) {
         const auto e = excess(f, row);
         const WindowSums w = windows(e, front(f).line.closed, 1);
         const double allowed = (static_cast<double>(rule_.group) - most_ + kTie) * d_;
@@ -253,7 +253,7 @@ class March {
 
     // Makes a death under the same rule: the group dies whose gaps, including those on both sides, are narrowest in
     // total.
-    bool reap(std::uint32_t f, std::vector<LiveStrand>& row) {
+    bool reap(std::uint32_t f, std::vector<LiveLine>& row) {
         const auto e = excess(f, row);
         const WindowSums w = windows(e, front(f).line.closed, -1);
         const std::size_t g = rule_.group, size = row.size();
@@ -283,16 +283,16 @@ class March {
     }
 
     // ---- growth of the fronts' widths, for the lower bound
-    void record(const std::vector<std::vector<LiveStrand>>& rows) {
+    void record(const std::vector<std::vector<LiveLine>>& rows) {
         done_ = true;
         for (std::uint32_t f = 0; f < rows.size(); ++f) {
             if (!rows[f].empty()) done_ = false;
             for (std::size_t i = 1; i < rows[f].size(); ++i) {
-                const Strand &a = out_.strands[rows[f][i - 1].strand], &b = out_.strands[rows[f][i].strand];
-                if (a.first == level_ || b.first == level_) continue; // the room for a new strand had grown before
+                const FrontLine &a = out_.lines[rows[f][i - 1].line], &b = out_.lines[rows[f][i].line];
+                if (a.first == level_ || b.first == level_) continue; // the room for a new line had grown before
                 const Spot &sa = a.spots[a.spots.size() - 2], &sb = b.spots[b.spots.size() - 2];
                 if (sa.front != sb.front || sb.x < sa.x) continue;
-                change(root_[rows[f][i - 1].strand], rows[f][i].x - rows[f][i - 1].x - (sb.x - sa.x));
+                change(root_[rows[f][i - 1].line], rows[f][i].x - rows[f][i - 1].x - (sb.x - sa.x));
             }
         }
     }
@@ -331,17 +331,17 @@ class March {
     std::size_t level_ = 0;
     bool done_ = false;
     std::uint32_t groups_ = 0;
-    Strands out_;
-    std::vector<std::vector<LiveStrand>> alive_; // per front of the level
-    std::vector<std::uint32_t> root_;            // per strand: the source front from which it comes
+    FrontLines out_;
+    std::vector<std::vector<LiveLine>> alive_; // per front of the level
+    std::vector<std::uint32_t> root_;          // per line: the source front from which it comes
     std::map<std::uint32_t, std::vector<double>> changes_;
 };
 
-// Extends strands that died shortly before a rim to that rim.
-void revive(std::vector<Strand>& strands, const Fronts& fronts, double brief, std::size_t& died) {
-    for (Strand& s : strands) {
-        if (s.end != StrandEnd::interior) continue;
-        Strand longer = s;
+// Extends lines that died shortly before a rim to that rim.
+void revive(std::vector<FrontLine>& lines, const Fronts& fronts, double brief, std::size_t& died) {
+    for (FrontLine& s : lines) {
+        if (s.end != FrontLineEnd::interior) continue;
+        FrontLine longer = s;
         bool rim = false;
         while (!rim && static_cast<double>(longer.last() - s.last()) * fronts.step() < brief) {
             const auto to = fronts.onward(longer.last(), longer.spots.back());
@@ -350,50 +350,50 @@ void revive(std::vector<Strand>& strands, const Fronts& fronts, double brief, st
         }
         if (!rim) continue;
         s = std::move(longer);
-        s.end = StrandEnd::rim;
+        s.end = FrontLineEnd::rim;
         s.dies_with = kNone;
         --died;
     }
 }
 
-// Leaves out strands that are too short. A strand and its mate count together.
-void drop_short(Strands& all, const Fronts& fronts, double shortest, double brief) {
-    const std::size_t n = all.strands.size();
+// Leaves out lines that are too short. A line and its mate count together.
+void drop_short(FrontLines& all, const Fronts& fronts, double shortest, double brief) {
+    const std::size_t n = all.lines.size();
     std::vector<double> length(n);
     for (std::size_t i = 0; i < n; ++i) {
-        const Strand& s = all.strands[i];
-        const bool runs_out = s.end == StrandEnd::rim;
+        const FrontLine& s = all.lines[i];
+        const bool runs_out = s.end == FrontLineEnd::rim;
         length[i] = static_cast<double>(s.last() - s.first) * fronts.step() +
                     (runs_out ? surface::curve::length(fronts.last(s.last(), s.spots.back())) : 0);
     }
     std::vector<std::uint32_t> number(n, kNone);
-    std::vector<Strand> kept;
+    std::vector<FrontLine> kept;
     for (std::size_t i = 0; i < n; ++i) {
-        const Strand& s = all.strands[i];
+        const FrontLine& s = all.lines[i];
         const double whole = length[i] + (s.mate != kNone ? length[s.mate] : 0);
-        const double least = s.begin == StrandEnd::interior ? std::max(shortest, brief) : shortest;
+        const double least = s.begin == FrontLineEnd::interior ? std::max(shortest, brief) : shortest;
         if (length[i] > 1e-6 && whole >= least) {
             number[i] = static_cast<std::uint32_t>(kept.size());
             kept.push_back(s);
         } else if (length[i] > 1e-6) {
             all.left_out.push_back({s.last(), s.spots.back(), length[i]});
-            if (s.begin == StrandEnd::interior) --all.born;
-            if (s.end == StrandEnd::interior) --all.died;
+            if (s.begin == FrontLineEnd::interior) --all.born;
+            if (s.end == FrontLineEnd::interior) --all.died;
         }
     }
-    for (Strand& s : kept)
+    for (FrontLine& s : kept)
         if (s.mate != kNone) s.mate = number[s.mate];
-    all.strands = std::move(kept);
+    all.lines = std::move(kept);
 }
 
 } // namespace
 
-Strands strands(const Fronts& fronts, const SpacingRule& rule) {
-    Strands out = March(fronts, rule).run();
-    revive(out.strands, fronts, kBrief * rule.spacing, out.died);
+FrontLines front_lines(const Fronts& fronts, const SpacingRule& rule) {
+    FrontLines out = March(fronts, rule).run();
+    revive(out.lines, fronts, kBrief * rule.spacing, out.died);
     drop_short(out, fronts, std::max(rule.shortest, rule.spacing), kBrief * rule.spacing);
-    make_room(out.strands, fronts, rule.spacing);
+    make_room(out.lines, fronts, rule.spacing);
     return out;
 }
 
-} // namespace filum::surfpath::strands
+} // namespace filum::surfpath::fronts

@@ -20,17 +20,17 @@ struct Interval {
 };
 
 // A bead prepared for sections. Its y coordinates are in [lo, hi].
-struct Lane {
+struct SweptBead {
     Vec2 a, b, u; // ends, direction
     double half = 0, length = 0, lo = 0, hi = 0;
     std::uint32_t slot = 0;
 };
 
 // By ascending lo.
-std::vector<Lane> lanes(std::span<const Bead> beads);
+std::vector<SweptBead> swept_beads(std::span<const Bead> beads);
 
-// The section of the lane with the row at y, one interval because lanes are convex; false if it is empty.
-bool section(const Lane& lane, double y, Interval& out);
+// The section of the lane with the row at y, one interval because swept_beads are convex; false if it is empty.
+bool section(const SweptBead& lane, double y, Interval& out);
 
 // Sorts by slot and position, and unites intervals of a slot that overlap.
 void unite(std::vector<Interval>& intervals);

@@ -1,5 +1,5 @@
 // Gaps between neighbours, and what is laid twice.
-#include "metrics/surface/strands.hpp"
+#include "metrics/surface/neighbours.hpp"
 #include "paths.hpp"
 
 #include <gtest/gtest.h>

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "geodesic/exact.hpp"
-#include "surfpath/strands/source_lines.hpp"
+#include "surfpath/fronts/source_lines.hpp"
 
 #include <optional>
 
-namespace filum::surfpath::strands {
+namespace filum::surfpath::fronts {
 
 // An isoline with smaller distances on its left. A source curve is two fronts, one per side.
 struct Front {
@@ -71,4 +71,4 @@ class Fronts {
     std::vector<Level> levels_;
 };
 
-} // namespace filum::surfpath::strands
+} // namespace filum::surfpath::fronts

@@ -1,4 +1,4 @@
-// Cuts: inequalities that the strokes of every order satisfy (docs/algorithms/sequence.md#bounds).
+// Cutting planes: inequalities that the strokes of every order satisfy (docs/algorithms/sequence.md#bounds).
 #pragma once
 
 #include "sequence/following.hpp"
@@ -24,9 +24,9 @@ struct Inequality {
 // - circles: the head of each of some stretches must follow the foot of the one before it, cyclically. If all were
 //   unbroken, each would be printed completely after the one before it; so one is broken. (If two of them were parts of
 //   one stroke, the path around within it would lead down along each of its links, and so stay in one column.)
-class Cuts {
+class CuttingPlanes {
   public:
-    Cuts(const Graph& g, const Columns& columns, std::uint64_t most_work);
+    CuttingPlanes(const Graph& g, const Columns& columns, std::uint64_t most_work);
 
     [[nodiscard]] std::vector<Inequality> degrees() const;
     // A maximal set of cuts of the kind `again` without common links: from below, the lowest head first.
