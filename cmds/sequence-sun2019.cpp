@@ -4,7 +4,6 @@
 // memory: the whole graph
 #include "app/sequence/sequence.hpp"
 #include "baselines/sun2019/order.hpp"
-#include "cli/head_options.hpp"
 
 namespace {
 
@@ -18,10 +17,8 @@ cli::Spec spec(Work& o) {
             .in = cli::reads(stream::Payload::regions),
             .out = cli::writes(stream::Payload::regions),
             .memory = "the whole graph",
-            .options = cli::with(
-                cli::head_options(o.head),
-                {cli::Option{"report", &o.report, "", "prints strokes and bounds on standard error"}.not_a_setting()}),
-            .groups = {cli::head_group()},
+            .options =
+                {cli::Option{"report", &o.report, "", "prints strokes and bounds on standard error"}.not_a_setting()},
             .examples = {{"slice part.stl | regions | sequence-sun2019 > part.sequence", "the order of the paper"}},
             .see_also = {"sequence", "fill-sun2019", "link3d-sun2019"}};
 }

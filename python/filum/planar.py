@@ -284,6 +284,7 @@ class Paths:
     curves: list of Curve
     unplaced: mm2 that no bead reaches
     stacked: list of Line, where a curve passes twice, to be laid in two halves of the height
+    body, tool: numbers of the body and of the tool that prints it
     """
 
     message = planar_pb2.RegionPaths
@@ -306,7 +307,7 @@ class Span:
     """A stretch of the toolpath; its first point is where the one before ended.
 
     role: Role
-    stroke, layer, region, tool: numbers
+    stroke, layer, region, tool, body: numbers
     x, y: mm
     z, width, height: mm, per point, or one for all; a travel has no width and no height
     nx, ny, nz: unit, per point: where the tool comes from; none: from above

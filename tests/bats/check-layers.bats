@@ -293,13 +293,13 @@ nest() {
     mkdir -p "$tree/docs/algorithms"
     echo 'First `geom::parts()`, then `Pot::stir()` and `glue()`.' >"$tree/docs/algorithms/cut.md"
     echo 'int glue() { return parts(1) + stir(); }' >>"$tree/cmds/cut.cpp"
-    printf '#pragma once\nnamespace filum::geom {\nstruct Pot {\n    int stir();\n};\nint parts(int n);\n}\n' >"$tree/lib/geom/pot.hpp"
+    printf '#pragma once\nnamespace filum::geom {\nstruct Pot {\n    int stir();\n};\nint parts(int n);\n}\n' >"$tree/lib/low/geom/pot.hpp"
     run "$check" "$tree"
     echo "$output"
     [ "$status" -eq 0 ]
-    sed -i 's/parts(/pieces(/' "$tree/lib/geom/pot.hpp" # `parts` remains as a call in another folder
+    sed -i 's/parts(/pieces(/' "$tree/lib/low/geom/pot.hpp" # `parts` remains as a call in another folder
     finds "docs/algorithms/cut.md:1: names the function 'geom::parts()'"
-    sed -i 's/Pot/Kettle/' "$tree/lib/geom/pot.hpp"
+    sed -i 's/Pot/Kettle/' "$tree/lib/low/geom/pot.hpp"
     finds "docs/algorithms/cut.md:1: names the function 'Pot::stir()'"
     sed -i 's/glue/tie/' "$tree/cmds/cut.cpp"
     finds "docs/algorithms/cut.md:1: names the function 'glue()'"

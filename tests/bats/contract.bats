@@ -131,7 +131,7 @@ sound_only() { [[ -z ${FILUM_SANITIZED:-} ]] || skip "the same programs as witho
 told_of() {
     calm=()
     [[ $1 != surfpath ]] || calm=(--min-radius 0)
-    [[ $1 != laminate ]] || calm=(--quiet) # bare and doubled places of four plies, besides
+    [[ $1 != @(laminate|surfpath-kipping2022) ]] || calm=(--quiet) # bare and doubled places, besides
 }
 
 @test "success is quiet, and a file or standard input give the same bytes for 1, 2 and 8 threads" {

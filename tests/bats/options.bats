@@ -59,6 +59,7 @@ make_more_inputs() {
     geodesic part.stl --remesh 1 --output fine.surface
     stressfield --stress stress.csv --case X --tangent --reach 9 fine.surface --output fine.stress 2> /dev/null
     geodesic round.off --output round.surface
+    geodesic round.off --remesh 0.25 --output needless.surface
     printf '1 1 0\n14 1 0\n' > lines.txt
     printf 'angle side\n30 over\n30 under\n' > plies.txt
     printf '9 0 0\n0 9 0\n-9 0 0\n0 -9 0\n' > diamond.txt

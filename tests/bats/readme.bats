@@ -12,6 +12,9 @@ setup_file() {
     ln -s "$FILUM_BUILD" build
     box_stl > part.stl
     examples/scaffold/make-part block 6 6 2 block.stl
+    LAYERS=5 "$source_tree/tests/bodies/make-bodies" core-ring inks
+    cp inks/a.stl ring.stl
+    cp inks/b.stl core.stl
     cp examples/bracket/patch_A.ply face.ply
     cp examples/bracket/bracket.frd.gz result.frd.gz
     for python in python3 /usr/bin/python3; do
