@@ -84,7 +84,7 @@ facts() { peek "$1" | sed -n "s/^fact *$2: //p"; }
     filum compare "$FILUM_SOURCE/examples/bracket/patch_A.ply" --spacing 4 --among geo-fiso,field,hybrid -o paths > said 2> err
     [[ $(wc -l < said) == 4 ]]
     head -n 1 said | grep -q 'coverage  *cuts  *overlap  *tight mm  *kinks mm  *length mm'
-    awk -F'\t' 'NR > 1 && !($2 > 0.5 && $2 <= 1 && $6 > 100) { exit 1 }' paths/table.tsv
+    awk -F'\t' 'NR > 1 && !($2 > 0.5 && $2 <= 1 && $7 > 100) { exit 1 }' paths/table.tsv
     for name in geo-fiso field hybrid; do [[ -s paths/$name.png && -s paths/$name.toolpath ]]; done
     grep -q hybrid.png paths/index.html
     [[ $(filum compare face.ply --dry-run -o paths --among fina | wc -l) == 5 ]]

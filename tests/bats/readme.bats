@@ -15,6 +15,8 @@ setup_file() {
     LAYERS=5 "$source_tree/tests/bodies/make-bodies" core-ring inks
     cp inks/a.stl ring.stl
     cp inks/b.stl core.stl
+    LAYERS=5 "$source_tree/tests/bodies/make-bodies" vessels vessels
+    cp vessels/a.stl vessels.stl
     cp examples/bracket/patch_A.ply face.ply
     cp examples/bracket/bracket.frd.gz result.frd.gz
     for python in python3 /usr/bin/python3; do
