@@ -139,8 +139,8 @@ TEST(Reuse, TellsAreasApart) {
     EXPECT_EQ(trial([](Region&, Area& a) { a.walls = 1; }), 1);
     EXPECT_EQ(trial([](Region&, Area& a) { a.width = 1; }), 1);
     EXPECT_EQ(trial([](Region&, Area& a) { a.loops = rectangle(2, 2, 6, 7); }), 1);
-    EXPECT_EQ(trial([](Region&, Area& a) { a.pattern = polygon::Pattern::concentric; }), 1);
-    EXPECT_EQ(trial([](Region&, Area& a) { a.pattern = polygon::Pattern::wave; }), 2); // waves shift with the height
+    EXPECT_EQ(trial([](Region&, Area& a) { a.pattern = polygon::InfillPattern::concentric; }), 1);
+    EXPECT_EQ(trial([](Region&, Area& a) { a.pattern = polygon::InfillPattern::wave; }), 2); // waves shift with the height
 }
 
 } // namespace

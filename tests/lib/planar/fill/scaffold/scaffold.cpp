@@ -175,7 +175,7 @@ TEST(Scaffold, LayersOfAColumnBeginWhereTheOneBelowEnded) {
         for (const auto& area : {rectangle(0, 0, 20, 20), disc({3, 4}, 5), yoke(),
                                  polygon::subtract(rectangle(0, 0, 15, 11), disc({7, 5}, 3))})
             for (const std::int64_t rings : {0, 2}) {
-                Before before;
+                ScaffoldState before;
                 Notes notes;
                 Vec2 end;
                 o.rings = rings;
@@ -198,7 +198,7 @@ TEST(Scaffold, PoresRunThroughWhatTapers) {
     o.pattern = Pattern::scaffold;
     o.angles_deg = {0};
     o.spacing = 1;
-    Before before;
+    ScaffoldState before;
     Notes notes;
     for (std::uint32_t layer = 0; layer < 20; ++layer) {
         const double r = 10 - 0.13 * layer;
@@ -215,7 +215,7 @@ TEST(Scaffold, EveryOtherRoundIsStaggered) {
     o.angles_deg = {0, 90};
     o.spacing = 1;
     o.stagger = 0.5;
-    Before before;
+    ScaffoldState before;
     Notes notes;
     for (std::uint32_t layer = 0; layer < 8; ++layer) {
         const auto paths = fill_scaffold(joined_region(rectangle(0, 0, 12, 12), layer, Join::start), o, before, notes);
