@@ -30,7 +30,7 @@ struct Judged {
     double least_radius = 0;                   // mm
     double doubled = 0;                        // mm of path that lies on other path, but where rings meet on a ridge
     std::size_t crossings = 0;                 //
-    Vec3 unmarked_at, doubled_at, off_at;    //
+    Vec3 unmarked_at, doubled_at, off_at;      //
 };
 
 Judged judge(const Surface& s, const std::vector<Span>& spans, const Asked& asked);

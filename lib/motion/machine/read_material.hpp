@@ -1,4 +1,5 @@
-// Private to lib/motion/machine: reads how a machine feeds its material: [extrusion], [limits] and [travel] of a profile.
+// Private to lib/motion/machine: reads how a machine feeds its material: [extrusion], [limits] and [travel] of a
+// profile.
 #pragma once
 
 #include "machine/profile.hpp"

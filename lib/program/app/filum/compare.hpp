@@ -9,9 +9,9 @@ namespace filum::app::filum {
 inline constexpr const char* kCompareHelp =
     "usage: filum compare MESH|SURFACE [OPTIONS] -o FOLDER\n\n"
     "Lays a path on the surface by each algorithm of surfpath, from where 'choose' finds it best, and prints a table:\n"
-    "coverage, cuts, overlap, length that turns tighter than --min-radius and than 0.45 spacings, length of fibre. The folder gets table.tsv, "
-    "of\n"
-    "each algorithm ALGORITHM.surface, .toolpath and .png, and index.html with the table and the pictures.\n\n"
+    "coverage, cuts, overlap, length that turns tighter than --min-radius and than 0.45 spacings, length of fibre.\n"
+    "The folder gets table.tsv, of each algorithm ALGORITHM.surface, .toolpath and .png, and index.html with the\n"
+    "table and the pictures.\n\n"
     "Options are those of geodesic (--cut, --remesh ...), choose and surfpath (--spacing, --min-radius ...); each goes "
     "to\n"
     "every stage that has it. An algorithm that finds no path has a line without figures that says why.\n\n"

@@ -140,7 +140,8 @@ TEST(Reuse, TellsAreasApart) {
     EXPECT_EQ(trial([](Region&, Area& a) { a.width = 1; }), 1);
     EXPECT_EQ(trial([](Region&, Area& a) { a.loops = rectangle(2, 2, 6, 7); }), 1);
     EXPECT_EQ(trial([](Region&, Area& a) { a.pattern = polygon::InfillPattern::concentric; }), 1);
-    EXPECT_EQ(trial([](Region&, Area& a) { a.pattern = polygon::InfillPattern::wave; }), 2); // waves shift with the height
+    EXPECT_EQ(trial([](Region&, Area& a) { a.pattern = polygon::InfillPattern::wave; }),
+              2); // waves shift with the height
 }
 
 } // namespace
