@@ -60,7 +60,9 @@ void keep_only(std::vector<surface::Sheet>& patches, const std::vector<std::stri
     for (const auto& p : patches) all += (all.empty() ? "" : ", ") + p.name;
     for (const auto& n : names)
         if (std::none_of(patches.begin(), patches.end(), [&](const auto& p) { return p.name == n; }))
-            throw Error(Exit::usage, "cannot use --only: there is no patch '" + n + "'; there are " + all);
+            throw Error(
+                Exit::usage,
+                std::string("cannot use --only: there is no patch '").append(n).append("'; there are ").append(all));
     std::erase_if(patches, [&](const auto& p) { return std::find(names.begin(), names.end(), p.name) == names.end(); });
 }
 

@@ -172,6 +172,7 @@ std::vector<Sheet> gathered(const Parts& parts, double least_area, Notes& notes)
                                      " mm2; choose a smaller one");
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
     std::vector<Sheet> out;
+    out.reserve(all.size());
     for (const auto& piece : all) out.push_back(take(parts.sheet, piece.triangles));
     return out;
 }
