@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "base/number.hpp"
+#include "base/printable.hpp"
 #include "machine/template.hpp"
 
 #include <toml.hpp>
@@ -80,10 +81,25 @@ int depth(std::string_view text) {
     return most;
 }
 
+// The line, counted from 1, of the first byte that is not UTF-8; 0 if there is none.  toml11 3.7 reads past the end of
+// a quoted text with such a byte.
+std::size_t line_of_no_utf8(std::string_view text) {
+    std::size_t line = 1;
+    while (!text.empty()) {
+        const std::size_t length = utf8_character(text);
+        if (length == 0) return line;
+        line += text.front() == '\n' ? 1 : 0;
+        text.remove_prefix(length);
+    }
+    return 0;
+}
+
 Table parsed(std::string_view text, const std::string& file, const std::string& kind) {
     const std::string failed = "cannot read " + kind + " '" + file + "'";
     if (depth(text) > kDeepest)
         throw Error(Exit::bad_input, failed + ": more than " + std::to_string(kDeepest) + " brackets are open at once");
+    if (const std::size_t line = line_of_no_utf8(text); line > 0)
+        throw Error(Exit::bad_input, failed + ", line " + std::to_string(line) + ": a byte that is not UTF-8");
     try {
         std::istringstream in{std::string(text)};
         return toml::parse<toml::discard_comments, std::map>(in, file).as_table();

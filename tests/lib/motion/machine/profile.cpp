@@ -122,7 +122,8 @@ TEST(Profile, MistakesAreNamedWithFileLineAndKey) {
         {"[ #]\n", "cannot read profile 'm.toml', line 1: an invalid key"},
         {kLeast + "\xc3\xa4 = 3\n", "cannot read profile 'm.toml', line 9: an invalid key"},
         {kLeast + "[[\t+]]\n", "cannot read profile 'm.toml'"},
-        {"\xff\xfe", "cannot read profile 'm.toml', line 1"},
+        {"\xff\xfe", "cannot read profile 'm.toml', line 1: a byte that is not UTF-8"},
+        {kLeast + "a = '\xa2\xa2'\n", "cannot read profile 'm.toml', line 9: a byte that is not UTF-8"},
         {"", "key 'name': it is missing"},
     };
     EXPECT_EQ(error_of(kLeast), "");
