@@ -41,12 +41,8 @@ struct Document::State {
 
 namespace {
 
-std::string printable(std::string_view text) {
-    std::string out(text.substr(0, 60));
-    for (char& c : out)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-    return out;
-}
+// The beginning of a text, for messages.
+std::string shown(std::string_view text) { return printable(text.substr(0, 60)); }
 
 Node* find(Table& root, std::string_view key) {
     Table* table = &root;
@@ -108,7 +104,7 @@ Table parsed(std::string_view text, const std::string& file, const std::string& 
         why = why.substr(0, why.find('\n'));
         if (why.starts_with("[error] ")) why = why.substr(8);
         if (why.starts_with("toml::")) why = why.substr(std::min(why.find(": "), why.size() - 2) + 2);
-        throw Error(Exit::bad_input, failed + ", line " + std::to_string(e.location().line()) + ": " + printable(why));
+        throw Error(Exit::bad_input, failed + ", line " + std::to_string(e.location().line()) + ": " + shown(why));
     } catch (const std::exception&) { // out of a number's range, or no UTF-8
         throw Error(Exit::bad_input, failed + ": it is no TOML");
     }
@@ -141,7 +137,7 @@ void assign(Table& to, const std::string& key, const std::string& value) {
 }
 
 [[noreturn]] void misused(const std::string& item, const std::string& why) {
-    throw Error(Exit::usage, "cannot set '" + printable(item) + "': " + why);
+    throw Error(Exit::usage, "cannot set '" + shown(item) + "': " + why);
 }
 
 } // namespace
@@ -187,7 +183,7 @@ void Document::fail_in_text(const std::string& name, const std::string& why, std
     const Node* node = find(state_->root, key);
     std::string where = "'" + state_->file + "'";
     if (node != nullptr) where += ", line " + std::to_string(line_of(*node) + line);
-    throw Error(Exit::bad_input, "cannot use " + state_->kind + " " + where + ", key '" + printable(key) + "': " + why);
+    throw Error(Exit::bad_input, "cannot use " + state_->kind + " " + where + ", key '" + shown(key) + "': " + why);
 }
 
 bool Document::has(const std::string& key) const { return find(state_->root, state_->within + key) != nullptr; }

@@ -1,19 +1,16 @@
 // The body and the tool that layers, regions, paths and spans belong to. Private to lib/program/wire.
 #pragma once
 
+#include "polygon/region.hpp"
 #include "wire/checks.hpp"
 
-#include <cstdint>
-
 namespace filum::wire {
-
-inline constexpr std::uint32_t kMostTool = 1000, kMostBody = 100000; // the highest numbers
 
 // Reads body and tool of a message. Throws Error(bad_input) for numbers that are too high.
 template <class Message, class Data>
 void read_owner(const Message& m, Data& to, const char* what) {
-    if (m.tool() > kMostTool) bad_frame(what, "a tool above 1000");
-    if (m.body() > kMostBody) bad_frame(what, "a body above 100000");
+    if (m.tool() > polygon::kMostTool) bad_frame(what, "a tool above 1000");
+    if (m.body() > polygon::kMostBody) bad_frame(what, "a body above 100000");
     to.body = m.body();
     to.tool = m.tool();
 }

@@ -11,6 +11,9 @@
 
 namespace filum::polygon {
 
+// The highest numbers of a tool and of a body.
+inline constexpr std::uint32_t kMostTool = 1000, kMostBody = 100000;
+
 // One slice of the solid.
 struct Layer {
     std::uint32_t index = 0;

@@ -6,6 +6,7 @@
 #include "cli/step_options.hpp"
 #include "geom/hull.hpp"
 #include "polygon/clip.hpp"
+#include "polygon/region.hpp"
 #include "stream/crc32c.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace filum::app::slice {
 
 namespace {
 
-constexpr std::uint32_t kMostTool = 1000;
+using polygon::kMostTool;
 
 [[noreturn]] void refuse(const std::string& item, const std::string& why) {
     throw Error(Exit::usage, "cannot use '" + item + "' as --body: " + why + "; it is FILE:tool=N, as core.stl:tool=1");
