@@ -1,6 +1,6 @@
 // render - a picture of any stream
 // reads:  Layers, Regions, Paths, Toolpath or Surface
-// writes: a PNG picture, SVG, VTP or an HTML page
+// writes: a PNG picture, SVG, PDF, VTP or an HTML page
 // memory: the model
 #include "app/render/render.hpp"
 #include "cli/command.hpp"
@@ -17,7 +17,7 @@ cli::Spec spec(render::Options& o) {
         .synopsis = "draw a picture of any stream",
         .description = cli::kDescription,
         .in = cli::reads(stream::Payload::unknown),
-        .out = cli::text("a PNG picture, SVG, VTP or an HTML page"),
+        .out = cli::text("a PNG picture, SVG, PDF, VTP or an HTML page"),
         .memory = "the model",
         .options = cli::with(
             {Option{"color", &o.color, "", "meaning of colours; auto: depends on the stream"}.one_of(
@@ -50,7 +50,7 @@ cli::Spec spec(render::Options& o) {
              Option{"title", &o.title, "TEXT", "title of a report; default: the name of the file"}.not_a_setting(),
              Option{"beside", &o.beside, "FILE", "second stream, shown side by side in a report"}.not_a_setting(),
              Option{"size", &o.size, "W,H", "size of the picture in pixels"}.numbers(2).at_least(16).at_most(8192),
-             Option{"samples", &o.samples, "N", "rays per pixel; more, a calmer picture"}.within(1, 4096).when("!svg"),
+             Option{"samples", &o.samples, "N", "rays per pixel; more, a calmer picture"}.within(1, 4096),
              Option{"machine", &o.machine, "NAME|FILE", "machine profile for the speeds of --color speed or a report"}
                  .not_a_setting(),
              Option{"travels", &o.travels, "", "draws moves without material in perspective, too"}
@@ -58,12 +58,13 @@ cli::Spec spec(render::Options& o) {
                  .a_limit(),
              {"no-centres", &o.no_centres, "", "leaves out the lines along the middle of beads"},
              Option{"no-table", &o.no_table, "", "leaves out the table and its shadow"}.when("!layer"),
-             Option{"svg", &o.svg, "", "writes SVG"}.when("layer")},
+             Option{"format", &o.format, "", "format of the picture; auto: by the ending of its name, else png"}.one_of(
+                 {"auto", "png", "svg", "pdf"})},
             cli::when("collisions", cli::head_options(o.head))),
         .groups = {{"the view",
-                    {"view", "views", "size", "samples", "from-layer", "to-layer", "travels", "no-centres",
+                    {"view", "views", "size", "format", "samples", "from-layer", "to-layer", "travels", "no-centres",
                      "no-table"}},
-                   {"a layer, flat", {"layer", "regions", "svg"}},
+                   {"a layer, flat", {"layer", "regions"}},
                    {"on a surface", {"surface", "by", "arrows", "voids", "overlap"}},
                    {"collisions", {"collisions", "part", "around"}},
                    {"a report", {"figures", "title", "beside"}},

@@ -48,11 +48,13 @@ is_png() { [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a 
 
 @test "a layer as SVG, by name or by option" {
     render --layer 0 --regions part.regions part.toolpath -o layer.svg
-    render --layer 0 --regions part.regions --svg part.toolpath > layer2.svg
+    render --layer 0 --regions part.regions --format svg part.toolpath > layer2.svg
     cmp layer.svg layer2.svg
-    head -c 5 layer.svg | grep -q '<svg '
+    grep -q '<svg ' layer.svg
     tail -n 1 layer.svg | grep -q '</svg>'
-    grep -q 'stroke-width="0.4"' layer.svg
+    render --layer 0 --regions part.regions part.toolpath -o layer.pdf
+    head -c 5 layer.pdf | grep -q '%PDF-'
+    render --layer 0 part.toolpath --format pdf | head -c 5 | grep -q '%PDF-'
 }
 
 @test "a surface, a path on it, and several views" {
@@ -112,7 +114,7 @@ is_png() { [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a 
 }
 
 @test "what does not fit together is refused" {
-    run render --svg part.toolpath
+    run render --format jpg part.toolpath
     [ "$status" -eq 2 ]
     run render --view 0,0,0 part.toolpath
     [ "$status" -eq 2 ]

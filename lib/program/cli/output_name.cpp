@@ -15,15 +15,16 @@ struct Format {
     std::string_view use;     // what to do instead
 };
 
-constexpr std::string_view kPictures = "draw the toolpath: filum print --picture x.png, or render -o x.png (or .svg)";
+constexpr std::string_view kPictures =
+    "draw the toolpath: filum print --picture x.png, or render -o x.png (or .svg, .pdf)";
 constexpr std::string_view kPrograms = "machine code comes from 'filum print' or 'postproc'";
 
 // Formats by their endings; the first match counts.
 constexpr Format kFormats[] = {
     {" .gcode.3mf .bgcode .gcode .gco .g .nc .ngc .tap .cnc .src .mod .script .urp ", "machine code", kPrograms},
     {" .gx .x3g .makerbot .ufp .s3g ", "a printer's own program format", "write x.gcode"},
-    {" .png .svg ", "a picture", kPictures},
-    {" .pdf .jpg .jpeg .gif .webp .bmp .tif .tiff .eps .ps ", "a picture or document", kPictures},
+    {" .png .svg .pdf ", "a picture", kPictures},
+    {" .jpg .jpeg .gif .webp .bmp .tif .tiff .eps .ps ", "a picture or document", kPictures},
     {" .html .htm ", "a page", "filum print --report x.html makes one, and so does render -o x.html"},
     {" .vtp .vtu .vtk ", "a data file of VTK", "render -o x.vtp writes one"},
     {" .stl .obj .ply .off .3mf .amf .step .stp .iges .igs .gltf .glb .dxf ", "a model", "Filum writes no models"},

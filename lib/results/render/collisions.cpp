@@ -233,8 +233,8 @@ Meetings read_meetings(std::string_view text, const std::string& name) {
     return out;
 }
 
-Image draw_collisions(Scene scene, const Meetings& places, const machine::Head& head, ColourBy by, const View& view,
-                      int threads) {
+void draw_collisions(Canvas& page, Scene scene, const Meetings& places, const machine::Head& head, ColourBy by,
+                     const View& view, int threads) {
     const Meeting& worst = *std::min_element(places.all.begin(), places.all.end(),
                                              [](const auto& a, const auto& b) { return a.clearance < b.clearance; });
     if (places.points) end_at(scene, worst.source);
@@ -245,10 +245,8 @@ Image draw_collisions(Scene scene, const Meetings& places, const machine::Head& 
     scene.meshes.push_back({body(at, worst, head), oklch(0.45, 0.05, 260)});
     View shown = view;
     if (norm(view.from) == 0) shown.from = free_side(Tubes(scene, colours, false, threads), sights(at, worst, head));
-    const auto draw = [&](const ViewDirection& look, int width, int height) {
+    const auto draw = [&](Canvas& cell, const ViewDirection& look) {
         View v = shown;
-        v.width = width;
-        v.height = height;
         const bool close = look.name != "all";
         if (close) v.around = ViewSphere{at(0, 0, 0.35 * size), 1.1 * size};
         Scene with = scene;
@@ -259,9 +257,9 @@ Image draw_collisions(Scene scene, const Meetings& places, const machine::Head& 
         add_ball(place, worst.tip, 2.5 * dot);
         with.meshes.push_back({dots, oklch(0.72, 0.17, 60)});
         with.meshes.push_back({place, oklch(0.55, 0.24, 27)});
-        return draw_perspective(with, colours, v, threads);
+        draw_perspective(cell, with, colours, v, threads);
     };
-    return contact_sheet({{"all", shown.from}, {"close by", shown.from}}, view.width, view.height, draw);
+    contact_sheet(page, {{"all", shown.from}, {"close by", shown.from}}, draw);
 }
 
 } // namespace filum::render

@@ -35,7 +35,7 @@ Meetings read_meetings(std::string_view text, const std::string& name);
 // are the meshes of the scene.
 // If `from` of the view is zero, the direction is chosen among 16 sides and two heights. It is the one that hides the
 // least of the nozzle and of the rim of the carriage (ties: the first). Same bytes for any `threads`.
-Image draw_collisions(Scene scene, const Meetings& places, const machine::Head& head, ColourBy by, const View& view,
-                      int threads);
+void draw_collisions(Canvas& page, Scene scene, const Meetings& places, const machine::Head& head, ColourBy by,
+                     const View& view, int threads);
 
 } // namespace filum::render

@@ -47,8 +47,9 @@ std::vector<End> ends(const Scene& scene) {
     return out;
 }
 
-// A picture under construction: the image, and what the middle of each pixel shows.
-struct Canvas {
+// A picture under construction: the page, and what the middle of each pixel shows.
+struct Draped {
+    Canvas& page;
     const Scene& scene;
     const DrapeView& view;
     Plan plan;
@@ -57,10 +58,10 @@ struct Canvas {
     Image image;
     std::vector<Sight> sight;
 
-    Canvas(const Scene& s, const DrapeView& v, const Plan& p)
-        : scene(s), view(v), plan(p), fine(std::clamp(static_cast<int>(std::ceil(std::sqrt(v.samples))), 1, 16)),
-          raster(s.sheet->surface, p, fine), image(p.width, p.height),
-          sight(static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height)) {}
+    Draped(Canvas& c, const Scene& s, const DrapeView& v, const Plan& p)
+        : page(c), scene(s), view(v), plan(p),
+          fine(std::clamp(static_cast<int>(std::ceil(std::sqrt(v.samples))), 1, 16)), raster(s.sheet->surface, p, fine),
+          image(p.width, p.height), sight(static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height)) {}
     [[nodiscard]] Sight& at(int x, int y) {
         return sight[static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.width) + static_cast<std::size_t>(x)];
     }
@@ -72,7 +73,7 @@ struct Canvas {
     }
 };
 
-void paint_band(Canvas& c, const Paint& paint, int band) {
+void paint_band(Draped& c, const Paint& paint, int band) {
     const Sights sights = c.raster.band(band);
     const int top = band * c.raster.rows(), f = c.fine;
     for (int y = 0; y < sights.rows / f; ++y) {
@@ -90,7 +91,7 @@ void paint_band(Canvas& c, const Paint& paint, int band) {
 }
 
 // Draws lines along the vectors, one in the middle of each square of pixels. The longest vector fills its square.
-void draw_arrows(Canvas& c, const surface::Field& field) {
+void draw_arrows(Draped& c, const surface::Field& field) {
     const int step = std::max(8, c.plan.height / 60);
     double longest = 0;
     for (std::size_t v = 0; v < field.values.size() / 3; ++v)
@@ -110,27 +111,30 @@ void draw_arrows(Canvas& c, const surface::Field& field) {
             const bool dark = 0.2126F * under.r + 0.7152F * under.g + 0.0722F * under.b < 0.14F;
             const Rgb ink = dark ? Rgb{0.85F, 0.85F, 0.85F} : oklch(0.22, 0.03, 260);
             if (std::isfinite(along.x) && std::isfinite(along.y))
-                draw_line(c.image, at - along, at + along, std::max(1.0, step / 10.0), ink, 0.9);
+                c.page.line(at - along, at + along, {std::max(1.0, step / 10.0), ink, 0.9});
         }
     }
 }
 
 // Draws the line from a to b, mm, where the surface does not hide it.
-void draw_in_space(Canvas& c, Vec3 a, Vec3 b, double width, Rgb colour) {
+void draw_in_space(Draped& c, Vec3 a, Vec3 b, double width, Rgb colour) {
     const double slack = 2 / c.plan.scale;
     a = c.plan.place(a);
     b = c.plan.place(b);
     const double pieces = std::clamp(std::ceil(geom::distance(a.xy(), b.xy()) / 3), 1.0, 8192.0);
-    for (double k = 0; k < pieces; ++k) {
-        const Vec3 p = a + k / pieces * (b - a), q = a + (k + 1) / pieces * (b - a);
-        if (c.seen(0.5 * (p + q), slack)) draw_line(c.image, p.xy(), q.xy(), width, colour);
+    const auto at = [&](double k) { return a + k / pieces * (b - a); };
+    double from = 0; // of the stretch that is seen without a break
+    for (double k = 0; k <= pieces; ++k) {
+        if (k < pieces && c.seen(at(k + 0.5), slack)) continue;
+        if (k > from) c.page.line(at(from).xy(), at(k).xy(), {width, colour});
+        from = k + 1;
     }
 }
 
 constexpr double kLoose = 0.3; // share of the bead width that loose beads are drawn with, so that they look different
 
 // Draws what does not lie on the surface: turns beyond its rims, beads away from it, and moves without material.
-void draw_loose(Canvas& c, const SurfaceBeads& laid) {
+void draw_loose(Draped& c, const SurfaceBeads& laid) {
     const double thread = std::clamp(c.plan.height / 700.0, 1.0, 4.0);
     for (const Stroke& s : laid.loose)
         draw_in_space(c, s.a, s.b, std::max(thread, kLoose * c.plan.scale * (s.half_a + s.half_b)),
@@ -140,7 +144,7 @@ void draw_loose(Canvas& c, const SurfaceBeads& laid) {
             draw_in_space(c, s.points[i], s.points[i + 1], thread, role_colour(toolpath::Role::travel));
 }
 
-void draw_ends(Canvas& c, double width) {
+void draw_ends(Draped& c, double width) {
     const auto all = ends(c.scene);
     const double most = 0.008 * c.plan.height + 4; // pixels; dots are smaller if many of them would hide the path
     const double crowd = std::sqrt(0.01 * c.plan.width * c.plan.height / static_cast<double>(all.size() + 1));
@@ -150,28 +154,22 @@ void draw_ends(Canvas& c, double width) {
         for (const End& e : all) {
             const Vec3 p = c.plan.place(e.at);
             if (e.start != start || dot(e.normal, c.plan.towards) < 0 || !c.seen(p, slack)) continue;
-            draw_line(c.image, p.xy(), p.xy(), size + std::max(2.0, 0.35 * size), {1, 1, 1});
-            draw_line(c.image, p.xy(), p.xy(), size, mark_colour(start ? Mark::Kind::start : Mark::Kind::end));
+            c.page.line(p.xy(), p.xy(), {size + std::max(2.0, 0.35 * size), {1, 1, 1}});
+            c.page.line(p.xy(), p.xy(), {size, mark_colour(start ? Mark::Kind::start : Mark::Kind::end)});
         }
     }
 }
 
-// A number with three or four significant digits, followed by "..." if values lie beyond it.
-std::string end_text(double v, bool more) {
-    const double size = std::abs(v);
-    return fixed_text(v, size >= 100 ? 0 : (size >= 10 ? 1 : (size >= 1 ? 2 : 4))) + (more ? "..." : "");
-}
-
-void draw_key(Canvas& c, const Tint& tint, const Show& show, const SurfaceBeads& laid, double bare) {
-    Key key(c.image);
+void draw_key(Draped& c, const Tint& tint, const Show& show, const SurfaceBeads& laid, double bare) {
+    Key key(c.page);
     if (!show.around.empty()) key.clear(kPaper);
     key.ruler(c.plan.scale);
     if (laid.loose_length > 0)
         key.text("thin: off the surface, " + fixed_text(100 * laid.loose_length / laid.length, 0) + "%");
     if (!show.by.empty()) {
         const Scale s = scale_of(find_field(*c.scene.sheet, show.by, 0));
-        const char* unit = show.by == "distance" ? " mm" : (show.by.starts_with("stress.") ? " MPa" : "");
-        key.ramp(show.by + " " + end_text(s.lo, s.below), end_text(s.hi, s.above) + unit);
+        const char* unit = show.by == "distance" ? "mm" : (show.by.starts_with("stress.") ? "MPa" : "");
+        key.ramp({show.by, s.lo, s.hi, unit, s.below, s.above});
     }
     for (std::size_t i = 0; i < c.scene.patches.size() && show.by.empty() && c.scene.patches.size() > 1; ++i)
         key.swatch(patch_colour(i), c.scene.patches[i]);
@@ -182,7 +180,7 @@ void draw_key(Canvas& c, const Tint& tint, const Show& show, const SurfaceBeads&
 
 // Writes the names of several surfaces, each at its pixel nearest to the middle of its visible part. A name is left out
 // if the visible part is too small for it.
-void draw_names(Canvas& c) {
+void draw_names(Draped& c) {
     struct VisiblePatch {
         double x = 0, y = 0, count = 0, least = std::numeric_limits<double>::infinity();
         Vec2 at;
@@ -205,10 +203,10 @@ void draw_names(Canvas& c) {
     });
     const double size = std::clamp(c.plan.height / 40.0, 8.0, 40.0);
     for (std::size_t i = 0; i < visible.size(); ++i) {
-        const double wide = text_width(size, c.scene.patches[i]);
+        const double wide = c.page.text_width(size, c.scene.patches[i]);
         if (visible[i].count > 1.5 * wide * size)
-            draw_text(c.image, {visible[i].at.x - wide / 2, visible[i].at.y + size / 2}, size, c.scene.patches[i],
-                      oklch(0.25, 0.02, 260));
+            c.page.text({visible[i].at.x - wide / 2, visible[i].at.y + size / 2}, size, c.scene.patches[i],
+                        oklch(0.25, 0.02, 260));
     }
 }
 
@@ -265,24 +263,24 @@ std::vector<Vec3> shown_points(const Scene& scene, const Show& show) {
 
 } // namespace
 
-Image draw_draped(const Scene& scene, const Tint& tint, const DrapeView& view, int threads) {
+void draw_draped(Canvas& page, const Scene& scene, const Tint& tint, const DrapeView& view, int threads) {
     const SurfaceBeads laid = surface_beads(scene, tint);
     const double bare = view.show.voids ? uncovered(scene.sheet->surface, laid) : 0;
     double width = 0;
     for (const auto& s : scene.spans)
         if (toolpath::extrudes(s.role)) width = std::max(width, s.width_at(0));
     const std::vector<Vec3> points = shown_points(scene, view.show);
-    return contact_sheet(view.looks, view.width, view.height, [&](const ViewDirection& look, int w, int h) {
-        Canvas c(scene, view, plan_of(scene, look, points, w, h));
+    contact_sheet(page, view.looks, [&](Canvas& cell, const ViewDirection& look) {
+        Draped c(cell, scene, view, plan_of(scene, look, points, cell.width(), cell.height()));
         const Paint paint(scene, laid, view.show, c.plan);
         parallel::for_chunks(static_cast<std::size_t>(c.raster.bands()), 1, threads,
                              [&](std::size_t b, std::size_t) { paint_band(c, paint, static_cast<int>(b)); });
+        cell.image(c.image);
         if (!view.show.arrows.empty()) draw_arrows(c, find_field(*scene.sheet, view.show.arrows, 3));
         if (view.show.by.empty() && scene.spans.empty()) draw_names(c);
         draw_loose(c, laid);
         draw_ends(c, width);
         draw_key(c, tint, view.show, laid, bare);
-        return std::move(c.image);
     });
 }
 

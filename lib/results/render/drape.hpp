@@ -8,7 +8,6 @@
 namespace filum::render {
 
 struct DrapeView {
-    int width = 1024, height = 768;   // pixels
     int samples = 4;                  // samples per pixel; at most 256 are used
     std::vector<ViewDirection> looks; // several looks are drawn side by side
     Show show;
@@ -21,6 +20,6 @@ struct DrapeView {
 // Moves without material are thin lines where the surface does not hide them. Green dots mark the start and red dots
 // the end of each stretch of path. A bar shows the scale.
 // Same bytes for any `threads`. Throws Error(usage) if a requested field does not exist. Precondition: scene.sheet.
-Image draw_draped(const Scene& scene, const Tint& tint, const DrapeView& view, int threads);
+void draw_draped(Canvas& page, const Scene& scene, const Tint& tint, const DrapeView& view, int threads);
 
 } // namespace filum::render

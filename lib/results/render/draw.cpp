@@ -25,12 +25,12 @@ ColourBy by(const std::string& color) {
 
 // Throws Error(usage) if an option needs a surface or a path on it, or does not work with a surface.
 void check_surface(const Scene& scene, const Options& o) {
-    const char* asked = !o.by.empty()       ? "--by"
-                        : !o.arrows.empty() ? "--arrows"
-                        : !o.around.empty() ? "--around"
-                        : o.voids           ? "--voids"
-                        : o.overlap         ? "--overlap"
-                                            : nullptr;
+    const char* asked = !o.by.empty()                    ? "--by"
+                        : !o.arrows.empty()              ? "--arrows"
+                        : !o.around.empty() && !o.flat() ? "--around"
+                        : o.voids                        ? "--voids"
+                        : o.overlap                      ? "--overlap"
+                                                         : nullptr;
     if (asked != nullptr && !scene.sheet)
         throw Error(Exit::usage, std::string("cannot use ") + asked + " without a surface; name it with --surface");
     if (scene.sheet && scene.spans.empty() && (o.voids || o.overlap))
@@ -59,6 +59,19 @@ std::vector<ViewDirection> chosen(const Options& o, const std::string& otherwise
     return one;
 }
 
+DrapeView drape_view(const Options& o) {
+    return {
+        static_cast<int>(o.samples), chosen(o, "face"), {o.by, o.arrows, o.voids, o.overlap, !o.no_centres, o.around}};
+}
+
+void draw_meetings(Canvas& page, Scene scene, ColourBy color, const Options& o, int threads) {
+    const auto places = read_meetings(mesh::load(o.collisions).view(), mesh::spoken_name(o.collisions));
+    add_parts(scene, o.part);
+    const geom::Vec3 from = o.view == "auto" ? geom::Vec3{} : chosen(o, "iso").front().from;
+    const View view{from, static_cast<int>(o.samples), o.travels, !o.no_table, {}};
+    draw_collisions(page, std::move(scene), places, machine::head(o.head), color, view, threads);
+}
+
 } // namespace
 
 Range Options::range() const {
@@ -73,11 +86,10 @@ void check(const Options& o) {
                     "cannot show a radius of " + shortest_text(o.around[3]) + " mm; give --around X,Y,Z,R");
     if (!o.views.empty() && o.flat())
         throw Error(Exit::usage, "cannot draw a layer from several sides; leave out --views");
-    if (o.svg && !o.flat()) throw Error(Exit::usage, "cannot write all layers as SVG; choose one with --layer");
-    const bool flat = o.flat() || o.svg || o.vtp, cut = o.from_layer > 0 || o.to_layer < UINT32_MAX;
+    const bool flat = o.flat() || o.vtp, cut = o.from_layer > 0 || o.to_layer < UINT32_MAX;
     if (!o.collisions.empty() && (flat || cut || !o.surface.empty() || !o.views.empty() || o.view.starts_with("face")))
-        throw Error(Exit::usage, "cannot draw --collisions on a surface, flat, of some layers, as SVG or VTP, or from "
-                                 "several sides; --view alone may go with it");
+        throw Error(Exit::usage, "cannot draw --collisions on a surface, flat, of some layers, as VTP, or from several "
+                                 "sides; --view alone may go with it");
     if (o.collisions.empty() && !o.part.empty())
         throw Error(Exit::usage, "cannot use --part without --collisions; name their list");
     if (!o.regions.empty() && !o.flat())
@@ -95,24 +107,20 @@ std::string draw(Scene scene, const Options& o, const std::string& by_default, i
     if (color == ColourBy::speed) profile = machine::load_profile(o.machine);
     const Tint colours = tint(scene, color, &profile);
     const int w = static_cast<int>(o.size[0]), h = static_cast<int>(o.size[1]), samples = static_cast<int>(o.samples);
-    const FlatView flat{w, h, samples, true, !o.no_centres};
-    if (o.svg) return svg(scene, colours, flat);
-    if (o.flat()) return encode_png(draw_flat(scene, colours, flat, threads));
-    if (!o.collisions.empty()) {
-        const auto places = read_meetings(mesh::load(o.collisions).view(), mesh::spoken_name(o.collisions));
-        add_parts(scene, o.part);
-        const geom::Vec3 from = o.view == "auto" ? geom::Vec3{} : chosen(o, "iso").front().from;
-        return encode_png(draw_collisions(std::move(scene), places, machine::head(o.head), color,
-                                          {w, h, from, samples, o.travels, !o.no_table, {}}, threads));
-    }
-    if (scene.sheet) {
-        const Show show{o.by, o.arrows, o.voids, o.overlap, !o.no_centres, o.around};
-        return encode_png(draw_draped(scene, colours, {w, h, samples, chosen(o, "face"), show}, threads));
-    }
-    return encode_png(contact_sheet(chosen(o, "iso"), w, h, [&](const ViewDirection& look, int width, int height) {
-        return draw_perspective(scene, colours, {width, height, look.from, samples, o.travels, !o.no_table, {}},
-                                threads);
-    }));
+    const FlatView flat{samples, true, !o.no_centres, o.around};
+    const Format format = o.format == "svg" ? Format::svg : o.format == "pdf" ? Format::pdf : Format::png;
+    Canvas page(w, h, format, o.flat() ? flat_scale(scene, flat, w, h) : kScreenPixels);
+    if (o.flat())
+        draw_flat(page, scene, colours, flat, threads);
+    else if (!o.collisions.empty())
+        draw_meetings(page, std::move(scene), color, o, threads);
+    else if (scene.sheet)
+        draw_draped(page, scene, colours, drape_view(o), threads);
+    else
+        contact_sheet(page, chosen(o, "iso"), [&](Canvas& cell, const ViewDirection& look) {
+            draw_perspective(cell, scene, colours, {look.from, samples, o.travels, !o.no_table, {}}, threads);
+        });
+    return page.bytes();
 }
 
 } // namespace filum::render

@@ -25,9 +25,10 @@ struct Options {
     std::string title = {};                // title of a report
     std::string part = {};                 // mesh files to draw with collisions, separated by commas
     machine::HeadChoice head = {};         // the head of the collisions
-    std::vector<double> around = {};       // x, y, z, radius in mm: the ball that fills a picture of a surface
+    std::vector<double> around = {};       // x, y, z, radius in mm: the ball that fills the picture
     bool html = false;                     // makes a report instead of a picture
-    bool svg = false, vtp = false, travels = false, no_centres = false, no_table = false;
+    std::string format = "auto";           // auto | png | svg | pdf; auto: png
+    bool vtp = false, travels = false, no_centres = false, no_table = false;
 
     [[nodiscard]] bool flat() const { return layer >= 0; }
     [[nodiscard]] Range range() const; // the layers to draw
@@ -36,8 +37,7 @@ struct Options {
 // Throws Error(usage) if the options contradict each other. Call it before anything is read.
 void check(const Options& options);
 
-// The bytes of a PNG file; of an SVG file if `options.svg`, of a VTP file if `options.vtp`. `by_default` says how
-// "auto" colours.
+// The bytes of a file in `options.format`, or of a VTP file if `options.vtp`. `by_default` says how "auto" colours.
 std::string draw(Scene scene, const Options& options, const std::string& by_default, int threads);
 
 } // namespace filum::render

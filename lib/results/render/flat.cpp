@@ -27,9 +27,14 @@ struct Frame {
     }
 };
 
-Frame frame(const geom::Box2& box, int width, int height) {
+Frame frame(const geom::Box2& box, const std::vector<double>& around, int width, int height) {
     Frame f;
     f.half = {width / 2.0, height / 2.0};
+    if (!around.empty()) {
+        f.middle = {around[0], around[1]};
+        f.scale = std::min(f.half.x, f.half.y) / around[3];
+        return f;
+    }
     if (box.empty()) return f;
     f.middle = geom::lerp(box.lo, box.hi, 0.5);
     const double w = std::max(box.hi.x - box.lo.x, 1e-6), h = std::max(box.hi.y - box.lo.y, 1e-6);
@@ -58,7 +63,7 @@ struct Sample {
     bool inside = false;    // whether it lies inside the outlines
 };
 
-struct Pen { // a bead, in samples
+struct SampledBead { // in samples
     Vec2 a, b;
     double half = 0;
 };
@@ -71,7 +76,7 @@ struct Band {
     }
 };
 
-void lay(Band& band, const Pen& p, std::uint32_t index, const std::vector<FlatBead>& beads, double near) {
+void lay(Band& band, const SampledBead& p, std::uint32_t index, const std::vector<FlatBead>& beads, double near) {
     const int x0 = std::max(0, static_cast<int>(std::ceil(std::min(p.a.x, p.b.x) - p.half - 0.5)));
     const int y0 = std::max(0, static_cast<int>(std::ceil(std::min(p.a.y, p.b.y) - p.half - 0.5)));
     const int x1 = static_cast<int>(std::min(band.columns - 1.0, std::max(p.a.x, p.b.x) + p.half));
@@ -134,37 +139,12 @@ Rgb ink_at(const Sample& s, const std::vector<Rgb>& colour, const Ink& ink) {
     return c;
 }
 
-void draw_outlines(Image& image, const Scene& scene, const Frame& f) {
-    const double width = std::clamp(image.height / 600.0, 1.0, 3.0);
-    for (const Outline& o : scene.outlines) {
-        for (std::size_t i = 0; i < o.loops.size(); ++i) {
-            const auto loop = o.loops[i];
-            for (std::size_t k = 0, j = loop.size() - 1; k < loop.size(); j = k++)
-                draw_line(image, f.to_pixel(loop[j]), f.to_pixel(loop[k]), width, oklch(0.25, 0.02, 260), 0.8);
-        }
-    }
-}
-
-void draw_marks(Image& image, const FlatLayer& layer, const Frame& f) {
-    const double size = std::clamp(0.9 * layer.width * f.scale, 4.0, 0.016 * image.height + 4);
-    for (const auto kind : {Mark::Kind::lift, Mark::Kind::end, Mark::Kind::start}) {
-        for (const Mark& m : layer.marks) {
-            if (m.kind != kind) continue;
-            const Vec2 p = f.to_pixel(m.at);
-            draw_line(image, p, p, size + std::max(2.0, 0.35 * size), {1, 1, 1});
-            draw_line(image, p, p, size, mark_colour(kind));
-        }
-    }
-}
-
-} // namespace
-
-Image draw_flat(const Scene& scene, const Tint& tint, const FlatView& view, int threads) {
-    const FlatLayer layer = flatten(scene);
-    const Frame f = frame(layer.box, view.width, view.height);
+// The beads and the area inside the outlines as pixels.
+Image raster(const Scene& scene, const Tint& tint, const FlatView& view, const FlatLayer& layer, const Frame& f,
+             int width, int height, int threads) {
     const int per_pixel = std::max(2, static_cast<int>(std::ceil(std::sqrt(view.samples))));
     std::vector<Rgb> colour;
-    std::vector<Pen> pens;
+    std::vector<SampledBead> pens;
     const double from = layer.beads.empty() ? 0 : layer.beads.front().along;
     double begin = from;
     for (std::size_t k = 0; k < layer.beads.size(); ++k) {
@@ -173,7 +153,7 @@ Image draw_flat(const Scene& scene, const Tint& tint, const FlatView& view, int 
         colour.push_back(from_srgb8(render::colour(tint, scene, b.span, b.point, b.along - begin)));
         pens.push_back({per_pixel * f.to_pixel(b.a), per_pixel * f.to_pixel(b.b), per_pixel * f.scale * b.width / 2});
     }
-    const auto bands = static_cast<std::size_t>((view.height + kBand - 1) / kBand);
+    const auto bands = static_cast<std::size_t>((height + kBand - 1) / kBand);
     std::vector<std::vector<std::uint32_t>> in_band(bands);
     for (std::uint32_t k = 0; k < pens.size(); ++k) {
         const double lo = std::min(pens[k].a.y, pens[k].b.y) - pens[k].half,
@@ -186,22 +166,22 @@ Image draw_flat(const Scene& scene, const Tint& tint, const FlatView& view, int 
     Ink ink;
     ink.centres = view.centres && layer.width * f.scale >= 5;
     ink.beads = !layer.beads.empty();
-    Image out(view.width, view.height);
+    Image out(width, height);
     parallel::for_chunks(bands, 1, threads, [&](std::size_t b, std::size_t) {
         Band band;
-        band.columns = view.width * per_pixel;
+        band.columns = width * per_pixel;
         band.rows = kBand * per_pixel;
         band.sample.resize(static_cast<std::size_t>(band.columns) * static_cast<std::size_t>(band.rows));
         const double first_row = static_cast<double>(b) * band.rows;
         flood(band, scene, f, first_row, per_pixel);
         for (const auto k : in_band[b]) {
-            Pen p = pens[k];
+            SampledBead p = pens[k];
             p.a.y -= first_row;
             p.b.y -= first_row;
             lay(band, p, k, layer.beads, 3 * layer.width);
         }
-        for (int y = 0; y < kBand && static_cast<int>(b) * kBand + y < view.height; ++y) {
-            for (int x = 0; x < view.width; ++x) {
+        for (int y = 0; y < kBand && static_cast<int>(b) * kBand + y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
                 Rgb sum;
                 for (int k = 0; k < per_pixel * per_pixel; ++k)
                     sum = sum +
@@ -210,16 +190,94 @@ Image draw_flat(const Scene& scene, const Tint& tint, const FlatView& view, int 
             }
         }
     });
-    draw_outlines(out, scene, f);
+    return out;
+}
+
+std::vector<Vec2> pixels(std::span<const Vec2> points, const Frame& f) {
+    std::vector<Vec2> out;
+    for (const Vec2 p : points) out.push_back(f.to_pixel(p));
+    return out;
+}
+
+// Draws the same as lines and areas. Consecutive beads with the same colour and width (to 0.01 mm) become one line;
+// beads beyond the page are left out.
+void draw_beads(Canvas& page, const Scene& scene, const Tint& tint, const FlatView& view, const FlatLayer& layer,
+                const Frame& f) {
+    const Ink ink;
+    for (const Outline& o : scene.outlines)
+        for (std::size_t i = 0; i < o.loops.size(); ++i) page.loop(pixels(o.loops[i], f));
+    page.fill(layer.beads.empty() ? ink.solid : ink.empty);
+    std::vector<Vec2> line;
+    Pen pen, centre{0.08 * layer.width * f.scale, {1, 1, 1}, 0.7};
+    std::vector<std::vector<Vec2>> centres;
+    const auto end = [&] {
+        if (line.size() > 1) page.polyline(line, false, pen);
+        if (line.size() > 1 && view.centres) centres.push_back(line);
+        line.clear();
+    };
+    double begin = 0;
+    for (const FlatBead& b : layer.beads) {
+        if (b.point == 0) begin = b.along;
+        const Rgb colour = from_srgb8(render::colour(tint, scene, b.span, b.point, b.along - begin));
+        const double width = f.scale * std::max(0.01, std::round(b.width * 100) / 100);
+        const Vec2 from = f.to_pixel(b.a), to = f.to_pixel(b.b);
+        const bool beyond = std::max(from.x, to.x) < -width || std::min(from.x, to.x) > page.width() + width ||
+                            std::max(from.y, to.y) < -width || std::min(from.y, to.y) > page.height() + width;
+        if (beyond || line.empty() || !(line.back() == from) || width != pen.width || hex(colour) != hex(pen.colour))
+            end();
+        if (beyond) continue;
+        if (line.empty()) line.push_back(from);
+        line.push_back(to);
+        pen = {width, colour};
+    }
+    end();
+    for (const auto& c : centres) page.polyline(c, false, centre);
+}
+
+void draw_outlines(Canvas& page, const Scene& scene, const Frame& f) {
+    const Pen pen{std::clamp(page.height() / 600.0, 1.0, 3.0), oklch(0.25, 0.02, 260), 0.8};
+    for (const Outline& o : scene.outlines)
+        for (std::size_t i = 0; i < o.loops.size(); ++i) page.polyline(pixels(o.loops[i], f), true, pen);
+}
+
+void draw_marks(Canvas& page, const FlatLayer& layer, const Frame& f) {
+    const double size = std::clamp(0.9 * layer.width * f.scale, 4.0, 0.016 * page.height() + 4);
+    for (const auto kind : {Mark::Kind::lift, Mark::Kind::end, Mark::Kind::start}) {
+        for (const Mark& m : layer.marks) {
+            if (m.kind != kind) continue;
+            const Vec2 p = f.to_pixel(m.at);
+            page.line(p, p, {size + std::max(2.0, 0.35 * size), {1, 1, 1}});
+            page.line(p, p, {size, mark_colour(kind)});
+        }
+    }
+}
+
+} // namespace
+
+double flat_scale(const Scene& scene, const FlatView& view, int width, int height) {
+    return frame(flatten(scene).box, view.around, width, height).scale;
+}
+
+void draw_flat(Canvas& page, const Scene& scene, const Tint& tint, const FlatView& view, int threads) {
+    const FlatLayer layer = flatten(scene);
+    const Frame f = frame(layer.box, view.around, page.width(), page.height());
+    if (page.vector())
+        draw_beads(page, scene, tint, view, layer, f);
+    else
+        page.image(raster(scene, tint, view, layer, f, page.width(), page.height(), threads));
+    draw_outlines(page, scene, f);
+    const Pen travel{.width = 1.2,
+                     .colour = role_colour(toolpath::Role::travel),
+                     .alpha = 0.7,
+                     .dash = page.vector() ? layer.width * f.scale : 0};
     for (const FlatBead& t : layer.travels)
-        if (view.travels)
-            draw_line(out, f.to_pixel(t.a), f.to_pixel(t.b), 1.2, role_colour(toolpath::Role::travel), 0.7);
-    draw_marks(out, layer, f);
-    Key key(out);
+        if (view.travels) page.line(f.to_pixel(t.a), f.to_pixel(t.b), travel);
+    draw_marks(page, layer, f);
+    Key key(page);
+    if (!view.around.empty()) key.clear(Ink{}.paper);
+    key.ruler(f.scale);
     key.text(title(scene));
     add_legend(key, tint);
-    key.ruler(f.scale);
-    return out;
 }
 
 } // namespace filum::render

@@ -1,12 +1,9 @@
-// Pictures as pixels and as PNG files.
+// Pictures as pixels.
 #pragma once
 
-#include "geom/vec.hpp"
 #include "render/colour.hpp"
 
 #include <cstdint>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace filum::render {
@@ -26,25 +23,12 @@ struct Image {
         p[1] = s.g;
         p[2] = s.b;
     }
-    [[nodiscard]] Rgb get(int x, int y) const {
+    [[nodiscard]] Srgb8 pixel(int x, int y) const {
         const auto* p =
             &rgb[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 3];
-        return from_srgb8({p[0], p[1], p[2]});
+        return {p[0], p[1], p[2]};
     }
+    [[nodiscard]] Rgb get(int x, int y) const { return from_srgb8(pixel(x, y)); }
 };
-
-// The bytes of the PNG file. Equal pictures give equal bytes. Throws Error(failure) if libpng fails.
-std::string encode_png(const Image& image);
-
-// Draws a line from a to b with round ends, blended by `alpha`. Coordinates are pixels, y downwards, with pixel centres
-// at halves.
-void draw_line(Image& image, geom::Vec2 a, geom::Vec2 b, double width, Rgb colour, double alpha = 1);
-
-void draw_box(Image& image, int x0, int y0, int x1, int y1, Rgb colour, double alpha = 1);
-
-// Writes `text` in a simple stroke font with capitals, digits and . , - + / : = %. Small letters become capitals. `at`
-// is the lower left corner, `size` the height of a capital in pixels.
-void draw_text(Image& image, geom::Vec2 at, double size, std::string_view text, Rgb colour);
-double text_width(double size, std::string_view text);
 
 } // namespace filum::render

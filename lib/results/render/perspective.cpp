@@ -25,6 +25,7 @@ struct Studio {
     const Tubes& tubes;
     const Table& table;
     const View& view;
+    int width, height; // pixels
     Camera camera;
     Vec3 lamp;        // direction to the lamp
     double reach = 0; // mm; nearer objects dim the sky
@@ -94,7 +95,7 @@ Pixel sample(const Studio& s, int x, int y, Rgb back) {
         std::array<Vec3, 4> d;
         for (std::uint32_t j = 0; j < 4; ++j) {
             const Square at = spread(seed, k + j);
-            d[j] = s.camera.ray(2 * (x + at.u) / s.view.width - 1, 1 - 2 * (y + at.v) / s.view.height);
+            d[j] = s.camera.ray(2 * (x + at.u) / s.width - 1, 1 - 2 * (y + at.v) / s.height);
         }
         const auto hit = s.tubes.shoot(s.camera.eye, d);
         for (std::uint32_t j = 0; j < std::min(4U, samples - k); ++j) {
@@ -128,7 +129,7 @@ struct FreeShares {
 
 // The free shares of sky and lamp at pixel (x, y), averaged over pixels around it that show the same surface.
 FreeShares smoothed(const Studio& s, const Strip& strip, int x, int y, int reach) {
-    const int w = s.view.width, h = s.view.height;
+    const int w = s.width, h = s.height;
     const auto place = [&](const Pixel& p, int i, int j) {
         return double{p.depth / p.hits} * s.camera.ray((2.0 * i + 1) / w - 1, 1 - (2.0 * j + 1) / h);
     };
@@ -165,7 +166,7 @@ void expose(const Studio& s, int threads, Strip& strip) {
         static_cast<std::size_t>(strip.last - strip.first), 8, threads, [&](std::size_t begin, std::size_t end) {
             for (std::size_t row = begin; row < end; ++row) {
                 const int y = strip.first + static_cast<int>(row);
-                const Rgb back = backdrop(static_cast<double>(y) / s.view.height);
+                const Rgb back = backdrop(static_cast<double>(y) / s.height);
                 for (int x = 0; x < strip.width; ++x)
                     strip.pixel[row * static_cast<std::size_t>(strip.width) + static_cast<std::size_t>(x)] =
                         sample(s, x, y, back);
@@ -176,15 +177,15 @@ void expose(const Studio& s, int threads, Strip& strip) {
 Image develop(const Studio& s, int threads) {
     const View& v = s.view;
     const int reach = v.samples < 16 ? 2 : (v.samples < 64 ? 1 : 0);
-    Image out(v.width, v.height);
-    for (int top = 0; top < v.height; top += kStrip) {
-        const int bottom = std::min(v.height, top + kStrip);
-        Strip strip{std::max(0, top - reach), std::min(v.height, bottom + reach), v.width, {}};
+    Image out(s.width, s.height);
+    for (int top = 0; top < s.height; top += kStrip) {
+        const int bottom = std::min(s.height, top + kStrip);
+        Strip strip{std::max(0, top - reach), std::min(s.height, bottom + reach), s.width, {}};
         expose(s, threads, strip);
         parallel::for_chunks(
             static_cast<std::size_t>(bottom - top), 8, threads, [&](std::size_t begin, std::size_t end) {
                 for (int y = top + static_cast<int>(begin); y < top + static_cast<int>(end); ++y) {
-                    for (int x = 0; x < v.width; ++x) {
+                    for (int x = 0; x < s.width; ++x) {
                         const Pixel& p = strip.at(x, y);
                         Rgb c = p.other;
                         if (p.hits > 0) {
@@ -201,10 +202,10 @@ Image develop(const Studio& s, int threads) {
 
 } // namespace
 
-Image draw_perspective(const Scene& scene, const Tint& tint, const View& view, int threads) {
+void draw_perspective(Canvas& canvas, const Scene& scene, const Tint& tint, const View& view, int threads) {
     const Tubes tubes(scene, tint, view.travels, threads);
     const double size = std::max(norm(tubes.half()), 1e-6), floor = -tubes.half().z;
-    const double aspect = static_cast<double>(view.width) / view.height;
+    const double aspect = static_cast<double>(canvas.width()) / canvas.height();
     const Camera camera = view.around
                               ? aim(view.around->centre - tubes.centre(), view.around->radius, view.from, aspect)
                               : aim(scene, tubes.centre(), view.from, aspect, view.travels);
@@ -212,11 +213,12 @@ Image draw_perspective(const Scene& scene, const Tint& tint, const View& view, i
     const Vec3 lamp =
         unit(-0.55 * unit(camera.right) + 0.85 * Vec3{0, 0, 1} - 0.45 * camera.forward + 0.25 * unit(camera.up));
     const Table table(tubes, lamp, floor, view.table ? 2.2 * size : 0, threads);
-    Studio studio{tubes, table, view, camera, lamp, 0.35 * size, std::max(0.02 * tubes.thickness(), 1e-5 * size),
+    Studio studio{tubes,          table,           view,
+                  canvas.width(), canvas.height(), camera,
+                  lamp,           0.35 * size,     std::max(0.02 * tubes.thickness(), 1e-5 * size),
                   floor};
-    Image out = develop(studio, threads);
-    draw_legend(out, tint);
-    return out;
+    canvas.image(develop(studio, threads));
+    draw_legend(canvas, tint);
 }
 
 } // namespace filum::render

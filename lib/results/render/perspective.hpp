@@ -14,7 +14,6 @@ struct ViewSphere {
 };
 
 struct View {
-    int width = 1024, height = 768;        // pixels
     geom::Vec3 from{1, -1.5, 0.9};         // direction from the part to the camera; not zero
     int samples = 4;                       // rays per pixel; more rays give less noise
     bool travels = false;                  // whether travels are drawn, as thin threads
@@ -28,6 +27,6 @@ struct View {
 // One lamp over the viewer's left shoulder gives soft shadows, and near objects dim the light of the sky (ambient
 // occlusion). An empty scene gives an empty table. Same bytes for any `threads` (0: all cores). Throws Error(failure)
 // if Embree does not start.
-Image draw_perspective(const Scene& scene, const Tint& tint, const View& view, int threads);
+void draw_perspective(Canvas& canvas, const Scene& scene, const Tint& tint, const View& view, int threads);
 
 } // namespace filum::render

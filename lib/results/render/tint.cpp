@@ -164,11 +164,11 @@ void add_legend(Key& key, const Tint& tint) {
     case ColourBy::stroke:
         return key.text(std::to_string(tint.strokes) + (tint.strokes == 1 ? " stroke" : " strokes"));
     case ColourBy::layer:
-        return key.ramp("layer " + fixed_text(tint.lo, 0), fixed_text(tint.hi, 0));
+        return key.ramp({"layer", tint.lo, tint.hi});
     case ColourBy::width:
-        return key.ramp("width " + fixed_text(tint.lo, 2), fixed_text(tint.hi, 2) + " mm");
+        return key.ramp({"width", tint.lo, tint.hi, "mm"});
     case ColourBy::speed:
-        return key.ramp("speed " + fixed_text(tint.lo, 1), fixed_text(tint.hi, 1) + " mm/s");
+        return key.ramp({"speed", tint.lo, tint.hi, "mm/s"});
     case ColourBy::tool:
         for (const std::uint32_t tool : tint.tools) key.swatch(distinct(tool), "tool " + std::to_string(tool));
         return;
@@ -180,8 +180,8 @@ void add_legend(Key& key, const Tint& tint) {
     }
 }
 
-void draw_legend(Image& image, const Tint& tint) {
-    Key key(image);
+void draw_legend(Canvas& canvas, const Tint& tint) {
+    Key key(canvas);
     add_legend(key, tint);
 }
 

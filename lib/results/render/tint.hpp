@@ -40,6 +40,6 @@ Rgb feature_colour(toolpath::Feature feature); // the colour of a bead with a kn
 
 // Draws the meaning of the colours: as items of a key, or alone in the lower left corner.
 void add_legend(Key& key, const Tint& tint);
-void draw_legend(Image& image, const Tint& tint);
+void draw_legend(Canvas& canvas, const Tint& tint);
 
 } // namespace filum::render

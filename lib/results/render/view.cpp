@@ -69,11 +69,6 @@ int columns(int n, int width, int height) {
     return best;
 }
 
-void paste(Image& to, const Image& from, int x0, int y0) {
-    for (int y = 0; y < from.height; ++y)
-        for (int x = 0; x < from.width; ++x) to.set(x0 + x, y0 + y, from.get(x, y));
-}
-
 } // namespace
 
 std::vector<ViewDirection> looks(const std::string& list, const std::string& option) {
@@ -100,21 +95,20 @@ std::vector<ViewDirection> looks(const std::string& list, const std::string& opt
     return out;
 }
 
-Image contact_sheet(const std::vector<ViewDirection>& looks, int width, int height, const Draw& draw) {
-    if (looks.size() == 1) return draw(looks.front(), width, height);
-    const int n = static_cast<int>(looks.size()), across = columns(n, width, height), down = (n + across - 1) / across;
-    Image out(width, height);
+void contact_sheet(Canvas& page, const std::vector<ViewDirection>& looks, const Draw& draw) {
+    if (looks.size() == 1) return draw(page, looks.front());
+    const int width = page.width(), height = page.height(), n = static_cast<int>(looks.size()),
+              across = columns(n, width, height), down = (n + across - 1) / across;
     for (int k = 0; k < n; ++k) {
         const int i = k % across, j = k / across;
         const int x0 = i * width / across, x1 = (i + 1) * width / across;
         const int y0 = j * height / down, y1 = (j + 1) * height / down;
         if (x1 - x0 < 2 || y1 - y0 < 2) continue; // no room for a picture
-        Image cell = draw(looks[static_cast<std::size_t>(k)], x1 - x0 - 1, y1 - y0 - 1);
-        const double size = std::clamp(cell.height / 60.0, 6.0, 24.0);
-        draw_text(cell, {size, 1.8 * size}, size, looks[static_cast<std::size_t>(k)].name, oklch(0.42, 0.02, 260));
-        paste(out, cell, x0, y0);
+        Canvas cell = page.part(x0, y0, x1 - x0 - 1, y1 - y0 - 1);
+        draw(cell, looks[static_cast<std::size_t>(k)]);
+        const double size = std::clamp(cell.height() / 60.0, 6.0, 24.0);
+        cell.text({size, 1.8 * size}, size, looks[static_cast<std::size_t>(k)].name, oklch(0.42, 0.02, 260));
     }
-    return out;
 }
 
 } // namespace filum::render

@@ -1,7 +1,7 @@
 // Directions that pictures are taken from, and several pictures in one.
 #pragma once
 
-#include "render/image.hpp"
+#include "render/canvas.hpp"
 
 #include <functional>
 #include <string>
@@ -22,10 +22,10 @@ struct ViewDirection {
 // face-right, face-up, face-down) or directions of three numbers. Throws Error(usage) naming the option --`option`.
 std::vector<ViewDirection> looks(const std::string& list, const std::string& option);
 
-using Draw = std::function<Image(const ViewDirection& look, int width, int height)>;
+using Draw = std::function<void(Canvas& cell, const ViewDirection& look)>;
 
-// A picture of width x height. A single look fills it. Several looks are drawn in a grid, each with its name, in cells
-// as near to 4 : 3 as possible.
-Image contact_sheet(const std::vector<ViewDirection>& looks, int width, int height, const Draw& draw);
+// A single look fills the page. Several looks are drawn in a grid, each with its name, in cells as near to 4 : 3 as
+// possible.
+void contact_sheet(Canvas& page, const std::vector<ViewDirection>& looks, const Draw& draw);
 
 } // namespace filum::render

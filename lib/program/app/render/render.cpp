@@ -57,7 +57,8 @@ void run(const Options& given, const cli::Io& io) {
     o.html = io.output.ends_with(".html");
     check_report(o, io);
     if (o.html) return report::run({o.machine, o.regions, o.surface, o.beside, o.figures, o.collisions, o.title}, io);
-    o.svg = o.svg || io.output.ends_with(".svg");
+    for (const char* format : {"svg", "pdf"})
+        if (o.format == "auto" && io.output.ends_with(std::string(".") + format)) o.format = format;
     o.vtp = io.output.ends_with(".vtp");
     filum::render::check(o);
     Scene scene;
@@ -71,7 +72,8 @@ void run(const Options& given, const cli::Io& io) {
     if (!o.flat() && !scene.sheet) io.idle("no-centres", "only --layer and surfaces show them");
     const bool regions = payload == stream::Payload::regions, layers = payload == stream::Payload::layers;
     const char* color = regions ? "stroke" : layers ? "layer" : scene.sheet ? "class" : "progress";
-    stream::Sink out(io.output, o.svg || o.vtp ? stream::Sink::Content::text : stream::Sink::Content::binary);
+    stream::Sink out(io.output,
+                     o.format == "svg" || o.vtp ? stream::Sink::Content::text : stream::Sink::Content::binary);
     out.write(filum::render::draw(std::move(scene), o, color, io.threads));
     out.commit();
 }

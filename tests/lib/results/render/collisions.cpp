@@ -1,4 +1,5 @@
 #include "render/collisions.hpp"
+#include "decoded.hpp"
 
 #include "base/error.hpp"
 
@@ -26,8 +27,16 @@ Scene beads() {
     return out;
 }
 
+// The picture of width x height.
+Decoded picture(const Scene& scene, const Meetings& m, const machine::Head& head, ColourBy by, const View& view,
+                int threads, int width = 400, int height = 200) {
+    Canvas page(width, height, Format::png);
+    draw_collisions(page, scene, m, head, by, view, threads);
+    return decode(page.bytes());
+}
+
 // Pixels whose red is far above the rest.
-int red(const Image& image) {
+int red(const Decoded& image) {
     int out = 0;
     for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3)
         out += image.rgb[i] > 100 && image.rgb[i] > 2.5 * image.rgb[i + 1] && image.rgb[i] > 2.5 * image.rgb[i + 2];
@@ -64,30 +73,30 @@ TEST(Collisions, WhatIsNoList) {
 }
 
 TEST(Collisions, ThePlaceIsSeen) {
-    const View view{400, 200, {0, 0, 0}, 4, false, true, {}};
+    const View view{{0, 0, 0}, 4, false, true, {}};
     for (const char* piece : {"nozzle", "carriage", "gantry"}) {
         machine::Head head;
         head.gantry_height = 40;
         const auto m = read_meetings(kHead + line(3, -0.5, piece), "'list'");
-        const Image one = draw_collisions(beads(), m, head, ColourBy::progress, view, 1);
+        const Decoded one = picture(beads(), m, head, ColourBy::progress, view, 1);
         EXPECT_GT(red(one), 8) << piece;
-        EXPECT_EQ(one.rgb, draw_collisions(beads(), m, head, ColourBy::progress, view, 2).rgb);
+        EXPECT_EQ(one.rgb, picture(beads(), m, head, ColourBy::progress, view, 2).rgb);
     }
     // sizes of nothing, and far too large
     const auto m = read_meetings(kHead + line(3, -0.5, "carriage"), "'list'");
-    EXPECT_GT(red(draw_collisions(beads(), m, {0.2, 0, 0, 0, 0, 0}, ColourBy::progress, view, 1)), 4);
-    EXPECT_EQ(draw_collisions(beads(), m, {50, 1, 900, 1e4, 1e4}, ColourBy::progress, view, 1).width, 400);
-    EXPECT_GT(red(draw_collisions({}, m, {}, ColourBy::progress, view, 1)), 4);
+    EXPECT_GT(red(picture(beads(), m, {0.2, 0, 0, 0, 0, 0}, ColourBy::progress, view, 1)), 4);
+    EXPECT_EQ(picture(beads(), m, {50, 1, 900, 1e4, 1e4}, ColourBy::progress, view, 1).width, 400U);
+    EXPECT_GT(red(picture({}, m, {}, ColourBy::progress, view, 1)), 4);
 }
 
 // What is laid after the place does not stand in the picture.
 TEST(Collisions, OnlyWhatIsThereThen) {
-    const View view{240, 120, {1, -1, 0.5}, 4, false, true, {}};
+    const View view{{1, -1, 0.5}, 4, false, true, {}};
     Scene early = beads();
     early.spans[0].points.resize(4);
     const auto at = [&](int point) { return read_meetings(kHead + line(point, 0), "'list'"); };
     const auto draw = [&](const Scene& s, const Meetings& m) {
-        return draw_collisions(s, m, {}, ColourBy::layer, view, 1).rgb;
+        return picture(s, m, {}, ColourBy::layer, view, 1, 240, 120).rgb;
     };
     EXPECT_EQ(draw(beads(), at(3)), draw(early, at(3)));
     EXPECT_NE(draw(beads(), at(3)), draw(beads(), at(9)));

@@ -281,19 +281,18 @@ TEST(Looks, AreNamesAndDirections) {
 TEST(ContactSheet, HasEveryViewOnce) {
     for (const int n : {2, 4, 7}) {
         int drawn = 0;
-        const Image sheet =
-            contact_sheet(std::vector<ViewDirection>(static_cast<std::size_t>(n), ViewDirection{"", {0, 0, 1}}), 320,
-                          240, [&](const ViewDirection&, int w, int h) {
-                              Image cell(w, h);
-                              draw_box(cell, 0, 0, w, h, {0.1F * static_cast<float>(++drawn), 0, 0});
-                              return cell;
-                          });
+        Canvas page(320, 240, Format::png);
+        const std::vector<ViewDirection> looks(static_cast<std::size_t>(n), ViewDirection{"", {0, 0, 1}});
+        contact_sheet(page, looks, [&](Canvas& cell, const ViewDirection&) {
+            cell.box({0, 0}, {400, 400}, {0.1F * static_cast<float>(++drawn), 0, 0});
+        });
+        const Decoded sheet = decode(page.bytes());
         EXPECT_EQ(drawn, n);
         std::vector<bool> seen(static_cast<std::size_t>(n));
-        for (int y = 0; y < 240; ++y)
-            for (int x = 0; x < 320; ++x)
+        for (unsigned y = 0; y < 240; ++y)
+            for (unsigned x = 0; x < 320; ++x)
                 for (int k = 0; k < n; ++k)
-                    if (to_srgb8({0.1F * static_cast<float>(k + 1), 0, 0}).r == to_srgb8(sheet.get(x, y)).r)
+                    if (to_srgb8({0.1F * static_cast<float>(k + 1), 0, 0}).r == sheet.at(x, y).r)
                         seen[static_cast<std::size_t>(k)] = true;
         EXPECT_EQ(std::count(seen.begin(), seen.end(), true), n);
     }

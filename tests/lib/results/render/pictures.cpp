@@ -1,4 +1,5 @@
 #include "decoded.hpp"
+#include "render/canvas.hpp"
 #include "render/draw.hpp"
 #include "render/flat.hpp"
 #include "render/layer.hpp"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <regex>
 
 namespace filum::render {
 
@@ -35,12 +37,26 @@ Scene filled(int missing = 0, geom::Vec3 at = {}) {
     return s;
 }
 
-TEST(Png, ComesBackAsItWas) {
+// The text between two words of another one.
+std::string between(const std::string& text, const std::string& before, const std::string& after) {
+    const auto from = text.find(before);
+    if (from == std::string::npos) return "";
+    return text.substr(from + before.size(), text.find(after, from + before.size()) - from - before.size());
+}
+
+// The file without the numbers of names, which cairo counts from the start of the process.
+std::string unnumbered(const std::string& svg) {
+    return std::regex_replace(svg, std::regex("(surface|image|glyph|clip|mask)[0-9]+"), "$1");
+}
+
+TEST(Canvas, AnImageComesBackAsItWas) {
     Image image(37, 21);
     for (int y = 0; y < 21; ++y)
         for (int x = 0; x < 37; ++x)
             image.set(x, y, from_srgb8({static_cast<std::uint8_t>(7 * x), static_cast<std::uint8_t>(12 * y), 99}));
-    const Decoded d = decode(encode_png(image));
+    Canvas page(37, 21, Format::png);
+    page.image(image);
+    const Decoded d = decode(page.bytes());
     ASSERT_EQ(d.width, 37u);
     ASSERT_EQ(d.height, 21u);
     EXPECT_EQ(d.rgb, image.rgb);
@@ -104,17 +120,80 @@ TEST(Flat, KnowsWhereStrokesStartAndEnd) {
     EXPECT_NEAR(l.width, 0.4, 1e-12);
 }
 
-TEST(Svg, HasTrueWidthsInMillimetres) {
+TEST(Canvas, LettersAreCapitalsOfTheSizeAsked) {
+    Canvas page(400, 100, Format::png);
+    page.text({10, 80}, 50, "HH", {0, 0, 0});
+    const double wide = page.text_width(50, "HH");
+    EXPECT_NEAR(page.text_width(50, "HHHH"), 2 * wide, 1e-6);
+    EXPECT_LT(page.text_width(50, "ii"), wide / 2);
+    EXPECT_NEAR(page.text_width(50, "\xc2\xb5"), page.text_width(50, "u"), 3); // a letter of two bytes is one letter
+    const Decoded d = decode(page.bytes());
+    unsigned top = 100, bottom = 0, right = 0;
+    for (unsigned y = 0; y < 100; ++y)
+        for (unsigned x = 0; x < 400; ++x)
+            if (d.at(x, y).g < 128) top = std::min(top, y), bottom = std::max(bottom, y), right = std::max(right, x);
+    EXPECT_NEAR(top, 30, 1);
+    EXPECT_NEAR(bottom, 79, 1);
+    EXPECT_NEAR(right, 10 + wide, 8);
+}
+
+TEST(Canvas, APartDrawsInItsPlaceAndNotBeyond) {
+    Canvas page(60, 40, Format::png);
+    Canvas inner = page.part(10, 5, 40, 30).part(10, 10, 10, 10);
+    inner.line({-50, 5}, {50, 5}, {.width = 4, .colour = {}});
+    const Decoded d = decode(page.bytes());
+    EXPECT_NEAR(d.share([](Srgb8 c) { return c.g < 128; }) * 60 * 40, 40, 1);
+    EXPECT_LT(d.at(25, 20).g, 10);
+    EXPECT_GT(d.at(18, 20).g, 245);
+    EXPECT_GT(d.at(31, 20).g, 245);
+}
+
+// The same beads in every format, in mm of the page.
+TEST(Vector, HasTrueWidthsInMillimetres) {
     Options o;
     o.layer = 0;
-    o.svg = true;
+    o.size = {440, 440};
+    o.format = "svg";
     const std::string text = draw(filled(), o, "layer", 1);
-    EXPECT_EQ(text.rfind("<svg ", 0), 0u);
-    EXPECT_NE(text.find("width=\"5.2mm\""), std::string::npos); // 4 + 0.4 of ends + 2 * 0.4 of margin
-    std::size_t paths = 0;
-    for (std::size_t at = 0; (at = text.find("stroke-width=\"0.4\" d=\"M", at)) != std::string::npos; ++at) ++paths;
-    EXPECT_EQ(paths, 10u);
+    EXPECT_NE(text.find("<svg "), std::string::npos);
+    // 4.4 mm with the round ends take 0.94 of the page's width (or 4 mm 0.90 of its height).
+    const double scale = std::min(0.94 * 440 / 4.4, 0.90 * 440 / 4.0), page = 440 / scale;
+    EXPECT_NEAR(std::stod(between(text, "width=\"", "pt\"")) / 72 * 25.4, page, 1e-4);
+    std::size_t beads = 0;
+    for (std::size_t at = 0; (at = text.find("stroke-width:", at)) != std::string::npos; ++at)
+        beads += std::abs(std::stod(text.substr(at + 13)) - 0.4 * scale) < 1e-3 ? 1 : 0;
+    EXPECT_EQ(beads, 10u);
     EXPECT_EQ(text.find("nan"), std::string::npos);
+    EXPECT_EQ(unnumbered(text), unnumbered(draw(filled(), o, "layer", 8)));
+    o.format = "pdf";
+    const std::string pdf = draw(filled(), o, "layer", 1);
+    EXPECT_EQ(pdf.rfind("%PDF-", 0), 0u);
+    EXPECT_NEAR(std::stod(between(pdf, "MediaBox [ 0 0 ", " ")) / 72 * 25.4, page, 1e-3);
+    EXPECT_EQ(pdf.find("CreationDate"), std::string::npos);
+    EXPECT_EQ(pdf, draw(filled(), o, "layer", 1));
+}
+
+TEST(Vector, PicturesOfEveryKindBecomePages) {
+    for (const char* format : {"svg", "pdf"}) {
+        Options o;
+        o.size = {120, 90};
+        o.format = format;
+        const std::string one = draw(filled(), o, "progress", 1);
+        EXPECT_GT(one.size(), 1000u);
+        EXPECT_EQ(unnumbered(one), unnumbered(draw(filled(), o, "progress", 2)));
+        o.views = "iso,top";
+        EXPECT_NE(draw(filled(), o, "progress", 1), one);
+    }
+}
+
+TEST(Flat, AroundShowsAPlaceAsLargeAsAsked) {
+    Options o;
+    o.layer = 0;
+    o.size = {200, 200};
+    o.no_centres = true;
+    o.around = {2, 0, 0, 1}; // the lower edge of the square, 2 mm across the page; the legend is below it
+    const Decoded d = decode(draw(filled(), o, "layer", 1));
+    EXPECT_NEAR(d.share(colourful), 0.5, 0.06);
 }
 
 TEST(Perspective, ShowsASlabFromAbove) {
@@ -160,7 +239,7 @@ TEST(Pictures, OfNothingAndNextToNothing) {
             o.layer = flat ? 0 : -1;
             EXPECT_EQ(decode(draw({}, o, color, 1)).width, 64u);
             EXPECT_EQ(decode(draw(dot, o, color, 1)).height, 48u);
-            o.svg = flat;
+            if (flat) o.format = "svg";
             EXPECT_EQ(draw(dot, o, color, 1).find("nan"), std::string::npos);
         }
     }
@@ -191,8 +270,8 @@ TEST(Pictures, RangesLeaveLayersOut) {
 }
 
 TEST(Pictures, RefuseOptionsThatDoNotFit) {
-    for (const auto& bad : {Options{.view = "0,0,0"}, Options{.view = "1,2"}, Options{.view = "up"},
-                            Options{.regions = "r"}, Options{.svg = true}})
+    for (const auto& bad :
+         {Options{.view = "0,0,0"}, Options{.view = "1,2"}, Options{.view = "up"}, Options{.regions = "r"}})
         EXPECT_THROW(check(bad), Error);
     EXPECT_NO_THROW(check(Options{.view = "1,-2,0.5"}));
 }
