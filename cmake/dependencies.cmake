@@ -14,7 +14,6 @@ find_package(TBB REQUIRED)
 find_package(Boost REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo freetype2)
-find_file(FILUM_FONT DejaVuSans.ttf PATHS /usr/share/fonts/truetype/dejavu REQUIRED)
 pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET polyclipping)
 pkg_check_modules(libzip REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(re2 REQUIRED IMPORTED_TARGET re2)
@@ -63,6 +62,3 @@ set_source_files_properties(${CMAKE_SOURCE_DIR}/lib/foundation/base/libm.cpp PRO
     COMPILE_OPTIONS "-fno-builtin" SKIP_UNITY_BUILD_INCLUSION ON)
 set(FILUM_USES_report ZLIB::ZLIB)
 set(FILUM_USES_render ${EMBREE_LIBRARY} PkgConfig::cairo)
-# The font of pictures is put into the program.
-set_source_files_properties(${CMAKE_SOURCE_DIR}/lib/results/render/font.cpp PROPERTIES
-    SKIP_UNITY_BUILD_INCLUSION ON COMPILE_DEFINITIONS "FILUM_FONT=\"${FILUM_FONT}\"" OBJECT_DEPENDS "${FILUM_FONT}")

@@ -1,4 +1,4 @@
-// What every figure of every report is called by programs and by people, in which unit, and what it says.
+// The name of every figure of every report for programs and for people, its unit and its definition (meanings.tsv).
 #pragma once
 
 #include "figures/figures.hpp"
@@ -9,8 +9,6 @@
 
 namespace filum::figures {
 
-// A key is short, in lower case, and ends with its unit; it never changes its meaning.  '*' in key, group and name
-// stands for what the figure is of: a tool, a load case, a range of widths.
 struct Meaning {
     std::string_view key, group, name, unit;
     int decimals;
@@ -35,7 +33,7 @@ FigureLabel spoken(std::string_view key, bool on_surface);
 // Text as part of a key: lower case, with '_' for everything except letters, digits and points.
 std::string key_text(std::string_view text);
 
-// docs/metrics.md.
+// docs/metrics.md: page.txt with the tables of all figures.
 std::string meanings_page();
 
 } // namespace filum::figures

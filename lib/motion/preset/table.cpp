@@ -1,5 +1,6 @@
 #include "preset/table.hpp"
 
+#include "base/embed.hpp"
 #include "base/table.hpp"
 
 #include <algorithm>
@@ -7,10 +8,7 @@
 #include <map>
 #include <utility>
 
-// The assembler embeds the file FILUM_SETTINGS, which the build names, between two labels.
-__asm__(".section .rodata\n.global filum_settings\nfilum_settings:\n.incbin \"" FILUM_SETTINGS
-        "\"\n.global filum_settings_end\nfilum_settings_end:\n.byte 0\n.previous\n");
-extern "C" const char filum_settings[], filum_settings_end[];
+FILUM_EMBED(settings, FILUM_SETTINGS);
 
 namespace filum::preset {
 
@@ -33,8 +31,7 @@ enum Column : std::uint8_t {
 using Cells = std::vector<std::vector<std::string_view>>;
 
 const Cells& cells() {
-    static const Cells all =
-        table_rows(std::string_view(filum_settings, static_cast<std::size_t>(filum_settings_end - filum_settings)));
+    static const Cells all = table_rows(FILUM_EMBEDDED(settings));
     return all;
 }
 

@@ -1,15 +1,13 @@
 #include "render/font.hpp"
 
+#include "base/embed.hpp"
 #include "base/error.hpp"
 
 #include <cairo-ft.h>
 #include <ft2build.h>
 #include FT_FREETYPE_H
 
-// The assembler embeds the file FILUM_FONT, which the build names, between two labels.
-__asm__(".section .rodata\n.global filum_font\nfilum_font:\n.incbin \"" FILUM_FONT
-        "\"\n.global filum_font_end\nfilum_font_end:\n.byte 0\n.previous\n");
-extern "C" const unsigned char filum_font[], filum_font_end[];
+FILUM_EMBED(font, FILUM_FONT);
 
 namespace filum::render {
 
@@ -20,8 +18,10 @@ constexpr double kCapital = 1493.0 / 2048; // height of a capital of DejaVu Sans
 class Font {
   public:
     Font() {
+        const std::string_view file = FILUM_EMBEDDED(font);
         if (FT_Init_FreeType(&library_) != 0 ||
-            FT_New_Memory_Face(library_, filum_font, filum_font_end - filum_font, 0, &outlines_) != 0)
+            FT_New_Memory_Face(library_, reinterpret_cast<const FT_Byte*>(file.data()),
+                               static_cast<FT_Long>(file.size()), 0, &outlines_) != 0)
             throw Error(Exit::failure, "cannot draw the picture: FreeType does not read its font");
         face_ = cairo_ft_font_face_create_for_ft_face(outlines_, FT_LOAD_NO_HINTING);
         // Outlines without hints have the same shape on every machine.
