@@ -57,6 +57,15 @@ LinkedLanes::Curve LinkedLanes::curve(const weave::Trace& trace) const {
     return out;
 }
 
+Line LinkedLanes::Curve::take(const Vec3& begin) {
+    line.closed = closed;
+    if (closed)
+        line.places.pop_back();
+    else if (distance(line[0], begin) > distance(line.places.back().point, begin))
+        surface::curve::reverse(line);
+    return std::move(line);
+}
+
 std::vector<LinkedLanes::Curve> LinkedLanes::curves() const {
     std::vector<Curve> out;
     for (const weave::Trace& trace : weave_.traces()) out.push_back(curve(trace));

@@ -33,6 +33,10 @@ class LinkedLanes {
         Line line;
         bool closed = false;
         std::vector<std::uint32_t> lanes; // lanes that it contains parts of, ascending
+
+        // Moves the line out. A closed one is marked as closed and does not repeat its first place; an open one begins
+        // at `begin` if it ends there.
+        Line take(const geom::Vec3& begin);
     };
     [[nodiscard]] std::vector<Curve> curves() const;
 

@@ -94,12 +94,7 @@ class LineExchanger {
                 out[l].places.clear();
                 if (anchored_[l] == 1) host = l;
             }
-            path.line.closed = path.closed;
-            if (path.closed)
-                path.line.places.pop_back(); // equal to the first one
-            else if (distance(path.line[0], given_[host][0]) > kSameWaste)
-                surface::curve::reverse(path.line);
-            out[host] = std::move(path.line);
+            out[host] = path.take(given_[host][0]);
         }
         return out;
     }

@@ -3,6 +3,7 @@
 #include "geom/point_grid.hpp"
 #include "surface/curve/ease.hpp"
 #include "surface/curve/walk.hpp"
+#include "surfpath/lanes/linked_lanes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -60,7 +61,7 @@ class Splicer {
         gather(loop);
         const SpliceSite at = best(lines_[loop], ways);
         if (at.line == surface::kNone) return false;
-        Line made = joined(loop, ways, at);
+        Line made = joined(loop, at);
         if (made.size() < 2) return false;
         crossed.push_back(surface::curve::at(lines_[loop], ways, at.loop).point);
         lines_[at.line] = std::move(made);
@@ -140,72 +141,52 @@ class Splicer {
         return out;
     }
 
-    // The other line up to the site, the whole loop, and the rest of the other line.
-    [[nodiscard]] Line joined(std::uint32_t loop, std::span<const double> ways, const SpliceSite& at) const {
-        const Line& other = lines_[at.line];
-        const auto ways_other = surface::curve::arc_lengths(other);
-        const double all = ways.back(), rest = ways_other.back();
-        Line round = surface::curve::part(lines_[loop], ways, at.loop + half_, at.loop + all - half_);
-        if (!at.same) surface::curve::reverse(round);
-        Line before, after;
-        if (other.closed) {
-            before = surface::curve::part(other, ways_other, at.other + half_, at.other + rest - half_);
-        } else {
-            before = surface::curve::part(other, ways_other, 0, at.other - half_);
-            after = surface::curve::part(other, ways_other, at.other + half_, rest);
-        }
-        const Line to = other.closed ? before : after;
-        const auto over = shift(before, drift(loop, ways, at, true), round),
-                   back = shift(round, drift(loop, ways, at, false), to);
-        if (over.size() < 2 || back.size() < 2) return {};
-        const double more = half_, all_round = surface::curve::length(round);
-        Line out = cut(before, other.closed ? more : 0, more);
-        for (const Line& next : {over, cut(round, more, all_round > 2 * more ? more : 0), back})
-            surface::curve::append(out, next);
-        if (other.closed) {
-            out.places.pop_back();
-            out.closed = true;
-        } else {
-            surface::curve::append(out, cut(after, more, 0));
-        }
-        return out;
+    // The other line up to the site, the whole loop, and the rest of the other line: an exchange whose links cross.
+    [[nodiscard]] Line joined(std::uint32_t loop, const SpliceSite& at) const {
+        constexpr std::uint32_t kOther = 0, kLoop = 1;
+        Line round = lines_[at.line];
+        const bool open = !round.closed;
+        const double length = surface::curve::length(round);
+        round.closed = true;
+        const lanes::Lanes lanes(s_, {std::move(round), lines_[loop]}, d_);
+        lanes::LinkedLanes linked(lanes);
+        if (open) linked.cut(linked.window(kOther, length, 0));
+        const auto window = [&](std::uint32_t lane, double middle) {
+            return weave::Window{lane, middle - 2 * half_, middle + 2 * half_};
+        };
+        const Line there = shift(lanes, at, 1);
+        Line back = shift(lanes, at, -1);
+        if (there.size() < 2 || back.size() < 2) return {};
+        surface::curve::reverse(back);
+        linked.exchange(window(kOther, at.other), window(kLoop, at.loop), !at.same, {there, back});
+        auto curves = linked.curves();
+        if (curves.size() != 1 || curves[0].closed == open) return {};
+        return curves[0].take(lines_[at.line][0]);
     }
 
-    // The line without `begin` mm at its start and `end` mm at its end.
-    static Line cut(const Line& line, double begin, double end) {
-        const auto ways = surface::curve::arc_lengths(line);
-        return surface::curve::part(line, ways, begin, ways.back() - end);
-    }
-
-    // The shift from the other line to the loop, or back; empty if it leaves the surface.
-    [[nodiscard]] Line drift(std::uint32_t loop, std::span<const double> ways, const SpliceSite& at,
-                             bool to_loop) const {
-        const Line& other = lines_[at.line];
-        const auto ways_other = surface::curve::arc_lengths(other);
+    // The shift from the other line to the loop (way 1) or from the loop to the other line (way -1), with half_ mm of
+    // both lines before and after it, eased to the radius. Empty if it leaves the surface.
+    [[nodiscard]] Line shift(const lanes::Lanes& lanes, const SpliceSite& at, double way) const {
+        const double turned = at.same ? 1 : -1;
+        const auto on = [&](std::uint32_t lane, double off) {
+            return lanes.at(lane, lane == 0 ? at.other + off : at.loop + turned * off);
+        };
+        const std::uint32_t from = way > 0 ? 0 : 1, to = 1 - from;
         const int n = std::max(8, static_cast<int>(std::ceil(2 * half_ / (kLoopGrain * d_))));
         Line out;
+        for (int i = 0; i < n / 2; ++i) out.places.push_back(on(from, half_ * (2.0 * i / n - 2)));
         for (int i = 0; i <= n; ++i) {
-            const double t = static_cast<double>(i) / n, on = half_ * (2 * t - 1);
-            const double part = t < 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t);
-            const Line across =
-                surface::curve::join(s_, surface::curve::at(other, ways_other, at.other + on),
-                                     surface::curve::at(lines_[loop], ways, at.loop + (at.same ? on : -on)));
+            const double t = static_cast<double>(i) / n, off = half_ * (2 * t - 1);
+            const Line across = surface::curve::join(s_, on(from, off), on(to, off));
             if (!surface::curve::leads(s_, across)) return {};
-            const auto ways_across = surface::curve::arc_lengths(across);
-            out.places.push_back(
-                surface::curve::at(across, ways_across, (to_loop ? part : 1 - part) * ways_across.back()));
+            const auto ways = surface::curve::arc_lengths(across);
+            const double part = t < 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t);
+            out.places.push_back(surface::curve::at(across, ways, part * ways.back()));
         }
-        return surface::curve::threaded(s_, out);
-    }
-
-    // The shift with half_ mm of both lines, eased to the radius.
-    [[nodiscard]] Line shift(const Line& from, const Line& over, const Line& to) const {
-        if (over.size() < 2) return {};
-        const auto ways_from = surface::curve::arc_lengths(from), ways_to = surface::curve::arc_lengths(to);
-        Line out = surface::curve::part(from, ways_from, ways_from.back() - half_, ways_from.back());
-        surface::curve::append(out, over);
-        surface::curve::append(out, surface::curve::part(to, ways_to, 0, half_));
-        return surface::curve::ease(s_, out, {.radius = radius_, .corridor = kLoopGive * d_}).line;
+        for (int i = n / 2; i-- > 0;) out.places.push_back(on(to, half_ * (2 - 2.0 * i / n)));
+        return surface::curve::ease(s_, surface::curve::threaded(s_, out),
+                                    {.radius = radius_, .corridor = kLoopGive * d_})
+            .line;
     }
 
     const Surface& s_;
