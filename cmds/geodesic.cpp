@@ -1,5 +1,5 @@
 // geodesic - distances on a surface, and lines of equal distance
-// reads:  a mesh file (STL, OBJ, PLY, OFF, 3MF or STEP), or Surface
+// reads:  a mesh file (STL, OBJ, PLY, OFF, 3MF, AMF or STEP), or Surface
 // writes: Surface
 // memory: the model, and some hundred bytes per edge for exact distances
 #include "app/geodesic/geodesic.hpp"

@@ -1,5 +1,5 @@
 // slice - cut a mesh into layers of closed contours
-// reads:  mesh files: STL, OBJ, PLY, OFF, 3MF or STEP
+// reads:  mesh files: STL, OBJ, PLY, OFF, 3MF, AMF or STEP
 // writes: Layers
 // memory: the model, and all contours with --hole-compensation
 #include "app/slice/slice.hpp"

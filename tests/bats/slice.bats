@@ -76,7 +76,7 @@ refuses() {
     : > empty.stl
     refuses 4 "'empty.stl': it is empty" empty.stl
     echo "hello, world" > words.stl
-    refuses 3 "it is no STL, OBJ, PLY, OFF, 3MF or STEP file" words.stl
+    refuses 3 "it is no STL, OBJ, PLY, OFF, 3MF, AMF or STEP file" words.stl
     head -c 300 /dev/zero > zeros.stl
     refuses 3 "it is no STL" zeros.stl
     slice cube.obj > part.layers
@@ -211,8 +211,19 @@ refuses() {
 
 @test "what a file is that is no mesh" {
     cp cube.obj part.OBJ
-    python3 -c 'import zipfile; zipfile.ZipFile("a.zip", "w").write("part.OBJ")'
-    refuses 3 "it is a ZIP archive that holds 'part.OBJ'; unpack it first" a.zip
+    python3 - << 'EOF'
+import zipfile
+one, two, none, twice = (zipfile.ZipFile(name, "w") for name in ("one.zip", "two.zip", "none.zip", "twice.zip"))
+one.write("part.OBJ"); one.writestr("readme.txt", "x")
+two.write("part.OBJ"); two.write("cube.obj")
+none.writestr("readme.txt", "x")
+one.close(); two.close(); none.close()
+twice.write("one.zip", "part.3mf"); twice.close()
+EOF
+    cmp <(slice cube.obj | peek --frames) <(slice one.zip | peek --frames)
+    refuses 3 "it is a ZIP archive that holds 'part.OBJ', 'cube.obj'; unpack it and give the one you want" two.zip
+    refuses 3 "it is a ZIP archive, but no 3MF, and holds no mesh" none.zip
+    refuses 3 "it is a ZIP archive that holds another one, 'part.3mf'; unpack it first" twice.zip
     printf 'glTF\002\000\000\000%0200d' 0 > a.glb
     refuses 3 "it is a GLB file (binary glTF); export it as STL, 3MF or PLY" a.glb
     printf '; by hand\nsolid a\nfacet normal 0 0 1\n' > a.stl

@@ -34,12 +34,13 @@ bool Zip::has(const std::string& path) const {
     return zip_name_locate(handle_->zip.get(), path.c_str(), ZIP_FL_NOCASE) >= 0;
 }
 
-std::string Zip::find(const std::function<bool(std::string_view)>& fits) const {
+std::vector<std::string> Zip::entries() const {
     zip_t* zip = handle_->zip.get();
+    std::vector<std::string> out;
     for (zip_int64_t i = 0; i < zip_get_num_entries(zip, 0); ++i)
-        if (const char* entry = zip_get_name(zip, static_cast<zip_uint64_t>(i), 0); entry != nullptr && fits(entry))
-            return entry;
-    return "";
+        if (const char* entry = zip_get_name(zip, static_cast<zip_uint64_t>(i), 0); entry != nullptr)
+            out.emplace_back(entry);
+    return out;
 }
 
 std::string Zip::read(std::string path) {

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -29,8 +28,8 @@ class Zip {
 
     // True if the archive has this entry.  Names are compared without regard to case and without a leading '/'.
     [[nodiscard]] bool has(const std::string& path) const;
-    // The name of the first entry for which `fits` is true; "" if there is none.
-    [[nodiscard]] std::string find(const std::function<bool(std::string_view)>& fits) const;
+    // The names of all entries, in their order.
+    [[nodiscard]] std::vector<std::string> entries() const;
     // The content of an entry. Throws Error(bad_input) if it is missing or damaged. Also throws if all entries read so
     // far exceed kMost, as a small archive can expand to terabytes.
     std::string read(std::string path);

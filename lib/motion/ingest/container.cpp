@@ -40,10 +40,8 @@ std::string of_project(std::string_view bytes, const std::string& name, std::uin
     archive::Zip zip(bytes, name, archive::Zip::Names::of_both_places);
     std::map<std::uint32_t, std::string> plates;
     bool twice = false;
-    (void)zip.find([&](std::string_view entry) {
+    for (const std::string& entry : zip.entries())
         if (const auto number = plate_number(entry)) twice = !plates.emplace(*number, entry).second || twice;
-        return false;
-    });
     const auto bad = [&](const std::string& why) {
         throw Error(Exit::bad_input, "cannot read the program in " + name + ": " + why);
     };

@@ -36,7 +36,6 @@ constexpr ForeignFormat kForeign[] = {
 
 // Text formats recognised by a word near the beginning, in lower case.  The first match counts.
 constexpr ForeignFormat kTexts[] = {
-    {"<amf", "an AMF file; export it as STL or 3MF"},
     {"<collada", "a COLLADA scene; export it as STL, 3MF or OBJ"},
     {"<x3d", "an X3D scene; export it as STL, 3MF or PLY"},
     {"<svg", "an SVG drawing"},
@@ -94,7 +93,7 @@ std::string foreign(std::string_view bytes) {
 }
 
 bool is_mesh_name(std::string_view name) {
-    constexpr std::string_view kEnds[] = {".stl", ".obj", ".ply", ".off", ".3mf", ".step", ".stp"};
+    constexpr std::string_view kEnds[] = {".stl", ".obj", ".ply", ".off", ".3mf", ".amf", ".step", ".stp"};
     return std::any_of(std::begin(kEnds), std::end(kEnds), [&](std::string_view end) {
         return name.size() > end.size() && begins_with(name.substr(name.size() - end.size()), end);
     });

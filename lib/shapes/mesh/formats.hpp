@@ -18,6 +18,14 @@ Mesh read_off(std::string_view bytes, const std::string& name, Notes& notes);
 // from 1.
 void read_3mf(std::string_view bytes, const std::string& name, int plate, File& to);
 
+// The same for AMF, unpacked.
+void read_amf(std::string_view bytes, const std::string& name, File& to);
+
+// Limits of what a file with copies of objects may ask for.
+inline constexpr std::size_t kMaxTriangles = std::size_t{1} << 24; // with all copies
+inline constexpr std::size_t kMaxCopies = 100000;
+inline constexpr int kMaxDepth = 32; // of objects within objects
+
 // Recognises formats that no reader takes, for error messages. Returns the format and the advice: "a GLB file (binary
 // glTF); export it as STL". Returns "" if the format is unknown.
 std::string foreign(std::string_view bytes);
@@ -31,6 +39,13 @@ std::string_view off_keyword(std::string_view text);
 // Makes a note of this library.  The command adds the name of the stage.
 inline Note note(NoteCode code, double amount = 0, std::string detail = {}) {
     return {.code = code, .amount = amount, .detail = std::move(detail)};
+}
+
+// Adds a note of that many cases, if there are any.
+inline void tell(NoteCode code, std::size_t count, Notes& notes) {
+    if (count == 0) return;
+    notes.push_back(note(code));
+    notes.back().count = count;
 }
 
 } // namespace filum::mesh

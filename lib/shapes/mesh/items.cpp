@@ -116,6 +116,15 @@ void cut_below_bed(const geom::Box3& box, std::uint32_t item, File& to) {
     to.notes.push_back(note(NoteCode::part_below_bed, -box.lo.z));
 }
 
+void tell_bodies(File& to) {
+    using What = Body::What;
+    const auto count = [&](What what) {
+        return static_cast<std::size_t>(std::ranges::count(to.bodies, what, &Body::what));
+    };
+    tell(NoteCode::project_modifier, count(What::modifier), to.notes);
+    tell(NoteCode::project_support_body, count(What::enforcer) + count(What::blocker), to.notes);
+}
+
 Mesh part_of(const Mesh& mesh, std::span<const Triangle> triangles) {
     Mesh out;
     std::unordered_map<std::uint32_t, std::uint32_t> index;

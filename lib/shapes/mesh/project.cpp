@@ -33,14 +33,23 @@ std::optional<What> what_of(const Word (&words)[N], std::string_view text) {
     return found == std::end(words) ? std::nullopt : std::optional(found->what);
 }
 
+} // namespace
+
+std::optional<What> prusa_body(std::string_view word) { return what_of(kPrusa, word); }
+
+bool is_setting(std::string_view key) {
+    return !key.empty() && !key.starts_with("source_") && std::ranges::find(kNoSetting, key) == std::end(kNoSetting);
+}
+
+namespace {
+
 // Makes a body with the settings in the metadata of an element.
 Body body_of(What what, const pugi::xml_node& element) {
     Body out;
     out.what = what;
     for (const auto& data : element.children("metadata")) {
         const std::string key = data.attribute("key").value();
-        if (key.empty() || key.starts_with("source_") || std::ranges::find(kNoSetting, key) != std::end(kNoSetting))
-            continue;
+        if (!is_setting(key)) continue;
         out.settings.emplace_back(key, data.attribute("value").value());
     }
     return out;

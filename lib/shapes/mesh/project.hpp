@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,12 @@ struct Project {
     std::map<std::string, std::vector<Range>> extruders; // `body` is the number of the extruder
     std::map<std::pair<std::string, std::string>, std::uint32_t> component_extruder;
 };
+
+// The kind of body that PrusaSlicer calls `word`, such as "SupportBlocker"; none for a part that is printed.
+std::optional<Body::What> prusa_body(std::string_view word);
+
+// Whether a key in the metadata of a body is the name of a setting.
+bool is_setting(std::string_view key);
 
 // Reads Metadata/Slic3r_PE_model.config of PrusaSlicer and SuperSlicer into `to`. Returns false if `text` is not XML.
 bool read_prusa_project(const std::string& text, Project& to);

@@ -1,5 +1,6 @@
 #include "mesh/read.hpp"
 
+#include "archive/zip.hpp"
 #include "base/error.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/text.hpp"
@@ -47,7 +48,17 @@ bool is_obj(std::string_view word) {
     return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
 }
 
+// True if an XML text has <amf> as its root; a declaration and comments may precede it.
+bool is_amf(std::string_view bytes) {
+    constexpr std::size_t kLook = 4096; // bytes
+    const std::string_view head = bytes.substr(0, kLook);
+    const auto at = head.find("<amf");
+    return at != std::string_view::npos && head.find_first_not_of(" \t\r\n\xef\xbb\xbf") == head.find('<') &&
+           head.find_first_of(" \t\r\n>/", at) == at + 4;
+}
+
 Kind recognise_text(std::string_view bytes) {
+    if (is_amf(bytes)) return Kind::amf;
     Text text(bytes, '#');
     if (!text.more()) return Kind::unknown;
     const std::string_view word = text.word();
@@ -125,6 +136,9 @@ Mesh read_kind(Kind kind, std::string_view bytes, const std::string& name, int p
     case Kind::threemf:
         read_3mf(bytes, name, plate, to);
         return std::move(to.mesh);
+    case Kind::amf:
+        read_amf(bytes, name, to);
+        return std::move(to.mesh);
     case Kind::step:
         throw Error(Exit::bad_input, "cannot read " + name + ": it is a STEP file, not a mesh");
     case Kind::unknown:
@@ -135,7 +149,7 @@ Mesh read_kind(Kind kind, std::string_view bytes, const std::string& name, int p
         throw Error(Exit::bad_input, "cannot read " + name + ": it is a Filum stream, not a mesh");
     const std::string other = foreign(bytes);
     if (!other.empty()) throw Error(Exit::bad_input, "cannot read " + name + ": it is " + other);
-    throw Error(Exit::bad_input, "cannot read " + name + ": it is no STL, OBJ, PLY, OFF, 3MF or STEP file");
+    throw Error(Exit::bad_input, "cannot read " + name + ": it is no STL, OBJ, PLY, OFF, 3MF, AMF or STEP file");
 }
 
 } // namespace
@@ -161,8 +175,29 @@ void tell_uncut(const File& file, Notes& notes) {
     notes.back().count = static_cast<std::uint64_t>(count);
 }
 
+// The content of the one mesh of a ZIP archive that is no 3MF; "" for other files.
+static std::string unzipped(std::string_view bytes, const std::string& name) {
+    if (recognise(bytes) != Kind::threemf) return "";
+    archive::Zip zip(bytes, name);
+    if (zip.has("_rels/.rels")) return "";
+    std::vector<std::string> meshes = zip.entries();
+    std::erase_if(meshes, [](const std::string& entry) { return !is_mesh_name(entry); });
+    if (meshes.empty())
+        throw Error(Exit::bad_input, "cannot read " + name + ": it is a ZIP archive, but no 3MF, and holds no mesh");
+    if (meshes.size() > 1)
+        throw Error(Exit::bad_input, "cannot read " + name + ": it is a ZIP archive that holds '" + meshes[0] + "', '" +
+                                         meshes[1] + "'" + (meshes.size() > 2 ? " and others" : "") +
+                                         "; unpack it and give the one you want");
+    std::string out = zip.read(meshes[0]);
+    if (recognise(out) == Kind::threemf)
+        throw Error(Exit::bad_input, "cannot read " + name + ": it is a ZIP archive that holds another one, '" +
+                                         meshes[0] + "'; unpack it first");
+    return out;
+}
+
 File read(std::string_view bytes, const std::string& name, int plate) {
     if (bytes.empty()) throw Error(Exit::truncated, "cannot read " + name + ": it is empty");
+    if (const std::string inner = unzipped(bytes, name); !inner.empty()) return read(inner, name, plate);
     File out;
     out.kind = recognise(bytes);
     out.mesh = read_kind(out.kind, bytes, name, plate, out);

@@ -1,4 +1,4 @@
-// Reading mesh files: STL (binary, ASCII), OBJ, PLY (ASCII, binary of either byte order), OFF, 3MF.
+// Reading mesh files: STL (binary, ASCII), OBJ, PLY (ASCII, binary of either byte order), OFF, 3MF, AMF.
 #pragma once
 
 #include "base/note.hpp"
@@ -12,14 +12,14 @@
 
 namespace filum::mesh {
 
-enum class Kind : std::uint8_t { unknown, stl_binary, stl_ascii, obj, ply, off, threemf, step };
+enum class Kind : std::uint8_t { unknown, stl_binary, stl_ascii, obj, ply, off, threemf, amf, step };
 
 // The format of `bytes`, by content alone. A binary STL whose header begins with "solid" is recognised by its size, and
 // a text format by its first word.
 Kind recognise(std::string_view bytes);
 
 // True if files of this kind state their unit.
-inline bool states_unit(Kind kind) { return kind == Kind::threemf || kind == Kind::step; }
+inline bool states_unit(Kind kind) { return kind == Kind::threemf || kind == Kind::amf || kind == Kind::step; }
 
 // A body of a slicer's project that is not printed itself; in mm, at the position that the project gives it.
 struct Body {
@@ -41,8 +41,9 @@ struct File {
     Mesh mesh;
     Kind kind = Kind::unknown;
     Notes notes;                // faults that were repaired, and parts that were left out
-    std::vector<Body> bodies{}; // of a 3MF; painted faces come last
-    // Per triangle of the mesh, the number of its material or extruder, from 0; of a 3MF. Empty if all have the same.
+    std::vector<Body> bodies{}; // of a 3MF or AMF; painted faces come last
+    // Per triangle of the mesh, the number of its material or extruder, from 0; of a 3MF or AMF. Empty if all have the
+    // same.
     std::vector<std::uint32_t> materials{};
     // Per triangle of the mesh, its build item. Filled only if a body is negative.
     std::vector<std::uint32_t> items{};
@@ -58,8 +59,8 @@ void tell_uncut(const File& file, Notes& notes);
 // out with a note. Polygons of any shape are cut into triangles (polygons.hpp). Mesh::of_file maps the vertices of the
 // file to those of the mesh; vertices of an STL are its distinct corners.
 //
-// Coordinates are in the unit of the file; a 3MF states its unit and is converted to mm. Of a slicer's project, plate
-// number `plate` is read, counted from 1.
+// Coordinates are in the unit of the file; a 3MF or an AMF states its unit and is converted to mm. Of a slicer's
+// project, plate number `plate` is read, counted from 1. Of a ZIP archive that is no 3MF, its one mesh is read.
 //
 // Throws Error: truncated if the file is empty or shorter than it announces; bad_input if its format is unknown or STEP
 // (use mesh::step::read), if it is malformed, or if it holds no triangle.

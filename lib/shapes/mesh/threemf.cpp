@@ -27,10 +27,6 @@ using geom::Affine;
 
 namespace {
 
-constexpr std::size_t kMaxTriangles = std::size_t{1} << 24; // with all copies that components make
-constexpr std::size_t kMaxCopies = 100000;
-constexpr int kMaxDepth = 32;
-
 struct Model {
     std::string text; // the XML, parsed in place
     pugi::xml_document xml;
@@ -61,7 +57,7 @@ class Archive {
         tell_left_out();
         reserve();
         for (const PlacedMesh& p : placed_) add_mesh(p);
-        tell(NoteCode::triangle_element_unknown, unknown_);
+        tell(NoteCode::triangle_element_unknown, unknown_, to_.notes);
         set_down();
         take_bodies();
         keep_if_several(to_.materials);
@@ -93,11 +89,6 @@ class Archive {
     }
 
     std::string root_path() {
-        if (!zip_.has("_rels/.rels")) {
-            const std::string mesh = zip_.find(is_mesh_name); // the first entry whose name is that of a mesh
-            bad(mesh.empty() ? "it is a ZIP archive, but no 3MF, and holds no mesh"
-                             : "it is a ZIP archive that holds '" + mesh + "'; unpack it first");
-        }
         pugi::xml_document xml;
         const std::string text = zip_.read("_rels/.rels");
         if (!xml.load_buffer(text.data(), text.size())) bad("'_rels/.rels' in the archive is no XML");
@@ -235,8 +226,8 @@ class Archive {
     }
 
     void tell_left_out() {
-        tell(NoteCode::support_object_ignored, supports_);
-        tell(NoteCode::surface_object_ignored, surfaces_);
+        tell(NoteCode::support_object_ignored, supports_, to_.notes);
+        tell(NoteCode::surface_object_ignored, surfaces_, to_.notes);
         if (placed_.empty() && supports_ + surfaces_ > 0)
             bad("nothing in its build is a part, only supports or surfaces");
     }
@@ -337,22 +328,7 @@ class Archive {
         if (std::ranges::any_of(to_.bodies, [](const Body& b) { return b.what == Body::What::negative; }))
             to_.items = std::move(item_of_);
         add_painted(paint_, to_);
-        tell_bodies();
-    }
-
-    void tell_bodies() {
-        using What = Body::What;
-        const auto count = [&](What what) {
-            return static_cast<std::size_t>(std::ranges::count(to_.bodies, what, &Body::what));
-        };
-        tell(NoteCode::project_modifier, count(What::modifier));
-        tell(NoteCode::project_support_body, count(What::enforcer) + count(What::blocker));
-    }
-
-    void tell(NoteCode code, std::size_t count) {
-        if (count == 0) return;
-        to_.notes.push_back(note(code));
-        to_.notes.back().count = count;
+        tell_bodies(to_);
     }
 
     [[nodiscard]] double number(const pugi::xml_node& n, const char* what) const {

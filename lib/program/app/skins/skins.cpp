@@ -27,7 +27,7 @@ struct ModifierRequest {
 
 bool is_project(std::string name) {
     for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return name.ends_with(".3mf");
+    return name.ends_with(".3mf") || name.ends_with(".amf");
 }
 
 bool is_ours(std::string_view name) {

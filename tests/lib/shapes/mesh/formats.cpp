@@ -60,6 +60,7 @@ std::vector<Written> all_formats(const Mesh& m) {
             {Kind::ply, shapes::ply(m, shapes::Ply::ascii)},
             {Kind::ply, shapes::ply(m, shapes::Ply::little)},
             {Kind::ply, shapes::ply(m, shapes::Ply::big)},
+            {Kind::amf, shapes::amf(shapes::amf_object(m, "1"))},
             {Kind::threemf, shapes::threemf(m)}};
 }
 

@@ -198,4 +198,27 @@ inline std::string threemf(const Mesh& m) {
                    model_mesh(m) + "</object></resources><build><item objectid=\"1\"/></build></model>");
 }
 
+// An object of an AMF file with one volume; `more` stands in the volume, before its triangles.
+inline std::string amf_object(const Mesh& m, const std::string& id, const std::string& attributes = "",
+                              const std::string& more = "") {
+    char b[200];
+    std::string out = "<object id=\"" + id + "\"><mesh><vertices>";
+    for (const auto& v : m.vertices) {
+        std::snprintf(b, sizeof b, "<vertex><coordinates><x>%.17g</x><y>%.17g</y><z>%.17g</z></coordinates></vertex>\n",
+                      v.x, v.y, v.z);
+        out += b;
+    }
+    out += "</vertices><volume" + attributes + ">" + more;
+    for (const auto& t : m.triangles) {
+        std::snprintf(b, sizeof b, "<triangle><v1>%u</v1><v2>%u</v2><v3>%u</v3></triangle>\n", t[0], t[1], t[2]);
+        out += b;
+    }
+    return out + "</volume></mesh></object>";
+}
+
+inline std::string amf(const std::string& content, const std::string& unit = " unit=\"millimeter\"") {
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- made by a test -->\n<amf" + unit + ">" + content +
+           "</amf>\n";
+}
+
 } // namespace shapes
