@@ -183,7 +183,7 @@ class Archive {
             ++same_.count;
             return;
         }
-        const threemf::Function function = checked_function(object, id);
+        const threemf::Function function = checked_function(object, id, above.body != Project::kNone);
         above.material = materials_.of(path, object, above.parent, above.material, project_);
         above.support = above.support || function == threemf::Function::support;
         if (const auto mesh = child(object, "mesh")) {
@@ -205,12 +205,13 @@ class Archive {
         }
     }
 
-    // The purpose of an object in the build.
-    threemf::Function checked_function(const pugi::xml_node& object, const std::string& id) {
+    // The purpose of an object in the build. Bambu Studio and OrcaSlicer give the type "other" to bodies that are not
+    // printed themselves.
+    threemf::Function checked_function(const pugi::xml_node& object, const std::string& id, bool is_body) {
         const threemf::Function out = threemf::function_of(object);
         const std::string type = object.attribute("type").value();
         if (out == threemf::Function::unknown) bad("object '" + id + "' is of the unknown type '" + type + "'");
-        if (out == threemf::Function::other) bad("object '" + id + "' of type 'other' is among what is to be made");
+        if (out == threemf::Function::other && !is_body) bad("object '" + id + "' of type 'other' is among what is to be made");
         if (threemf::is_low_resolution(object))
             bad("the shape of object '" + id +
                 "' is held as slices (3MF extension 'slice'), and its mesh is coarser; "

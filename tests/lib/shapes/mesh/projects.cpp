@@ -75,7 +75,7 @@ TEST(Projects, PrusaSlicersModifiersKeepTheirSettings) {
 TEST(Projects, BambuStudiosModifiersLieWhereTheirComponentsDo) {
     const std::string model =
         "<model><resources><object id=\"1\">" + shapes::model_mesh(shapes::box({0, 0, 0}, {10, 10, 10})) +
-        "</object><object id=\"2\">" + shapes::model_mesh(shapes::box({0, 0, 0}, {3, 3, 3})) +
+        "</object><object id=\"2\" type=\"other\">" + shapes::model_mesh(shapes::box({0, 0, 0}, {3, 3, 3})) +
         "</object><object id=\"3\"><components><component objectid=\"1\"/><component objectid=\"2\" transform=\"1 0 0 "
         "0 1 0 0 0 1 4 5 6\"/></components></object></resources><build><item objectid=\"3\"/></build></model>";
     for (const auto& [subtype, what] : {std::pair{"modifier_part", What::modifier},
