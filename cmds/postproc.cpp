@@ -28,7 +28,7 @@ cli::Spec spec(postproc::Options& o) {
               "up:X,Y,Z: this direction points up; auto: the largest tilt becomes as small as possible"},
              {"set", &o.set, "KEY=VALUE,...",
               "changes keys of the profile, such as feeds.bead=40; without a section those of [values], such as "
-              "nozzle_temp=230"},
+              "nozzle_temp=230. A list is [0,300], a text with commas \"a, b\""},
              cli::Option{"diameter", &o.diameter, "MM",
                          "diameter of the filament, or of the syringe's bore; default: the profile's"}
                  .numbers(1)

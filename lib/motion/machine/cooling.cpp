@@ -31,7 +31,7 @@ double Cooling::bridge_speed(std::uint32_t layer, double seconds) const {
 void read_cooling(Document& doc, Cooling& c) {
     constexpr double kMostSpeed = 1e4, kMostSeconds = 1e5;
     constexpr int kMostLayers = 1'000'000;
-    doc.number("cooling.most", c.most, {0, kMostSpeed});
+    doc.number("cooling.most", c.most, {-1, kMostSpeed});
     doc.number("cooling.least", c.least, {0, kMostSpeed});
     doc.number("cooling.idle", c.idle, {0, kMostSpeed});
     doc.number("cooling.bridge", c.bridge, {0, kMostSpeed});

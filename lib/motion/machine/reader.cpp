@@ -119,8 +119,39 @@ Node* Document::State::asked_for(const std::string& key) {
 
 namespace {
 
-// The value after '=' in `set`: a number, true or false, or else an unchanged text.
+[[noreturn]] void misused(const std::string& item, const std::string& why) {
+    throw Error(Exit::usage, "cannot set '" + shown(item) + "': " + why);
+}
+
+// The length of the item of `set` that begins at `at`: up to a comma that is not in brackets or in quotes.
+std::size_t item_length(std::string_view set, std::size_t at) {
+    int open = 0;
+    bool quoted = false;
+    std::size_t i = at;
+    for (; i < set.size(); ++i) {
+        if (quoted && set[i] == '\\') {
+            ++i;
+        } else if (set[i] == '"') {
+            quoted = !quoted;
+        } else if (!quoted) {
+            open += set[i] == '[' ? 1 : set[i] == ']' ? -1 : 0;
+            if (set[i] == ',' && open <= 0) break;
+        }
+    }
+    return std::min(i, set.size()) - at;
+}
+
+// The value after '=' in `set`: a number, true or false, a list in brackets or a text in quotes as TOML has them, or
+// else an unchanged text.
 void assign(Table& to, const std::string& key, const std::string& value) {
+    if (value.starts_with('[') || value.starts_with('"')) {
+        try {
+            to[key] = parsed("value = " + value, key, "value").at("value");
+        } catch (const Error&) {
+            misused(key + "=" + value, "its value is no list in brackets or text in quotes");
+        }
+        return;
+    }
     if (value == "true" || value == "false") {
         to[key] = value == "true";
         return;
@@ -136,10 +167,6 @@ void assign(Table& to, const std::string& key, const std::string& value) {
     }
 }
 
-[[noreturn]] void misused(const std::string& item, const std::string& why) {
-    throw Error(Exit::usage, "cannot set '" + shown(item) + "': " + why);
-}
-
 } // namespace
 
 Document::Document(std::string_view text, const std::string& file, const std::string& set, const std::string& kind)
@@ -148,9 +175,8 @@ Document::Document(std::string_view text, const std::string& file, const std::st
     state_->file = file;
     state_->root = parsed(text, file, kind);
     for (std::size_t at = 0; at < set.size();) {
-        const std::size_t comma = std::min(set.find(',', at), set.size());
-        const std::string item = set.substr(at, comma - at);
-        at = comma + 1;
+        const std::string item = set.substr(at, item_length(set, at));
+        at += item.size() + 1;
         const auto equals = item.find('=');
         if (equals == std::string::npos || equals == 0) misused(item, "it is not KEY=VALUE");
         std::string key = item.substr(0, equals);

@@ -90,6 +90,13 @@ constexpr OtherName kOtherNames[] = {
     {"load", "machine", Value::none},
     {"gcode-flavor", "machine", Value::none},
     {"machine-gcode-flavor", "machine", Value::none},
+    {"bed", "bed", Value::bed},
+    {"bed-size", "bed", Value::bed},
+    {"bed-shape", "bed", Value::bed},
+    {"printable-area", "bed", Value::bed},
+    {"fan", "fan", Value::fan},
+    {"fan-speed", "fan", Value::fan},
+    {"cooling-fan-speed", "fan", Value::fan},
     {"start-gcode", "templates.start", Value::text},
     {"end-gcode", "templates.end", Value::text},
     {"export-gcode", "output", Value::none},
@@ -126,11 +133,20 @@ constexpr OtherName kOtherNames[] = {
 
 } // namespace
 
+namespace {
+
+// Whether the entry stands for keys of the machine's profile.
+bool sets_key(Value value) {
+    return value == Value::key || value == Value::text || value == Value::bed || value == Value::fan;
+}
+
+} // namespace
+
 const OtherName* other_name(std::string_view theirs, const std::function<bool(std::string_view)>& has) {
     std::string name(theirs.substr(0, theirs.find('=')));
     std::replace(name.begin(), name.end(), '_', '-');
     const auto* at = std::find_if(std::begin(kOtherNames), std::end(kOtherNames), [&](const OtherName& n) {
-        return n.theirs == name && has(n.value == Value::key || n.value == Value::text ? "set" : n.ours);
+        return n.theirs == name && has(sets_key(n.value) ? "set" : n.ours);
     });
     return at == std::end(kOtherNames) ? nullptr : at;
 }
@@ -138,6 +154,8 @@ const OtherName* other_name(std::string_view theirs, const std::function<bool(st
 std::string ours_of(const OtherName& name) {
     if (name.value == Value::key) return "--set " + std::string(name.ours) + "=N";
     if (name.value == Value::text) return "--set " + std::string(name.ours) + "=CODE";
+    if (name.value == Value::bed) return "--set bed.x=[0,W],bed.y=[0,D]";
+    if (name.value == Value::fan) return "--set fan=N";
     return "--" + std::string(name.ours);
 }
 

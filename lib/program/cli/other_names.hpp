@@ -20,6 +20,8 @@ enum class Value : std::uint8_t {
     pattern,    // a pattern of infill
     key,        // a key of the machine's profile, for --set; percentages are ignored
     text,       // a key of the machine's profile, for --set: code, with \n for a new line
+    bed,        // what the nozzle reaches, for --set: 220x220, 220x220x250, or corners, 0x0,220x0,220x220,0x220
+    fan,        // % of the full speed of the part's fan, for --set
     bed_only,   // 0 or 1: whether supports may stand only on the bed
     seam,       // the position of seams
     shrinks_by, // % of the size in x and y that a part loses when it cools

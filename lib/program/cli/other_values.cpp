@@ -3,6 +3,11 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
 namespace filum::cli {
 
 namespace {
@@ -22,21 +27,57 @@ std::string pattern(const std::string& theirs) {
     return theirs == "gyroid" || theirs == "wave" ? "wave" : "";
 }
 
-// The code held by the value of one option, with
-// replaced by a line break. Throws Error(usage) for text with a comma, since --set separates its keys at commas.
-std::string code(const std::string& text, const std::string& of) {
-    if (text.find(',') != std::string::npos)
-        throw Error(Exit::usage,
-                    "cannot use --" + of + ": '" + text +
-                        "' holds a comma; write it as templates.start or templates.end of a profile of your "
-                        "own, see docs/machines.md");
-    std::string out;
+// The code held by the value of one option, as a text in quotes for --set; \n in it stands for a line break.
+std::string code(const std::string& text) {
+    std::string out = "\"";
     for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool escape = text.compare(i, 2, "\\n") == 0;
-        out += escape ? '\n' : text[i];
-        i += escape ? 1 : 0;
+        const bool line_break = text.compare(i, 2, "\\n") == 0;
+        if (!line_break && (text[i] == '"' || text[i] == '\\')) out += '\\';
+        if (text[i] == '\n')
+            out += "\\n";
+        else
+            out += text[i];
+    }
+    return out + '"';
+}
+
+// The words for --set of a size 220x220 or 220x220x250, or of the box about the corners 0x0,220x0,220x220,0x220.
+std::string bed(const std::string& text, const std::string& of) {
+    const auto misused = [&](const char* why) {
+        throw Error(Exit::usage, "cannot use '" + text + "' for --" + of + ": " + why);
+    };
+    std::vector<std::vector<double>> corners;
+    std::istringstream all(text);
+    for (std::string corner; std::getline(all, corner, ',');) {
+        std::istringstream one(corner);
+        auto& numbers = corners.emplace_back();
+        for (std::string part; std::getline(one, part, 'x');) numbers.push_back(parse_number(part, "--" + of));
+    }
+    if (corners.size() == 1) corners.insert(corners.begin(), std::vector<double>(corners[0].size(), 0));
+    const std::size_t axes = corners.empty() ? 0 : corners[0].size();
+    if (axes < 2 || axes > 3 || (axes == 3 && corners.size() > 2) ||
+        !std::ranges::all_of(corners, [&](const auto& c) { return c.size() == axes; }))
+        misused("it must be a size, as 220x220 or 220x220x250, or corners, as 0x0,220x0,220x220,0x220");
+    std::string out = "--set=";
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+        double lo = corners[0][axis], hi = lo;
+        for (const auto& c : corners) {
+            lo = std::min(lo, c[axis]);
+            hi = std::max(hi, c[axis]);
+        }
+        if (!(hi > lo)) misused("a side has no length");
+        out += (axis > 0 ? ",bed." : "bed.") + std::string(1, "xyz"[axis]) + "=[" + shortest_text(lo) + "," +
+               shortest_text(hi) + "]";
     }
     return out;
+}
+
+// The words for --set of a fan's speed in per cent. They end the control of the fan by the time of layers.
+std::string fan(const std::string& text, const std::string& of) {
+    const double share = number(text, of) / 100;
+    if (!(share >= 0 && share <= 1))
+        throw Error(Exit::usage, "cannot use '" + text + "' for --" + of + ": it must be 0% to 100%");
+    return "--set=fan=" + shortest_text(std::round(255 * share)) + ",cooling.most=-1";
 }
 
 // The seam option of Filum for a seam position of another slicer; "" for an unknown one.  Layers that continue a stroke
@@ -93,7 +134,11 @@ std::optional<std::string> our_word(const OtherName& n, const std::string& value
         number(value, theirs);
         return "--set=" + std::string(n.ours) + "=" + value;
     case Value::text:
-        return "--set=" + std::string(n.ours) + "=" + code(value, theirs);
+        return "--set=" + std::string(n.ours) + "=" + code(value);
+    case Value::bed:
+        return bed(value, theirs);
+    case Value::fan:
+        return fan(value, theirs);
     case Value::bed_only:
         if (value != "1") return std::nullopt;
         return option + "=bed";

@@ -91,7 +91,7 @@ std::string print_help(const std::vector<Stage>& stages) {
         "                      printed alone is loaded, too; --load none prints without settings. A printer in it is\n"
         "                      the machine: its bed, firmware, and G-code with its macros (docs/slicer-profiles.md).\n"
         "                      Options win over it. Options by slicers' names are taken, too: --fill-density 15%,\n"
-        "                      --temperature 210, --rotate 45, --scale 150%\n"
+        "                      --temperature 210, --fan 50%, --bed 300x300x400, --rotate 45, --scale 150%\n"
         "  --keep FOLDER       keep the stream of every stage there: 1-slice.layers, 2-regions.regions, ...\n"
         "  --report FILE       a page to look around in, x.html: every bead, figures, places, how it was made\n"
         "  --stage NAME=FILE   your own program in place of a stage, as fill=./mine; several times for several\n"

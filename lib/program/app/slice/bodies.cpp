@@ -164,7 +164,7 @@ std::vector<OnBed> read_bodies(const Options& o, cli::Io& self) {
     const bool unit_known = states_unit || o.place.unit != "mm" || o.place.scale != std::vector{1.0};
     const geom::Box3 box = mesh::bounds(whole);
     check_size(box, unit_known, placed_notes);
-    if (!o.machine.empty()) check_bed(box, o.machine);
+    check_bed(box, o);
     meshes.front().notes.insert(meshes.front().notes.end(), placed_notes.begin(), placed_notes.end());
     const std::size_t each = copies(o, 1);
     std::vector<OnBed> out;

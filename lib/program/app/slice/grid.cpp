@@ -25,6 +25,7 @@ std::vector<cli::Option> plate_options(Options& o) {
                "machine profile; a part larger than its bed is refused, and several parts are placed on its bed "
                "(default: marlin's)"}
             .not_a_setting(),
+        Option{"set", &o.set, "KEY=VALUE,...", "changes keys of the profile, such as bed.x=[0,300]"}.not_a_setting(),
         Option{"body", &o.body, "FILE:tool=N",
                "a body of the part that another tool prints, as core.stl:tool=1 or core.stl:tool=1,width=0.6; several "
                "times for several; later ones are cut from earlier ones"}

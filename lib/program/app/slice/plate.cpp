@@ -66,7 +66,7 @@ OnBed read_part(const std::string& path, const Options& o, const cli::Io& io, bo
     out.box = out.carved ? out.carved->box : mesh::bounds(file.mesh);
     const bool unit_known = mesh::states_unit(file.kind) || o.place.unit != "mm" || o.place.scale != std::vector{1.0};
     check_size(out.box, unit_known, out.notes);
-    if (!o.machine.empty()) check_bed(out.box, o.machine);
+    check_bed(out.box, o);
     if (several) {
         std::vector<Vec2> flat;
         for (const geom::Vec3& v : file.mesh.vertices) flat.push_back(v.xy());
@@ -199,7 +199,7 @@ std::vector<stream::Object> place_on_bed(std::vector<OnBed>& parts, const Option
         io.idle("apart", "there is one part");
         return {};
     }
-    const machine::Profile profile = machine::load_profile(o.machine.empty() ? "marlin" : o.machine);
+    const machine::Profile profile = machine_of(o);
     auto names = names_of(parts);
     if (in_grid(o)) io.idle("apart", "the parts stand in a grid");
     const auto places = in_grid(o) ? in_places(parts, o, names) : packed_places(parts, o, profile, names, notes);

@@ -59,8 +59,13 @@ void check_precision(const mesh::Mesh& mesh, Notes& notes) {
     notes.push_back({.code = NoteCode::coordinates_rounded, .amount = moved, .detail = shortest_text(step)});
 }
 
-void check_bed(const mesh::Box3& box, const std::string& machine) {
-    const machine::Profile profile = machine::load_profile(machine);
+machine::Profile machine_of(const Options& o) {
+    return machine::load_profile(o.machine.empty() ? "marlin" : o.machine, o.set);
+}
+
+void check_bed(const mesh::Box3& box, const Options& o) {
+    if (o.machine.empty() && o.set.empty()) return;
+    const machine::Profile profile = machine_of(o);
     if (profile.axes.active()) return;
     const machine::Bed& bed = profile.bed;
     const geom::Vec3 size = box.hi - box.lo, room{bed.x_max - bed.x_min, bed.y_max - bed.y_min, bed.z_max - bed.z_min};

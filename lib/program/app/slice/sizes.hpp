@@ -1,8 +1,10 @@
 // Checks the size of parts before any work is done.
 #pragma once
 
+#include "app/slice/slice.hpp"
 #include "base/note.hpp"
 #include "geom/vec.hpp"
+#include "machine/profile.hpp"
 #include "mesh/place.hpp"
 
 #include <string>
@@ -17,10 +19,13 @@ void check_size(const mesh::Box3& box, bool unit_known, Notes& notes);
 // coordinates in single precision, far from the origin.  `mesh`: as in the file, before it is placed.
 void check_precision(const mesh::Mesh& mesh, Notes& notes);
 
-// Throws Error(bad_input) if the part is larger than the bed of the machine, or higher than its reach.  `machine`: a
-// name or file for machine::load_profile.  Machines that turn the part or the head are not checked, since their reach
-// depends on the path.
-void check_bed(const mesh::Box3& box, const std::string& machine);
+// The profile that the options name; marlin's if they name none.
+machine::Profile machine_of(const Options& o);
+
+// Throws Error(bad_input) if the part is larger than the bed of the machine, or higher than its reach. Nothing is
+// checked if the options say nothing about a machine. Machines that turn the part or the head are not checked, since
+// their reach depends on the path.
+void check_bed(const mesh::Box3& box, const Options& o);
 
 // The size as text, such as "40.0 x 26.5 mm".
 std::string size_text(geom::Vec2 size);

@@ -18,6 +18,7 @@ struct Options {
     std::vector<double> cut_below{}, cut_above{}; // mm, z of the cuts; empty: no cut
     std::int64_t from_layer = 0;                  // first layer to write, from 0
     std::string machine;     // profile of the machine that the part must fit (machine::load_profile); "": not checked
+    std::string set;         // changes to that profile, or, without one, to marlin's
     std::int64_t copies = 1; // number of copies of each input
     std::int64_t plate = 1;  // number of the plate in a slicer's project, from 1
     std::string grid;        // such as "4x3": a part in each place of a grid; "": no grid
