@@ -4,6 +4,7 @@
 #include "base/nearest.hpp"
 #include "base/number.hpp"
 #include "base/printable.hpp"
+#include "machine/set_items.hpp"
 #include "machine/template.hpp"
 
 #include <toml.hpp>
@@ -40,9 +41,6 @@ struct Document::State {
 };
 
 namespace {
-
-// The beginning of a text, for messages.
-std::string shown(std::string_view text) { return printable(text.substr(0, 60)); }
 
 Node* find(Table& root, std::string_view key) {
     Table* table = &root;
@@ -119,28 +117,6 @@ Node* Document::State::asked_for(const std::string& key) {
 
 namespace {
 
-[[noreturn]] void misused(const std::string& item, const std::string& why) {
-    throw Error(Exit::usage, "cannot set '" + shown(item) + "': " + why);
-}
-
-// The length of the item of `set` that begins at `at`: up to a comma that is not in brackets or in quotes.
-std::size_t item_length(std::string_view set, std::size_t at) {
-    int open = 0;
-    bool quoted = false;
-    std::size_t i = at;
-    for (; i < set.size(); ++i) {
-        if (quoted && set[i] == '\\') {
-            ++i;
-        } else if (set[i] == '"') {
-            quoted = !quoted;
-        } else if (!quoted) {
-            open += set[i] == '[' ? 1 : set[i] == ']' ? -1 : 0;
-            if (set[i] == ',' && open <= 0) break;
-        }
-    }
-    return std::min(i, set.size()) - at;
-}
-
 // The value after '=' in `set`: a number, true or false, a list in brackets or a text in quotes as TOML has them, or
 // else an unchanged text.
 void assign(Table& to, const std::string& key, const std::string& value) {
@@ -148,7 +124,7 @@ void assign(Table& to, const std::string& key, const std::string& value) {
         try {
             to[key] = parsed("value = " + value, key, "value").at("value");
         } catch (const Error&) {
-            misused(key + "=" + value, "its value is no list in brackets or text in quotes");
+            cannot_change(key + "=" + value, "its value is no list in brackets or text in quotes");
         }
         return;
     }
@@ -174,24 +150,17 @@ Document::Document(std::string_view text, const std::string& file, const std::st
     state_->kind = kind;
     state_->file = file;
     state_->root = parsed(text, file, kind);
-    for (std::size_t at = 0; at < set.size();) {
-        const std::string item = set.substr(at, item_length(set, at));
-        at += item.size() + 1;
-        const auto equals = item.find('=');
-        if (equals == std::string::npos || equals == 0) misused(item, "it is not KEY=VALUE");
-        std::string key = item.substr(0, equals);
-        if (key.find('.') == std::string::npos) key = "values." + key;
+    for (const auto& [key, value] : set_items(set)) {
         Table* table = &state_->root;
         std::string name = key;
         for (auto dot = name.find('.'); dot != std::string::npos; dot = name.find('.')) {
             const std::string section = name.substr(0, dot);
             name.erase(0, dot + 1);
-            if (section.empty() || name.empty()) misused(item, "it is no key");
             Node& inner = table->try_emplace(section, Table{}).first->second;
-            if (!inner.is_table()) misused(item, "'" + section + "' has no keys");
+            if (!inner.is_table()) cannot_change(key, "'" + section + "' has no keys");
             table = &inner.as_table();
         }
-        assign(*table, name, item.substr(equals + 1));
+        assign(*table, name, value);
         state_->set.insert(key);
     }
 }
@@ -205,7 +174,7 @@ void Document::fail(const std::string& key, const std::string& why) const { fail
 
 void Document::fail_in_text(const std::string& name, const std::string& why, std::size_t line) const {
     const std::string key = state_->within + name;
-    if (state_->set.count(key) != 0) misused(key, why);
+    if (state_->set.count(key) != 0) cannot_change(key, why);
     const Node* node = find(state_->root, key);
     std::string where = "'" + state_->file + "'";
     if (node != nullptr) where += ", line " + std::to_string(line_of(*node) + line);
@@ -397,7 +366,7 @@ void Document::finish() const {
     });
     const std::vector<std::string> keys(state_->asked.begin(), state_->asked.end());
     for (const auto& key : state_->set)
-        if (key.starts_with(first->key + ".")) misused(key, "there is no such key" + did_you_mean(key, keys));
+        if (key.starts_with(first->key + ".")) cannot_change(key, "there is no such key" + did_you_mean(key, keys));
     const auto inside = state_->asked.lower_bound(first->key + ".");
     const bool section = inside != state_->asked.end() && inside->starts_with(first->key + ".");
     fail(first->key, section ? "it must be a section" : "there is no such key" + did_you_mean(first->key, keys));
