@@ -43,11 +43,14 @@ start() { awk '/^;LAYER_CHANGE/ { exit } { sub(/;.*/, ""); gsub(/[ \t]+$/, ""); 
 end() { awk '/^;/ && !/^;TYPE:Custom/ { if ($0 ~ /^; made by/) exit; next } { sub(/;.*/, ""); gsub(/[ \t]+$/, ""); sub(/^[ \t]+/, "") }
     /^G1 .*X.*E[0-9.]/ { n = 0; next } $0 != "" { line[n++] = $0 } END { for (i = 0; i < n; i++) print line[i] }' "$1"; }
 
-@test "presets of OrcaSlicer and Bambu Studio: start and end as their sources say, by hand" {
-    local machine failed=0
-    for machine in heats-by-macro marlin-two bambu-like; do
+@test "twelve presets of OrcaSlicer and Bambu Studio, every construct: start and end as their sources say, by hand" {
+    local machine filament failed=0
+    for machine in heats-by-macro marlin-two bambu-like conditions arithmetic texts lists variables reprapfirmware \
+        klipper-plain no-limits bambu-plates; do
+        filament=base
+        case $machine in heats-by-macro | marlin-two | bambu-like) filament=warm ;; esac # chamber, pressure advance, fans
         filum print box.obj --load "$presets/orca/machine/$machine.json" --load "$presets/orca/process/fast.json" \
-            --load "$presets/orca/filament/warm.json" -q -o "$machine.gcode"
+            --load "$presets/orca/filament/$filament.json" -q -o "$machine.gcode"
         { start "$machine.gcode"; echo ...; end "$machine.gcode" | grep -vE '^(G1 E-|G1 X.* E-|M73)'; } > got
         diff "$presets/orca/$machine.program" got || { echo "$machine differs"; failed=1; }
     done
