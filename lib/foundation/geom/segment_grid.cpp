@@ -9,6 +9,8 @@ namespace {
 // The most entries of a grid: 4 million, or 24 for each segment.  A cell takes up to 36 bytes.
 constexpr double kMostEntries = 4e6, kMostEach = 24;
 
+constexpr double kCellsEach = 4; // the most cells for the mean length of a segment, see cell_for()
+
 // The box of segments, and their length in all.
 struct Extent {
     Box2 box;
@@ -35,7 +37,8 @@ double cell_for(std::span<const Segment> segments, double least) {
     const Extent all(segments);
     if (!(all.length > 0)) return least;
     const Vec2 size = all.size();
-    return std::max(least, std::min(size.x * size.y / all.length, all.length / static_cast<double>(segments.size())));
+    const double apart = size.x * size.y / all.length, mean = all.length / static_cast<double>(segments.size());
+    return std::max(least, std::clamp(apart, mean / kCellsEach, mean));
 }
 
 SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell, double margin) : cell_(cell) {

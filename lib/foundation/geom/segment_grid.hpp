@@ -14,7 +14,8 @@ struct Segment {
 };
 
 // mm: a good size of cells for these segments, at least `least`. As wide as the segments lie apart on average, so that
-// long rows fill few cells; no wider than they are long on average, so that few segments share a cell.
+// few segments share a cell, but at least a quarter of their mean length: a segment lies in about six cells, however
+// long it is. Cells that long rows share cost little: the pairs of rows in them are as many for any size of cells.
 double cell_for(std::span<const Segment> segments, double least);
 
 // Segment i is in every cell to which its distance along x and along y is less than `margin`. Cells are stored in

@@ -114,14 +114,8 @@ std::vector<Tangle> tangles(const Line& line, std::span<const Move> moves, std::
         return Tangle{begins[m], std::min(std::max(end, begins[m]), line.size() - 2)};
     };
     const bool arcs = std::any_of(moves.begin(), moves.end(), [](const Move& m) { return m.sweep != 0; });
-    double length = 0;
-    for (const auto& s : all.segments) length += distance(s.a, s.b);
-    const geom::SegmentGrid cells(all.segments, std::max(length / n, kLeastMove));
-    const auto near = [&](const geom::Segment& s, auto&& f) {
-        const double more = arcs ? 2 * kSagitta : 0;
-        cells.near({std::min(s.a.x, s.b.x) - more, std::min(s.a.y, s.b.y) - more},
-                   {std::max(s.a.x, s.b.x) + more, std::max(s.a.y, s.b.y) + more}, f);
-    };
+    const geom::SegmentGrid cells(all.segments, geom::cell_for(all.segments, kLeastMove), arcs ? 2 * kSagitta : 0);
+    const auto near = [&](const geom::Segment& s, auto&& f) { cells.along(s.a, s.b, f); };
     for (std::uint32_t i = 0; i < n; ++i)
         near(all.segments[i], [&](std::uint32_t k) {
             if (k <= i) return;
