@@ -169,10 +169,23 @@ void Program::bead_comments(const Step& step) {
             comment(std::string("ROLE:") + toolpath::kRoleNames[static_cast<std::size_t>(step.role)] + " " +
                     toolpath::kFeatureNames[static_cast<std::size_t>(step.feature)]);
     }
-    if (differs(step.width, width_)) comment("WIDTH:" + fixed_text(width_ = step.width, 3));
+    width_comment(step);
     if (differs(step.height, height_)) comment("HEIGHT:" + fixed_text(height_ = step.height, 3));
     role_ = step.role;
     feature_ = step.feature;
+}
+
+// Writes the width of a bead for viewers.  A width that lasts for less than one bead width is not written where
+// extruder words hold the material: a nozzle cannot deliver it, and turns and joins of lines are full of such widths.
+void Program::width_comment(const Step& step) {
+    if (!differs(step.width, width_)) {
+        unwritten_ = 0;
+        return;
+    }
+    unwritten_ += step.length;
+    if (counts() && width_ > 0 && step.role == role_ && unwritten_ < step.width) return;
+    comment("WIDTH:" + fixed_text(width_ = step.width, 3));
+    unwritten_ = 0;
 }
 
 // Appends the code and the words that changed.  If none did, it appends nothing and returns false.  `to` is in units of

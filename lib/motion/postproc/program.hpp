@@ -48,6 +48,7 @@ class Program final : public Writer {
     void feed(const Step& step, double way);
     void feed_units(double value);
     void bead_comments(const Step& step);
+    void width_comment(const Step& step);
     void feature_codes(const Step& step);
     void reset_extruder();
     void line(const std::string& text);
@@ -74,6 +75,7 @@ class Program final : public Writer {
     std::size_t layers_begun_ = 0;
     double layer_seconds_ = 0;      // s, duration of the current layer
     double width_ = 0, height_ = 0; // mm, as last written for viewers
+    double unwritten_ = 0;          // mm of beads since then whose width differs
     std::uint64_t lines_ = 0;       // moves written
     void preset_code(const std::string& text);
 

@@ -96,7 +96,9 @@ std::uint32_t straight_reach(const Line& line, std::uint32_t from, std::uint32_t
     for (int k = 0; k < kTries; ++k) {
         off = 0;
         to = reach_within(line, from, last, now, off);
-        const double may = t.path * full_share(line, from, line.at[to] - line.at[from]);
+        // rounding moves ends by as much as the grid, so a chord may always deviate by that
+        const double may =
+            std::max(t.path * full_share(line, from, line.at[to] - line.at[from]), std::min(t.path, t.grid));
         if (off <= may * kNearly) break;
         // On a circle the length is proportional to the root of the deviation, and `may` falls with the length; so
         // off / may is proportional to the deviation to the power 3/2.

@@ -227,6 +227,24 @@ TEST(Program, TemplatesAreFilledIn) {
     EXPECT_NE(w.text.find("\nM84\n; made by\n"), std::string::npos) << w.text.substr(w.text.size() - 100);
 }
 
+// Extruder words hold the material of turns and joins; viewers need no comment for each of them. The codes of a valve
+// do not, so there every width is written.
+TEST(Program, WidthsThatLastForLessThanABeadAreNotWrittenWhereTheExtruderCounts) {
+    const geom::Vec3 a{0, 0, 0.2}, b{10, 0, 0.2}, c{10, 0.15, 0.2}, d{9.85, 0.15, 0.2}, e{0, 0.15, 0.2}, f{0, 5, 0.2};
+    const std::vector<Span> spans{{Role::bead, 0, 0, 0, {a, b, c, d, e}, {0.4, 0.4, 0.6, 0.4, 0.4}, {0.2}},
+                                  {Role::bead, 0, 0, 0, {e, f}, {0.6}, {0.2}}};
+    const auto widths = [&](const std::string& extrusion) {
+        const std::string text = sample::write(sample::profile(extrusion), spans).text;
+        std::vector<std::string> out;
+        for (std::size_t at = text.find(";WIDTH:"); at != std::string::npos; at = text.find(";WIDTH:", at + 1))
+            out.push_back(text.substr(at + 7, text.find('\n', at) - at - 7));
+        return out;
+    };
+    EXPECT_EQ(widths(sample::kFilament), (std::vector<std::string>{"0.4", "0.6"}));
+    EXPECT_EQ(widths("kind = \"valve\"\non = \"M106\"\noff = \"M107\"\n"),
+              (std::vector<std::string>{"0.4", "0.5", "0.4", "0.6"}));
+}
+
 TEST(Program, LineEndsAndCommentsFollowTheFormat) {
     const auto p = sample::profile(sample::kFilament, "[format]\nline_end = \"crlf\"\ncomments = \"parentheses\"\n");
     const auto text = sample::write(p, three_strokes()).text;
