@@ -5,6 +5,8 @@
 #include "base/density.hpp"
 #include "cli/command.hpp"
 #include "fill/reuse.hpp"
+#include "fill/scaffold/gradient.hpp"
+#include "fill/volume.hpp"
 #include "hollow/hollow.hpp"
 #include "polygon/clip.hpp"
 #include "wire/planar.hpp"
@@ -23,9 +25,14 @@ constexpr const char* kThin = "walls of a spiral thinner than a bead. lanes: two
 constexpr const char* kMinRadius =
     "rings of the spiral turn no tighter; notes report the area that this leaves open, and tighter turns";
 
+constexpr const char* kVolume =
+    "how much material a region gets. beads: what its beads hold, as wide as they are apart; exact: "
+    "its area times its height; all its beads change by the same factor, up to 5 %";
+
 struct Options {
     fill::Options how;
-    std::vector<double> porosity, pore_size; // %, mm; none: as --spacing says
+    fill::Volume volume = fill::Volume::beads;
+    std::string porosity, pore_size; // %, mm, as scaffold::Gradient; "": as --spacing says
 };
 
 std::vector<cli::Group> groups() {
@@ -40,6 +47,7 @@ std::vector<cli::Option> options(Options& all) {
     return {
         Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatternNames),
         Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.within(0.01, 100).same_as({"regions.bead-width"}),
+        Option{"volume", &all.volume, "", kVolume}.one_of(fill::kVolumeNames).when("!pattern=scaffold"),
         Option{"min-width", &o.min_width, "MM",
                "a note reports narrower beads of a spiral; 0: a quarter of --bead-width"}
             .within(0, 100)
@@ -54,13 +62,11 @@ std::vector<cli::Option> options(Options& all) {
         Option{"spacing", &o.spacing, "MM", "from strand to strand, centre to centre; 0: two and a half bead widths"}
             .within(0, 1e6)
             .when("pattern=scaffold"),
-        Option{"pore-size", &all.pore_size, "MM", "width of a scaffold's pores, bead to bead; replaces --spacing"}
-            .numbers(1)
-            .within(0.001, 1e6)
+        Option{"pore-size", &all.pore_size, "MM[@Z,...]",
+               "width of a scaffold's pores, bead to bead; replaces --spacing. 0.3@0,0.8@10: changes from z = 0 to 10"}
             .when("pattern=scaffold !spacing"),
-        Option{"porosity", &all.porosity, "PERCENT", "empty share of a scaffold; replaces --spacing"}
-            .numbers(1)
-            .within(1, 99)
+        Option{"porosity", &all.porosity, "PERCENT[@Z,...]",
+               "empty share of a scaffold; replaces --spacing. 40@0,80@10: changes from z = 0 to 10"}
             .when("pattern=scaffold !spacing/pore-size"),
         Option{"stagger", &o.stagger, "SPACINGS", "how far the strands of every other round of angles are shifted"}
             .within(0, 1)
@@ -101,8 +107,6 @@ polygon::Region region_of(const stream::RawFrame& frame, double bead_width) {
 fill::Options with_width(const Options& o, double width) {
     fill::Options out = o.how;
     out.bead_width = width;
-    if (!o.pore_size.empty()) out.spacing = o.pore_size.front() + width;
-    if (!o.porosity.empty()) out.spacing = width / (1 - o.porosity.front() / 100); // strands fill width / spacing
     return out;
 }
 
@@ -116,11 +120,18 @@ fill::Reuse hollow_fill(double width) {
 void run(const Options& o, const cli::Io& io) {
     const double usual = o.how.bead_width;
     if (o.how.pattern == fill::Pattern::scaffold) {
-        fill::strand_spacing(with_width(o, usual));
+        const fill::scaffold::Pores pores(o.pore_size, o.porosity);
+        const auto options_at = [&](double width, double z) {
+            fill::Options out = with_width(o, width);
+            if (pores.given()) out.spacing = pores.spacing(width, z);
+            return out;
+        };
+        fill::strand_spacing(options_at(usual, 0));
         std::map<std::uint32_t, fill::ScaffoldState> before; // by tool
         const auto work = [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
             const polygon::Region region = region_of(frame, usual);
-            emit(wire::frame(fill::fill_scaffold(region, with_width(o, region.width), before[region.tool], notes)));
+            emit(wire::frame(
+                fill::fill_scaffold(region, options_at(region.width, region.z), before[region.tool], notes)));
         };
         return cli::scan_stage(io, stream::Payload::regions, stream::Payload::paths, work);
     }
@@ -134,9 +145,11 @@ void run(const Options& o, const cli::Io& io) {
             region.loops = polygon::without_flat_starts(region.loops);
         }
         fill::Reuse& filled = (region.walls > 0 ? hollow : solid).of(region.width);
-        return std::vector{wire::frame(filled(region, notes))};
+        toolpath::RegionPaths paths = filled(region, notes);
+        if (o.volume == fill::Volume::exact && region.walls == 0) fill::make_exact(paths, notes);
+        return std::vector{wire::frame(paths)};
     });
-    for (const char* name : {"pattern", "min-width", "thin", "min-radius", "angles", "rings"})
+    for (const char* name : {"pattern", "volume", "min-width", "thin", "min-radius", "angles", "rings"})
         if (any_hollow) io.idle(name, "regions with walls and areas of their own are filled by lanes and as these say");
 }
 

@@ -49,6 +49,35 @@ unbroken() { "$FILUM_SOURCE/scripts/gcode-strokes" "$1" | awk -F'\t' 'NR == 2 { 
     done
 }
 
+@test "pores have the size asked for, from 0.3 to 0.8 mm, in a block and in a disc" {
+    for part in block disc; do
+        for size in 0.3 0.55 0.8; do
+            sequence $part.regions | fill -q --pattern scaffold --pore-size $size | link3d |
+                metrics --pores --regions $part.regions --format tsv > m.tsv
+            echo "$part $size: $(value pore_mm)"
+            [ "$(value strokes)" -eq 1 ]
+            awk -v p="$(value pore_mm)" -v s="$size" 'BEGIN { exit !(p > 0.97 * s && p < 1.03 * s) }'
+        done
+    done
+}
+
+@test "pores that change along z have at each height the size asked for there, in one stroke" {
+    $FILUM_SOURCE/examples/scaffold/make-part block 20 20 4 high.stl
+    slice -q high.stl | regions -q > high.regions
+    sequence high.regions | fill -q --pattern scaffold --pore-size 0.3@0,0.8@4 | link3d |
+        metrics --pores --regions high.regions --per-layer layers.tsv --format tsv > m.tsv
+    [ "$(value strokes)" -eq 1 ]
+    # column 13 is the spacing, column 10 the strands; layer n is at z = (n + 1) / 5
+    awk -F'\t' 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "spacing_mm") c = i; next }
+        { want = 0.4 + 0.3 + 0.5 * ($1 + 1) / 20; if ($c < want - 0.002 || $c > want + 0.002) exit 1 }' layers.tsv
+    sequence high.regions | fill -q --pattern scaffold --porosity 40@0,70@4 | link3d |
+        metrics --pores --regions high.regions --format tsv > m.tsv
+    awk -v p="$(value porosity_volume)" 'BEGIN { exit !(p > 0.535 && p < 0.565) }' # 55 % in the middle
+    for wrong in 40,80 40@3,80@1 40@ 0.5@0,80@4; do
+        expect 2 fill --pattern scaffold --porosity "$wrong" high.regions
+    done
+}
+
 @test "bioprinters get it without a stop" {
     for machine in bio-x syringe; do
         filum print disc.stl -q --machine $machine --pattern scaffold --spacing 1.2 -o $machine.gcode
