@@ -33,6 +33,13 @@ said() {
     said format.arcs=true,motion.arc_resolution=0.1 resolution=0.1
 }
 
+@test "Klipper plans a program for two nozzles, and both extrude" {
+    "$BATS_TEST_DIRNAME/../bodies/make-bodies" core-ring inks
+    filum print -q --body inks/a.stl --body inks/b.stl:tool=1 --machine klipper-dual -o inks.gcode
+    plan inks.gcode tools=2 | tr '\t' '\n' > real
+    awk '{ n[$1] = $2 } END { print n["e"], n["e1"]; exit !(n["e"] > 1000 && n["e1"] > 1000) }' real
+}
+
 @test "both rotary axes of klipper-xyzac move, by as much as the program says" {
     awk 'BEGIN { n = 12; print "OFF"; printf "%d %d 0\n", (n + 1) ^ 2, 2 * n * n
         for (j = 0; j <= n; j++) for (i = 0; i <= n; i++) {

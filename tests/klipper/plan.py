@@ -2,7 +2,7 @@
 """plan.py PROGRAM [KEY=VALUE...]: lets real Klipper plan a program, without hardware; says how long it takes.
 
 FILUM_KLIPPER names a checkout of Klipper.  KEY is one of [printer] (max_accel=5000), `resolution` of [gcode_arcs], or
-`rotary=a,c`: manual steppers.  Prints, tab-separated: the seconds from above the first stroke to the end of the
+`rotary=a,c`: manual steppers, `tools=2`: nozzles.  Prints, tab-separated: the seconds from above the first stroke to the end of the
 last one, without what the profile's templates do before and after, then each motor and how many steps it makes in all.
 Exit 1 and Klipper's own words if it refuses a line or does not end within five minutes, 77 if it cannot be run here.
 """
@@ -31,6 +31,7 @@ def heater(name, pin, sensor, **more):
 def config(keys):
     """A made-up printer: sections, and what stands in each."""
     rotary = [name for name in keys.pop("rotary", "").split(",") if name]
+    nozzles = int(keys.pop("tools", 1))
     out = {"mcu": {"serial": "/dev/null"}, "gcode_arcs": {"resolution": keys.pop("resolution", 1)}}
     out["printer"] = {**PRINTER, **keys}
     for k, axis in enumerate("xyz"):
@@ -40,6 +41,10 @@ def config(keys):
     drive = stepper("extruder", 30, 33.5)["extruder"]
     out.update(heater("extruder", 33, 0, control="pid", pid_kp=22, pid_ki=1, pid_kd=114, nozzle_diameter=0.4,
                       filament_diameter=1.75, max_extrude_only_distance=500, max_extrude_cross_section=50, **drive))
+    for k in range(1, nozzles):
+        out.update(heater(f"extruder{k}", 60 + k, 1 + k, control="pid", pid_kp=22, pid_ki=1, pid_kd=114, nozzle_diameter=0.4,
+                          filament_diameter=1.75, max_extrude_only_distance=500, max_extrude_cross_section=50,
+                          **stepper("extruder", 63 + 3 * k, 33.5)["extruder"]))
     out.update(heater("heater_bed", 34, 1, control="watermark"))
     out["fan"] = {"pin": "gpio35"}
     out["display_status"] = {}  # M73, as any printer with a screen has it
@@ -142,7 +147,7 @@ def steps(klipper, spoken, serial):
             motor[words["oid"]] = words["step_pin"].split("gpio")[-1].lstrip("c0hip/") or "0"
         if line.startswith("queue_step "):
             count[words["oid"]] = count.get(words["oid"], 0) + int(words["count"])
-    names = {"0": "x", "10": "y", "20": "z", "30": "e", "40": "tilt", "50": "turn"}
+    names = {"0": "x", "10": "y", "20": "z", "30": "e", "40": "tilt", "50": "turn", "66": "e1"}
     return {names.get(pin, pin): count.get(oid, 0) for oid, pin in motor.items()}
 
 
