@@ -393,3 +393,10 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     run -1 grep -q '^M106 S255$' half.gcode
     expect 2 filum print part.stl --fan 150% -o none.gcode
 }
+
+@test "what stages dropped is said, too, if nothing is left to print" {
+    printf 'v 0 0 0\nv 5 0 0\nv 0 0.02 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n' > hair.obj
+    expect 3 filum print hair.obj -o none.gcode
+    [[ $err == *"lays no bead"* && $err == *"[sliver-dropped]"* ]]
+    [ ! -e none.gcode ]
+}

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <optional>
 
 namespace filum::app::postproc {
 
@@ -134,6 +135,8 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     filum::postproc::Measure measure(profile, o.place, filum::postproc::parse_orient(o.orient), o.flatten,
                                      machine::parse_pauses(o.pause_at));
     machine::LayerTimes times;
+    filum::postproc::FirstPass first_pass;
+    std::optional<MoveQueue> ahead;
     try {
         while (auto frame = reader.next()) {
             if (frame->tag == stream::Tag::note) notes.push_back(stream::parse_note(frame->body));
@@ -145,16 +148,16 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
             spool.add(std::move(*frame));
             progress.step();
         }
+        // The walkers start after the first pass over the spans, so the feeds of layers can still change.
+        if (profile.limits.layer_time > 0) machine::set_pace(profile, machine::pace(times, profile.limits.layer_time));
+        ahead.emplace(profile, *measure.joins(), io.threads);
+        for (; measure.again(); spool.rewind())
+            ahead->each(spool, [&](auto span, auto* moves) { measure.add(span, moves); });
+        first_pass = measure.end();
     } catch (const Error&) { // notes of the stages before may explain why a stage failed
         say(notes, io);
         throw;
     }
-    // The walkers start after the first pass over the spans, so the feeds of layers can still change.
-    if (profile.limits.layer_time > 0) machine::set_pace(profile, machine::pace(times, profile.limits.layer_time));
-    MoveQueue ahead(profile, *measure.joins(), io.threads);
-    for (; measure.again(); spool.rewind())
-        ahead.each(spool, [&](auto span, auto* moves) { measure.add(span, moves); });
-    auto first_pass = measure.end();
     first_pass.by_layer = filum::postproc::parse_by_layer(o.by_layer, profile);
     if (!profile.axes.active()) first_pass.parts = parts_on_bed(reader.header());
     tell_idle(first_pass, io);
@@ -178,7 +181,7 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     program->begin(about);
     const auto add = [&](std::span<const filum::postproc::Step> steps) { program->add(steps); };
     const auto written = filum::postproc::walker(profile, measure.walk_shift(), add, measure.joins());
-    ahead.each(spool, [&](auto span, auto* moves) { written->add(measure.turned(std::move(span)), moves); });
+    ahead->each(spool, [&](auto span, auto* moves) { written->add(measure.turned(std::move(span)), moves); });
     written->end();
     const auto made_by = stages(reader.header(), io, profile);
     program->end(filum::postproc::history(made_by, notes, facts));
