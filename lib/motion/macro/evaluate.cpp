@@ -167,6 +167,15 @@ const Value& item(const Variable& list, std::size_t index, const std::string& na
     return list.items[index < list.items.size() ? index : 0];
 }
 
+// The value in an expression NAME[INDEX]. An index below 0 or beyond the end stands for the first value, as in
+// PrusaSlicer 2.5, SuperSlicer and Bambu Studio; newer versions of PrusaSlicer and OrcaSlicer refuse those below 0.
+static const Value& item_at(const Expression& e, const Variables& variables) {
+    const Value index = evaluate(e.parts[0], variables);
+    const auto* whole = std::get_if<Whole>(&index);
+    const bool below = whole != nullptr && *whole < 0;
+    return item(variables.at(e.name, e.at), below ? 0 : index_of(e.parts[0], variables), e.name, e.at);
+}
+
 bool holds(const Expression& e, const Variables& variables) {
     const Value value = evaluate(e, variables);
     if (const auto flag = truth(value, variables)) return *flag;
@@ -184,7 +193,7 @@ Value evaluate(const Expression& e, const Variables& variables) {
         return found.items.at(0);
     }
     case Kind::item:
-        return item(variables.at(e.name, e.at), index_of(e.parts[0], variables), e.name, e.at);
+        return item_at(e, variables);
     case Kind::unary:
         return unary(e, variables);
     case Kind::binary:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -149,6 +150,43 @@ void set_other_names(const Job& job, Settings& to) {
     to.set("model_name", Variable::one(std::string()));
 }
 
+// Sets the values that newer versions of Bambu Studio compute (GCode.cpp of version 2).
+void set_bambu(const Job& job, Settings& to) {
+    const auto all = [&](const char* key, const std::string& value) {
+        return std::ranges::all_of(job.tools, [&](std::uint32_t tool) {
+            const auto texts = to.texts(key);
+            return tool < texts.size() && texts[tool] == value;
+        });
+    };
+    const auto any = [&](const char* key, const std::string& value) {
+        return std::ranges::any_of(job.tools, [&](std::uint32_t tool) {
+            const auto texts = to.texts(key);
+            return tool < texts.size() && texts[tool] == value;
+        });
+    };
+    to.set("is_all_bbl_filament", Variable::one(all("filament_vendor", "Bambu Lab")));
+    to.set("has_tpu_in_first_layer", Variable::one(any("filament_type", "TPU")));
+    double glass = std::numeric_limits<int>::max();
+    for (const std::uint32_t tool : job.tools) glass = std::min(glass, to.number("temperature_vitrification", tool));
+    to.set("min_vitrification_temperature", Variable::one(whole_value(glass)));
+    to.set("max_print_z", Variable::one(whole_value(std::ceil(job.height))));
+    to.set("enable_high_low_temp_mix", Variable::one(false));
+    // The nozzle of the first filament; the others have none.
+    const std::size_t nozzles = std::max<std::size_t>(1, to.texts("nozzle_diameter").size());
+    const double extruder = nozzles > 1 ? to.number("filament_map", job.first_tool, 1) - 1 : 0;
+    const double nozzle = to.number("physical_extruder_map", static_cast<std::size_t>(std::max(0.0, extruder)), 0);
+    std::vector<Value> first;
+    for (std::size_t i = 0; i < nozzles; ++i)
+        first.emplace_back(whole_value(static_cast<double>(i) == nozzle ? job.first_tool : -1.0));
+    for (const char* name :
+         {"first_filaments", "first_tools", "first_non_support_filaments", "first_non_support_tools"})
+        to.set(name, Variable::many(first));
+    for (const char* name : {"most_used_physical_extruder_id", "curr_physical_extruder_id"})
+        to.set(name, Variable::one(whole_value(nozzle)));
+    to.set("has_timelapse_safe_pos", Variable::one(false));
+    for (const char* name : {"timelapse_pos_x", "timelapse_pos_y"}) to.set(name, Variable::one(whole_value(0)));
+}
+
 // Sets the values that OrcaSlicer and Bambu Studio compute.
 void set_orca(const Job& job, const Extent& box, Settings& to) {
     const std::string plate = to.text("curr_bed_type");
@@ -176,6 +214,7 @@ void set_orca(const Job& job, const Extent& box, Settings& to) {
     set_outer_wall(to);
     set_bed_mesh(box, to.text("gcode_flavor") == "klipper", to);
     set_other_names(job, to);
+    set_bambu(job, to);
     to.set("bed_temperature_initial_layer_vector", Variable::one(std::string()));
     to.set("overall_chamber_temperature", Variable::one(whole_value(to.number("chamber_temperature"))));
     to.set("first_layer_center_no_wipe_tower", point((box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2));

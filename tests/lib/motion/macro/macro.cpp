@@ -67,6 +67,7 @@ TEST(Macro, TableOfConstructs) {
         // numbers
         {"{1 + 2} {1.0 + 2} {7 / 2} {7 / 2.0} {7 % 4} {-7 / 2}", "3 3 3 3.5 3 -3"},
         {"{0.1 + 0.2} {1000000.0} {1234567.0} {0.00001} {-0.5}", "0.3 1e+06 1.23457e+06 1e-05 -0.5"},
+        {"{temperature[-1]} {temperature[7]}", "215 215"},
         {"{temperature[0] - 5} {layer_height * 2} {nozzle_diameter[9]}", "210 0.4 0.4"},
         {"{2 + 3 * 4} {(2 + 3) * 4} {-(1 + 1)} {+3}", "14 20 -2 3"},
         // texts
@@ -137,7 +138,7 @@ TEST(Macro, FaultsNameTemplateLineAndColumn) {
         {"{layer_height[0]}", "'layer_height' is one value, not a list"},
         {"{none[0]}", "is an empty list"},
         {"{temperature[0.5]}", "an index must be a whole number"},
-        {"{temperature[-1]}", "below 0"},
+        {"{temperature[-1] = 1}", "below 0"},
         {"{if true}x", "'{endif}' is missing"},
         {"{if 1}x{endif}", "a condition must be true or false"},
         {"x{endif}", "'{endif}' has no '{if}' before it"},

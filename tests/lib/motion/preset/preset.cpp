@@ -142,4 +142,35 @@ TEST(PresetProgram, NamesOfOrcaSlicer) {
         << preset::Program(orca, job).start();
 }
 
+// The names of Bambu Studio 2, on a printer with two nozzles whose second one is called the first.
+TEST(PresetProgram, NamesOfBambuStudio) {
+    preset::Preset bambu;
+    bambu.slicer = "orca";
+    bambu.settings = {
+        {"machine_start_gcode",
+         {"; {first_filaments[0]} {first_filaments[1]} {first_tools[0]} {first_non_support_tools[1]} "
+          "{curr_physical_extruder_id}\n; {max_print_z} {min_vitrification_temperature} {is_all_bbl_filament} "
+          "{has_tpu_in_first_layer} {has_timelapse_safe_pos} {timelapse_pos_x}\n; "
+          "{nozzle_temperature_initial_layer[first_filaments[0]]}\nM190 S50\nM109 S220"}},
+        {"gcode_flavor", {"marlin2"}},
+        {"nozzle_diameter", {"0.4", "0.4"}},
+        {"physical_extruder_map", {"1", "0"}},
+        {"filament_map", {"1", "2"}},
+        {"filament_vendor", {"Bambu Lab", "Other"}},
+        {"filament_type", {"PLA", "TPU"}},
+        {"temperature_vitrification", {"45", "30"}},
+        {"nozzle_temperature_initial_layer", {"220", "230"}},
+        {"printable_area", {"0x0", "256x0", "256x256", "0x256"}}};
+    preset::Job job;
+    job.first_layer = {{100, 100}, {120, 100}, {120, 110}};
+    job.height = 12.4;
+    job.tools = {0};
+    std::string start = preset::Program(bambu, job).start();
+    EXPECT_NE(start.find("; -1 0 -1 0 1\n; 13 45 true false false 0\n; 220\n"), std::string::npos) << start;
+    job.tools = {1};
+    job.first_tool = 1;
+    start = preset::Program(bambu, job).start();
+    EXPECT_NE(start.find("; 1 -1 1 -1 0\n; 13 30 false true false 0\n; 230\n"), std::string::npos) << start;
+}
+
 } // namespace
