@@ -42,4 +42,27 @@ void begin_with(std::span<const Pair> brims, Graph& g, Plan& p) {
     for (Index* bound : {&p.path_cover, &p.relaxation, &p.bound}) *bound -= std::min(*bound, fewer);
 }
 
+std::vector<Index> skirts(std::span<const polygon::Region> regions) {
+    std::vector<bool> is_brim(regions.size(), false);
+    for (const polygon::Region& r : regions)
+        if (r.brim >= 0 && static_cast<std::size_t>(r.brim) < regions.size())
+            is_brim[static_cast<std::size_t>(r.brim)] = true;
+    std::vector<Index> out;
+    for (const polygon::Region& r : regions)
+        if (r.is == polygon::RegionClass::rim && !is_brim[r.id]) out.push_back(r.id);
+    return out;
+}
+
+void put_first(std::span<const Index> skirts, const Graph& g, Plan& p) {
+    if (skirts.empty()) return;
+    for (const Index skirt : skirts) {
+        if (!g.before[skirt].empty()) continue;
+        const auto of_tool = [&](Index v) { return g.node[v].tool == g.node[skirt].tool; };
+        const auto to = std::find_if(p.order.begin(), p.order.end(), of_tool);
+        const auto from = std::find(to, p.order.end(), skirt);
+        std::rotate(to, from, std::next(from));
+    }
+    p.cost = cost(g, p.order);
+}
+
 } // namespace filum::sequence

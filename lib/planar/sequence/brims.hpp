@@ -1,4 +1,5 @@
-// Brims: each is printed just before a region inside it, by the same stroke.
+// Brims and skirts. A brim is printed just before a region inside it, by the same stroke. A skirt is printed before
+// everything else of its tool.
 #pragma once
 
 #include "sequence/plan.hpp"
@@ -16,5 +17,12 @@ void hold_together(std::span<const Pair> brims, std::vector<Pair>& hits);
 // Moves each brim to just before its region and links both. Brims have no other links, so each was a stroke of its own
 // in the order and in the bound; both decrease by one per brim.
 void begin_with(std::span<const Pair> brims, Graph& g, Plan& p);
+
+// The skirts: regions of the class `rim` that are no region's brim.
+std::vector<Index> skirts(std::span<const polygon::Region> regions);
+
+// Moves each skirt to just before the first region of its tool, since a skirt fills the nozzle. A skirt lies as low as
+// anything else, so it needs to wait for nothing; one that must wait, in a stream of another program, stays.
+void put_first(std::span<const Index> skirts, const Graph& g, Plan& p);
 
 } // namespace filum::sequence

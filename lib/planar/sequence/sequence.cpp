@@ -67,6 +67,7 @@ SequenceResult sequence(std::vector<polygon::Region> regions, const Options& opt
     const Arcs support = g.after;
     if (auto far = carried_from_afar(regions); !far.empty()) add_precedence(g, std::move(far));
     const std::vector<Pair> rims = brims(regions);
+    const std::vector<Index> first = skirts(regions);
     std::vector<Outline> outlines;
     std::vector<Pair> hits;
     if (!options.by_layers) { // layer order keeps the following precedences anyway
@@ -82,6 +83,7 @@ SequenceResult sequence(std::vector<polygon::Region> regions, const Options& opt
         p.cost = cost(g, p.order);
     }
     begin_with(rims, g, p);
+    put_first(first, g, p);
     check(g, p.order);
     if (p.cost.strokes < p.bound) throw Error(Exit::failure, "internal error: fewer strokes than the lower bound");
     if (p.cost.changes < p.change_bound)

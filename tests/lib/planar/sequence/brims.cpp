@@ -72,6 +72,34 @@ TEST(Brims, TheHeadHasRoomOverThem) {
     }
 }
 
+// A skirt fills the nozzle, so it is the first that its tool prints, wherever it lies and whatever else there is.
+TEST(Skirts, ComeFirst) {
+    Random random(5);
+    for (int trial = 0; trial < 20; ++trial) {
+        auto all = with_brims(random_world(random, 12, 4, 60));
+        polygon::Region* some = nullptr; // loses its brim, which is a skirt then
+        std::int64_t skirt = -1;
+        for (auto& r : all)
+            if (r.brim >= 0 && (some == nullptr || trial % 2 == 0)) some = &r;
+        ASSERT_NE(some, nullptr);
+        std::swap(some->brim, skirt);
+        Options o;
+        o.budget = 1'000'000;
+        for (const bool layers : {false, true}) {
+            o.by_layers = layers;
+            const SequenceResult r = sequence(all, o);
+            EXPECT_EQ(r.order.front(), skirt);
+            EXPECT_EQ(r.join.front(), Join::start);
+            EXPECT_EQ(r.join[1], Join::start);
+            EXPECT_EQ(r.stroke.back() + 1, fact(r, "planned-strokes"));
+        }
+        o.by_layers = false;
+        all[static_cast<std::size_t>(skirt)].tool = 1;
+        const SequenceResult r = sequence(all, o);
+        EXPECT_NE(std::ranges::find(r.order, static_cast<Index>(skirt)), r.order.end());
+    }
+}
+
 TEST(Brims, AreOfTheSameLayer) {
     auto all = with_brims(world({{0, box(0, 0, 5, 5)}, {1, box(0, 0, 5, 5)}}));
     for (const std::int64_t wrong : {0, 2, 9}) {
