@@ -164,8 +164,8 @@ void draw_key(Draped& c, const Tint& tint, const Show& show, const SurfaceBeads&
     Key key(c.page);
     if (!show.around.empty()) key.clear(kPaper);
     key.ruler(c.plan.scale);
-    if (laid.loose_length > 0)
-        key.text("thin: off the surface, " + fixed_text(100 * laid.loose_length / laid.length, 0) + "%");
+    // No share here: `metrics` measures the length beside the surface, and the picture draws whole segments.
+    if (!laid.loose.empty()) key.text("thin: not on the surface");
     if (!show.by.empty()) {
         const Scale s = scale_of(find_field(*c.scene.sheet, show.by, 0));
         const char* unit = show.by == "distance" ? "mm" : (show.by.starts_with("stress.") ? "MPa" : "");

@@ -68,13 +68,9 @@ SurfaceBeads surface_beads(const Scene& scene, const Tint& tint) {
     for (Stroke& s : all) {
         if (s.normal == Vec3{}) s.normal = surface::normal(surface, locator.nearest(0.5 * (s.a + s.b)).triangle);
         const double length = geom::distance(s.a, s.b);
-        out.length += length;
         const bool on_front = lies_on(locator, s, false), on_back = !on_front && lies_on(locator, s, true);
         (on_front ? front : back) += on_front || on_back ? length : 0;
-        if (!on_front && !on_back) {
-            out.loose.push_back(s);
-            out.loose_length += length;
-        }
+        if (!on_front && !on_back) out.loose.push_back(s);
     }
     out.behind = back > front;
     out.beads = Strokes(std::move(all));

@@ -14,8 +14,7 @@ struct SurfaceBeads {
     // Beads that do not lie on the surface, seen from the side that their normals face. They are farther from it than
     // half their width plus as many heights as the number of their layer.
     std::vector<Stroke> loose;
-    double length = 0, loose_length = 0; // mm, length of all beads and of the loose ones
-    bool behind = false;                 // whether most of the path lies on the back of the surface
+    bool behind = false; // whether most of the path lies on the back of the surface
 };
 
 // Finds the beads of the scene and whether they lie on its surface. Spans without normals get those of the nearest
