@@ -65,3 +65,13 @@ setup() {
 @test "docs/commands is what the commands say" {
     "$FILUM_SOURCE/scripts/generate-docs" --check "$FILUM_BUILD"
 }
+
+@test "a hidden file beside the programs, such as the loader of the portable package, is no stage" {
+    mkdir -p hidden
+    cp "$(command -v filum)" "$(command -v peek)" hidden
+    printf '#!/bin/sh\nexit 9\n' > hidden/.loader
+    chmod +x hidden/.loader
+    hidden/filum list > list
+    grep -q peek list
+    run ! grep -q loader list
+}

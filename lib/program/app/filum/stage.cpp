@@ -76,8 +76,10 @@ std::string stage_program(const std::string& name) {
 
 std::vector<std::string> stage_names() {
     std::vector<std::string> out;
-    for (const auto& entry : fs::directory_iterator(stage_folder()))
-        if (is_program(entry.path()) && entry.path().filename() != "filum") out.push_back(entry.path().filename());
+    for (const auto& entry : fs::directory_iterator(stage_folder())) {
+        const std::string name = entry.path().filename();
+        if (is_program(entry.path()) && name != "filum" && !name.starts_with('.')) out.push_back(name); // not .loader
+    }
     std::sort(out.begin(), out.end());
     return out;
 }
