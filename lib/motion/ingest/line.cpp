@@ -10,7 +10,13 @@ bool Line::places() const {
     return std::any_of(has.begin(), has.end(), [](bool b) { return b; });
 }
 
+bool Line::names() const {
+    return extruder_named || std::any_of(named.begin(), named.end(), [](bool b) { return b; });
+}
+
 namespace {
+
+bool is_other_axis(char letter) { return std::string_view("ABCUVW").find(letter) != std::string_view::npos; }
 
 // Adds a word that is not the extruder's and not that of an axis of the machine.
 void add_word(const machine::Word& word, double unit, Line& to) {
@@ -40,8 +46,7 @@ void add_word(const machine::Word& word, double unit, Line& to) {
     default:
         break;
     }
-    constexpr std::string_view other_axes = "ABCUVW";
-    if (other_axes.find(word.letter) != std::string_view::npos) to.foreign_axis = word.letter;
+    if (is_other_axis(word.letter)) to.foreign_axis = word.letter;
 }
 
 } // namespace
@@ -56,9 +61,12 @@ Line sorted(const machine::Words& words, const machine::Profile& profile, char e
             if (word.flag) continue;
             out.numbers[k] = word.value * (k < 3 ? unit : 1);
             out.has[k] = true;
-        } else if (word.flag)
             continue;
-        else if (counts && word.letter == extruder) {
+        }
+        if (counts && word.letter == extruder) out.extruder_named = true;
+        if (word.flag) {
+            if (is_other_axis(word.letter)) out.foreign_axis = word.letter;
+        } else if (counts && word.letter == extruder) {
             out.extruder = word.value * unit;
             out.extruder_decimals = word.decimals;
         } else

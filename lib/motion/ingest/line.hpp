@@ -19,10 +19,13 @@ struct Line {
     ArcWords arc;
     std::vector<double> g, m;
     std::optional<double> tool, d, l, p, s;
-    char foreign_axis = 0; // letter of an axis that the machine lacks: A B C U V W
-    char first = 0;        // letter of the first word after the line number
+    char foreign_axis = 0;       // letter of an axis that the machine lacks: A B C U V W
+    bool extruder_named = false; // with or without a number
+    char first = 0;              // letter of the first word after the line number
 
     [[nodiscard]] bool places() const;
+    // Whether it names an axis or the extruder without a number, as "X#1" with a parameter does.
+    [[nodiscard]] bool names() const;
     [[nodiscard]] bool moves() const { return places() || extruder || foreign_axis != 0; }
 };
 

@@ -5,6 +5,7 @@
 #include "ingest/arc.hpp"
 #include "ingest/axes.hpp"
 #include "ingest/codes.hpp"
+#include "ingest/flow.hpp"
 #include "ingest/layers.hpp"
 #include "ingest/line.hpp"
 #include "ingest/material.hpp"
@@ -31,15 +32,6 @@ constexpr double kAlong = 1e-6;  // mm: a shorter move counts as standing
 // Higher tool numbers are codes for the firmware, such as T255 and T1000 of Bambu Lab's printers.
 constexpr std::uint32_t kMostTools = 254;
 
-constexpr const char* kRepeats = "calls or repeats a part of the program, which is not followed";
-
-// Whether a line begins a loop or a jump of a macro language (Fanuc, RepRapFirmware).
-bool repeats(std::string_view code) {
-    std::string word;
-    for (const char c : code.substr(0, code.find_first_of(" \t["))) word += static_cast<char>(c & ~0x20);
-    return word == "WHILE" || word == "GOTO" || (word == "IF" && code.find("GOTO") != code.npos);
-}
-
 class Reader {
   public:
     Reader(std::string_view program, const std::string& name, const Profile& profile, const Options& options,
@@ -60,6 +52,12 @@ class Reader {
     }
 
   private:
+    // What SAVE_GCODE_STATE and M120 store.
+    struct State {
+        Modes modes;
+        AxisNumbers at{};
+    };
+
     [[noreturn]] void fail(const std::string& why) const {
         throw Error(Exit::bad_input,
                     "cannot follow the program in " + name_ + ": line " + std::to_string(number_) + " " + why);
@@ -71,6 +69,11 @@ class Reader {
         if (!line.comment().empty()) remark(remark_in(line.comment(), traits_));
         const std::string_view code = line.code();
         if (code.empty() || code == "%") return;
+        condition_.line(text);
+        if (is_label(code)) {
+            if (controls_flow(code)) fail(kRepeats);
+            return void(++out_.ignored);
+        }
         if (special(code)) return void(++out_.ignored);
         machine::split(code, words_);
         if (words_.own) return own_command(code);
@@ -86,14 +89,32 @@ class Reader {
         if (r.role) role_ = *r.role;
     }
 
-    // Follows the only one of Klipper's commands that matters, and counts all of them.
+    // Follows those of the firmware's own commands that matter, and counts all of them.
     void own_command(std::string_view code) {
-        if (repeats(code)) fail(kRepeats);
+        if (controls_flow(code)) fail(kRepeats);
+        condition_.command(code);
         ++out_.ignored;
-        constexpr std::string_view takes = "ACTIVATE_EXTRUDER EXTRUDER=extruder";
-        if (!code.starts_with(takes)) return;
-        const std::string number(code.substr(takes.size()));
-        take(number.empty() ? 0 : static_cast<std::uint32_t>(std::max(0, std::atoi(number.c_str()))));
+        const OwnCommand own(code);
+        const std::string name = own.value("NAME");
+        if (own.is("SAVE_GCODE_STATE")) states_.insert_or_assign(name, State{modes_, axes_.at});
+        if (own.is("RESTORE_GCODE_STATE"))
+            if (const auto at = states_.find(name); at != states_.end()) restore(at->second, own.value("MOVE") == "1");
+        if (own.is("SET_GCODE_OFFSET") && laid_ && (own.shifts("X") || own.shifts("Y")))
+            fail("moves the coordinates in use by SET_GCODE_OFFSET, which is not followed");
+        if (!own.is("ACTIVATE_EXTRUDER")) return;
+        const std::string extruder = own.value("EXTRUDER");
+        if (!extruder.starts_with("extruder")) return;
+        take(
+            static_cast<std::uint32_t>(std::max(0, std::atoi(extruder.c_str() + std::string_view("extruder").size()))));
+    }
+
+    // Goes back to a state, and to its place if `moves`.
+    void restore(const State& state, bool moves) {
+        modes_ = state.modes;
+        if (!moves) return;
+        modes_.motion = 0;
+        go(state.at, {});
+        modes_.motion = state.modes.motion;
     }
 
     // Applies a line that the profile defines.  False if it does not define it.
@@ -129,15 +150,15 @@ class Reader {
         const bool counts = machine::of_tool(p_, axes_.tool()).extrusion.feeding != Feeding::valve;
         const char extruder = p_.name.empty() ? traits_.extruder : p_.extrusion.letter;
         const Line line = sorted(words_, p_, extruder, counts, modes_.unit());
-        if (line.first == 'O' && words_.words.size() > 1) fail(kRepeats);
         if (line.tool && *line.tool >= 0 && (line.first == 'T' || std::ranges::count(line.m, 6) > 0))
             take(static_cast<std::uint32_t>(*line.tool));
         for (const double m : line.m) m_code(m, line);
         if (machine::is_command(words_)) return void(++out_.ignored);
-        bool moves = line.m.empty() && line.first != 'T' && line.first != 'O', in_machine = false;
+        bool moves = line.m.empty() && line.first != 'T', in_machine = false;
         for (const double g : line.g) moves = g_code(g, line, moves, in_machine);
-        if (!moves || !(line.moves() || says_motion(line))) return void(++out_.ignored);
+        if (!moves || !(line.moves() || line.names() || says_motion(line))) return void(++out_.ignored);
         if (*words_.fault != 0) fail(words_.fault);
+        if (condition_.holds()) fail("moves only if a condition of the firmware is true, which is not followed");
         if (line.foreign_axis != 0)
             fail(std::string("moves the axis ") + line.foreign_axis +
                  ", which is not followed; name its machine by --machine");
@@ -194,7 +215,14 @@ class Reader {
         if (m == 221 && line.s && *line.s > 0) flow_ = *line.s / 100;
         if (m == 605 && line.s && *line.s >= 2)
             fail("asks for M605, several heads that do the same, which is not followed");
-        if (m == 98 && line.p) fail(kRepeats); // with a file's name in quotes it runs a macro of the firmware
+        // With a file's name in quotes, M98 runs a macro of the firmware. M808 L is a loop of Marlin.
+        if ((m == 97 || m == 98 || m == 198) && line.p) fail(kRepeats);
+        if (m == 808 && line.l) fail(kRepeats);
+        if (m == 120) pushed_.push_back({modes_, axes_.at}); // of RepRapFirmware; harmless with Marlin's meaning
+        if (m == 121 && !pushed_.empty()) {
+            restore(pushed_.back(), false);
+            pushed_.pop_back();
+        }
         if (m == 128)
             fail("asks for M128, the control of the tool's tip, which is not followed; name its machine by --machine");
     }
@@ -333,6 +361,9 @@ class Reader {
     Origin origin_;
     machine::Words words_;
     Tally out_;
+    std::map<std::string, State> states_; // by name, of Klipper
+    std::vector<State> pushed_;           // by M120
+    Condition condition_;
     double width_ = 0, flow_ = 1; // width in mm; flow of M221
     toolpath::Feature feature_ = toolpath::Feature::none;
     toolpath::Role role_ = toolpath::Role::bead;

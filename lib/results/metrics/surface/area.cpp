@@ -19,6 +19,9 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kSameWidth = 1.02;
 constexpr std::size_t kMostClasses = 64;
 constexpr double kFirstRow = 1.0 / 8, kLastRow = 1.0 / 128; // of the widest bead
+// The most rows of one pass, beside one per triangle; some seconds of work. Rows are integrated exactly along their
+// length, so wider rows make the area less certain but not biased.
+constexpr double kMostRows = 2e6;
 
 // The class of each segment; classes by ascending width.
 std::vector<std::uint32_t> classify(const std::vector<double>& width) {
@@ -116,6 +119,16 @@ std::optional<geodesic::ExactField> rim_field(const Surface& s, double strip) {
     return geodesic::exact(s, filum::surface::rim_sources(s), strip);
 }
 
+// The least height of rows, mm, of which there are at most kMostRows.
+double least_row(const Surface& s) {
+    double heights = 0;
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+        const Vec3 &tail = s.vertices[s.tail(3 * t)], &head = s.vertices[s.head(3 * t)];
+        heights += 2 * filum::surface::area(s, t) / distance(tail, head);
+    }
+    return heights / kMostRows;
+}
+
 Sweep swept(const Ground& ground, const PathField& field, const geodesic::ExactField* rims, double strip, double row,
             int threads) {
     const std::size_t n = ground.finer.surface.triangles.size();
@@ -184,9 +197,11 @@ Area measure_area(const Ground& ground, const PathField& field, double strip_wid
     const auto rims = rim_field(s, strip_width);
     Sweep sum;
     double before = -kFar;
-    for (out.row = kFirstRow * widest;; out.row /= 2) {
+    const double least = least_row(s);
+    for (out.row = std::max(kFirstRow * widest, least);; out.row /= 2) {
         sum = swept(ground, field, rims ? &*rims : nullptr, strip_width, out.row, threads);
-        if (std::abs(sum.covered - before) < stable * out.surface || out.row <= kLastRow * widest) break;
+        if (std::abs(sum.covered - before) < stable * out.surface || out.row / 2 < std::max(kLastRow * widest, least))
+            break;
         before = sum.covered;
     }
     out.covered = sum.covered;

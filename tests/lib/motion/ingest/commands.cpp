@@ -33,6 +33,75 @@ TEST(Ingest, RefusesLoopsJumpsAndSubprograms) {
         EXPECT_EQ(refusal(bead + line + "\n" + bead), "") << line;
 }
 
+// O-words of LinuxCNC: a label alone names the program; with a keyword it controls the flow.
+TEST(Ingest, RefusesOWordsWithAKeyword) {
+    const std::string bead = "G28\nG1 Z0.2\nM83\nG1 X1 E1\n";
+    for (const std::string label : {"o100", "O1", "O <twice>", "o<twice>", "N20 o<a b>", "o[#1 + 2]"}) {
+        EXPECT_EQ(refusal(bead + label + "\n" + bead), "") << label;
+        for (const std::string keyword :
+             {"sub", "endsub", "call", "call [1] [2.5]", "call[1]", "while [#1 LT 3]", "do", "repeat [5]", "endrepeat",
+              "if [#1 EQ 0]", "elseif [1]", "else", "endif", "break", "continue", "return [#1]"})
+            for (const std::string blank : {"", " ", "\t"})
+                EXPECT_NE(refusal(bead + label + blank + keyword + "\n" + bead).find("line 5 calls or repeats"),
+                          std::string::npos)
+                    << label << blank << keyword;
+    }
+}
+
+// Places by parameters and formulas are refused, also on lines that move by an earlier G1.
+TEST(Ingest, RefusesParametersForPlaces) {
+    const std::string begin = "G28\nG1 Z0.2\nM83\nG1 X1 E1\n";
+    for (const std::string line : {"G1 X#1", "X#1", "X[1+2]", "Y#<way>", "E#3", "x[#2] e1", "X", "A#1", "G1 A[2]"})
+        EXPECT_NE(refusal(begin + line + "\n"), "") << line;
+    EXPECT_EQ(refusal(begin + "#1=5\n#<way> = [#1 * 2]\nG28 X\nG92 E0\n"), "");
+}
+
+TEST(Ingest, RefusesMovesUnderACondition) {
+    const std::string bead = "G28\nG1 Z0.2\nM83\nG1 X1 E1\n";
+    EXPECT_NE(refusal(bead + "if {move.axes[2].homed}\n  G1 X9 E1\n").find("condition"), std::string::npos);
+    EXPECT_NE(refusal(bead + "if true\n  if false\n    M117 a\n  G1 X9 E1\n").find("condition"), std::string::npos);
+    EXPECT_NE(refusal(bead + "if true\n  M117 a\nelse\n  G1 X9 E1\n").find("condition"), std::string::npos);
+    EXPECT_EQ(refusal(bead + "if true\n  M117 a\nG1 X9 E1\n"), "");
+    EXPECT_EQ(refusal(bead + "  G1 X9 E1\n"), "");
+}
+
+// Codes that make the following lines other moves than they say, and what they look like.
+TEST(Ingest, RefusesCodesThatChangeLaterMoves) {
+    const std::string bead = "G28\nG1 Z0.2\nM83\nG1 X1 E1\n";
+    for (const std::string line :
+         {"G2.2 X1 Y1 I1 J1 R2", "G3.4 X1 Y2 Z3", "G6.2 P4 K0 X1 Y1 R1", "G54.1 P3", "G54.4 P1", "G65 P9010 A1",
+          "G66 P9010", "G70", "G700", "G71 P10 Q20 X1", "G50 X100 Z50", "G60 X10", "M97 P100", "M198 P10", "M808 L5",
+          "SET_GCODE_OFFSET X=5 MOVE=1", "set_gcode_offset y_adjust=.2"})
+        EXPECT_NE(refusal(bead + line + "\n" + bead), "") << line;
+    for (const std::string line : {"G50", "G60 S1", "G71", "G43.1 Z-12", "G93", "G94", "G95", "M808", "G54",
+                                   "SET_GCODE_OFFSET Z_ADJUST=.02", "SET_GCODE_OFFSET X=0 Y=0"})
+        EXPECT_EQ(refusal(bead + line + "\n" + bead), "") << line;
+}
+
+// G93 and G95 say what F means; no place depends on it.
+TEST(Ingest, FeedsByTimeChangeNoPlace) {
+    const std::string begin = "G28\nM83\nG1 Z0.2\nG0 X10 Y10\n", bead = "G1 X30 E1 F600\nX40 Y20 E1 F900\n";
+    const auto plain = read(begin + bead), inverse = read(begin + "G93\n" + bead + "G94\n" + bead);
+    EXPECT_EQ(plain.spans[0].points[1].x, inverse.spans[0].points[1].x);
+    EXPECT_DOUBLE_EQ(ingested::volume(inverse.spans), 2 * ingested::volume(plain.spans));
+}
+
+// States that the firmware stores and restores: modes, and with MOVE=1 the place.
+TEST(Ingest, RestoresStoredStates) {
+    const std::string begin = "G28\nM83\nG1 Z0.2\nG0 X10 Y10\n", bead = "G1 X30 Y10 E1\n";
+    const auto length = [&](const std::string& between) {
+        return ingested::length(read(begin + between + bead).spans);
+    };
+    EXPECT_DOUBLE_EQ(length(""), 20);
+    for (const auto& [save, back] :
+         {std::pair<std::string, std::string>{"SAVE_GCODE_STATE NAME=a", "RESTORE_GCODE_STATE NAME=a"},
+          {"save_gcode_state name=\"a b\"", "Restore_Gcode_State name=\"a b\""},
+          {"M120", "M121"}})
+        EXPECT_DOUBLE_EQ(length(save + "\nG91\nG0 X5\n" + back + "\n"), 15) << save;
+    EXPECT_DOUBLE_EQ(length("SAVE_GCODE_STATE NAME=a\nG91\nG0 X5\nRESTORE_GCODE_STATE NAME=a MOVE=1\n"), 20);
+    EXPECT_DOUBLE_EQ(length("RESTORE_GCODE_STATE NAME=never\nM121\n"), 20);
+}
+
 TEST(Ingest, RefusesWhatItDoesNotUnderstand) {
     EXPECT_NE(refusal("G1 X\nG1 X1 E1").find("line 1 holds a word without a proper number"), std::string::npos);
     EXPECT_NE(refusal("G1 Z1\nG5 X1 E1\n").find("line 2 asks for G5"), std::string::npos);
