@@ -128,12 +128,19 @@ void run(const Options& o, const cli::Io& io) {
         };
         fill::strand_spacing(options_at(usual, 0));
         std::map<std::uint32_t, fill::ScaffoldState> before; // by tool
-        const auto work = [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
-            const polygon::Region region = region_of(frame, usual);
-            emit(wire::frame(
-                fill::fill_scaffold(region, options_at(region.width, region.z), before[region.tool], notes)));
+        std::optional<polygon::Region> last;                 // waits for the region after it
+        const auto fill_last = [&](const auto& emit, Notes& notes, const polygon::Region* after) {
+            if (last)
+                emit(wire::frame(
+                    fill::fill_scaffold(*last, options_at(last->width, last->z), before[last->tool], notes, after)));
         };
-        return cli::scan_stage(io, stream::Payload::regions, stream::Payload::paths, work);
+        const auto work = [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
+            polygon::Region region = region_of(frame, usual);
+            fill_last(emit, notes, &region);
+            last = std::move(region);
+        };
+        return cli::scan_stage(io, stream::Payload::regions, stream::Payload::paths, work,
+                               [&](const auto& emit, Notes& notes) { fill_last(emit, notes, nullptr); });
     }
     fill::ReuseByWidth solid([&](double width) { return fill::Reuse(with_width(o, width)); });
     fill::ReuseByWidth hollow(hollow_fill);

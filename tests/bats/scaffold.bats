@@ -78,6 +78,19 @@ unbroken() { "$FILUM_SOURCE/scripts/gcode-strokes" "$1" | awk -F'\t' 'NR == 2 { 
     done
 }
 
+@test "curved scaffolds take no more strokes than planned" {
+    for scale in 1,1,1 1.3,0.8,0.6; do
+        "$FILUM_SOURCE/tests/bodies/make-bodies" ear ear
+        slice -q --scale $scale ear/a.stl | regions -q > ear.regions
+        for spacing in 0.9 1; do
+            sequence --report ear.regions 2> ear.report | fill -q --pattern scaffold --spacing $spacing | link3d |
+                metrics --format tsv > m.tsv
+            echo "$scale $spacing: $(value strokes) strokes"
+            [ "$(value strokes)" -eq "$(awk '/lower-bound/ { print $3 }' ear.report)" ]
+        done
+    done
+}
+
 @test "bioprinters get it without a stop" {
     for machine in bio-x syringe; do
         filum print disc.stl -q --machine $machine --pattern scaffold --spacing 1.2 -o $machine.gcode

@@ -170,7 +170,7 @@ double strand_spacing(const Options& o) {
 }
 
 toolpath::RegionPaths fill_scaffold(const polygon::Region& region, const Options& options, ScaffoldState& before,
-                                    Notes& notes) {
+                                    Notes& notes, const polygon::Region* after) {
     Options o = options;
     if (o.angles_deg.empty()) o.angles_deg = {0, 90};
     const auto lay = [&](const polygon::Region& r, Notes& told) {
@@ -182,6 +182,7 @@ toolpath::RegionPaths fill_scaffold(const polygon::Region& region, const Options
                                     .shift = shifted ? o.stagger : 0,
                                     .rings = rings(o, 0)};
         if (r.join == Join::vertical) s.from = before.exit;
+        if (after != nullptr && after->join == Join::vertical) s.above = &after->loops;
         auto curves = scaffold::scaffold(r.loops, before.columns[before.column].region, s, told);
         join::lay_on_grid(curves, o.bead_width, told);
         return curves;

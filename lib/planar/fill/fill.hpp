@@ -60,12 +60,13 @@ struct ScaffoldState {
     std::optional<geom::Vec2> exit; // last point of its last curve; none if that is closed
 };
 
-// Fills `region` with a scaffold. Call it with regions in processing order; it updates `before`. A region joined
+// Fills `region` with a scaffold. Call it with regions in processing order; it updates `before`. `after`: the next
+// region, to which the stroke may climb; null: none. A region joined
 // vertically to the previous one begins where that one ended, and belongs to its column. Any other region belongs to
 // the first column whose box contains the centre of its own; without one it begins a column. All regions of a column
 // share one lattice.
 toolpath::RegionPaths fill_scaffold(const polygon::Region& region, const Options& options, ScaffoldState& before,
-                                    Notes& notes);
+                                    Notes& notes, const polygon::Region* after = nullptr);
 
 // The distance between strands in mm. Throws Error(usage) if strands would overlap.
 double strand_spacing(const Options& options);

@@ -8,6 +8,7 @@
 #include "polygon/inset.hpp"
 #include "polygon/stretches.hpp"
 #include "rings/lanes.hpp"
+#include "rings/wall_lanes.hpp"
 #include "toolpath/curve_place.hpp"
 #include "toolpath/merge.hpp"
 
@@ -69,18 +70,82 @@ std::vector<geom::Segment> segments(const std::vector<toolpath::Curve>& curves) 
     return out;
 }
 
-// Lets the curve begin at `from`, within the part, if its start is more than a bead away and no bead lies between. The
-// part grows there from layer to layer.
-void begin_at(toolpath::Curve& curve, Vec2 from, const Loops& part, double width) {
+// Lets the curve begin at `from`, within the part, if its start is more than a bead away. The part grows there from
+// layer to layer. False if a bead lies between.
+bool begin_at(toolpath::Curve& curve, Vec2 from, const Loops& part, double width) {
     const Vec2 start = curve.points.front();
-    if (geom::distance(from, start) <= width || !polygon::contains(part, from)) return;
+    if (geom::distance(from, start) <= width || !polygon::contains(part, from)) return true;
     const Vec2 near =
         geom::lerp(start, from, kLeastMove / geom::distance(from, start)); // the start itself is no obstacle
     const auto own = segments({curve});
     if (std::any_of(own.begin(), own.end(), [&](const auto& s) { return geom::cross_properly(from, near, s.a, s.b); }))
-        return;
+        return false;
     curve.points.insert(curve.points.begin(), from);
     if (curve.width.size() > 1) curve.width.insert(curve.width.begin(), curve.width.front());
+    return true;
+}
+
+// The places on the boundary to the left and right of p, the nearer one first.
+std::vector<Vec2> beside(const Loops& part, Vec2 p) {
+    std::vector<Vec2> out;
+    double left = -std::numeric_limits<double>::infinity(), right = -left;
+    for (std::size_t l = 0; l < part.size(); ++l)
+        for (std::size_t i = 0; i < part[l].size(); ++i) {
+            const Vec2 a = part[l][i], b = part[l][(i + 1) % part[l].size()];
+            if ((a.y <= p.y) == (b.y <= p.y)) continue;
+            const double x = a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
+            if (x < p.x) left = std::max(left, x);
+            if (x >= p.x) right = std::min(right, x);
+        }
+    for (const double x : {left, right})
+        if (std::isfinite(x)) out.push_back({x, p.y});
+    if (out.size() == 2 && right - p.x < p.x - left) std::swap(out[0], out[1]);
+    return out;
+}
+
+// Leads the end of the curve back over itself to the first place within `area`, half as wide there both times. Does
+// nothing if it ends within, or is nowhere within. Returns the length in mm.
+double lead_back(toolpath::Curve& curve, const Loops& area, double width) {
+    if (curve.closed || polygon::contains(area, curve.points.back())) return 0;
+    const double taper = rings::kMostOff * width;
+    double back = 0;
+    for (std::size_t i = curve.points.size() - 1; i > 0; --i) {
+        const Vec2 a = curve.points[i], b = curve.points[i - 1];
+        const double length = geom::distance(a, b);
+        const auto parts = static_cast<std::size_t>(std::ceil(4 * length / width));
+        for (std::size_t k = 1; k <= parts; ++k) {
+            const double t = static_cast<double>(k) / static_cast<double>(parts);
+            const Vec2 q = geom::lerp(a, b, t);
+            if (!polygon::contains(area, q)) continue;
+            if (curve.width.size() == 1) curve.width.resize(curve.points.size(), curve.width[0]);
+            const auto at = static_cast<std::ptrdiff_t>(i);
+            curve.points.insert(curve.points.begin() + at, geom::lerp(q, a, std::min(1.0, taper / (t * length)) / 2));
+            curve.width.insert(curve.width.begin() + at, curve.width[i]);
+            curve.points.insert(curve.points.begin() + at, q);
+            curve.width.insert(curve.width.begin() + at, curve.width[i]);
+            for (std::size_t j = i + 1; j < curve.width.size(); ++j) curve.width[j] /= 2;
+            for (std::size_t j = curve.points.size() - 1; j-- > i;) curve.add(curve.points[j], curve.width[i + 1]);
+            return back + t * length;
+        }
+        back += length;
+    }
+    return 0;
+}
+
+// Adds the curves of the part where the nozzle comes from below at `from`.
+void begin_within(const Loops& part, const Loops& frame, Vec2 from, const ScaffoldOptions& o,
+                  std::vector<toolpath::Curve>& out, double& again) {
+    fill_with_strands(part, frame, from, o, out, again);
+    if (out.empty() || begin_at(out.front(), from, part, o.bead_width)) return;
+    for (const Vec2 side : beside(part, from)) {
+        std::vector<toolpath::Curve> other;
+        double twice = 0;
+        fill_with_strands(part, frame, side, o, other, twice);
+        if (other.empty() || !begin_at(other.front(), from, part, o.bead_width)) continue;
+        out = std::move(other);
+        again = twice;
+        return;
+    }
 }
 
 // Extends an open curve, too short for a link beside it, from its end to a ring nearby and once around that. False if
@@ -141,14 +206,19 @@ std::vector<toolpath::Curve> scaffold(const Loops& region, const Loops& frame, c
             next = std::min_element(parts.begin(), parts.end(), [&](const Loops& a, const Loops& b) {
                 return distance_to(a, at[0]) < distance_to(b, at[0]);
             });
-        const bool lifted = out.empty() && o.from;
-        fill_with_strands(*next, turned, at.empty() ? std::nullopt : std::optional(at[0]), o, out, again);
-        if (lifted && !out.empty()) begin_at(out.front(), at[0], *next, w);
+        if (out.empty() && o.from)
+            begin_within(*next, turned, at[0], o, out, again);
+        else
+            fill_with_strands(*next, turned, at.empty() ? std::nullopt : std::optional(at[0]), o, out, again);
         if (!out.empty()) at = {out.back().points.back()};
         parts.erase(next);
     }
     for (auto& curve : out) polygon::rotate(curve.points, o.angle);
     if (o.rings > 0) out = with_rings(std::move(out), region, o, notes);
+    if (o.above != nullptr && !out.empty()) {
+        const Loops inner = o.rings > 0 ? polygon::inset(*o.above, o.rings * w) : Loops{}; // within its rings
+        again += lead_back(out.back(), inner.size() > 0 ? inner : *o.above, w);
+    }
     if (again > 0) {
         const Vec2 p = out.front().points.front();
         notes.push_back({NoteCode::path_runs_twice, again, 1, -1, p.x, p.y});

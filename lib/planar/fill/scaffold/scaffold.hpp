@@ -20,6 +20,7 @@ struct ScaffoldOptions {
     double shift = 0;              // sideways shift of the strands, in spacings
     int rings = 0;                 // closed rings along the outline and the holes, in the same stroke
     std::optional<Vec2> from = {}; // position of the nozzle
+    const Loops* above = nullptr;  // the region above to which the stroke climbs; none: it ends here
 };
 
 // Fills one connected region with strands joined to one open curve: a meander. Its turns run half a bead inside the
@@ -34,8 +35,11 @@ struct ScaffoldOptions {
 // material is right. The note NoteCode::path_runs_twice gives the length.
 //
 // With `from`, the curve begins at the nearest place of the boundary, so that plain lifts join the layers of a column.
-// If that is more than a bead away and `from` lies within the region, the curve begins at `from` and leads there.
-// Without it, the curve begins at an outermost strand.
+// If that is more than a bead away and `from` lies within the region, the curve begins at `from` and leads there:
+// straight, or along the strands if a bead is in between. Without it, the curve begins at an outermost strand.
+//
+// If the curve ends outside of `above`, it goes back over itself until it is within, half as wide on this stretch both
+// times. So a part that shrinks continues as well as one that grows.
 //
 // Returns one curve, or more if a region thinner than a bead with its rings falls apart, or if a hole cuts strands off.
 // Each further curve is a stop. Rings are joined to the curve by join_rings, or the curve continues from its end around
