@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace filum {
 
@@ -63,13 +64,32 @@ std::string shortest_text(double value) {
     return {buffer, end};
 }
 
-double parse_number(std::string_view text, std::string_view what) {
+namespace {
+
+std::optional<double> number_in(std::string_view text) {
     double value = 0;
     const char* end = text.data() + text.size();
     const auto result = std::from_chars(text.data(), end, value);
-    if (result.ec != std::errc() || result.ptr != end || !std::isfinite(value))
-        throw Error(Exit::usage, "cannot read '" + std::string(text) + "' as a number for " + std::string(what));
+    if (result.ec != std::errc() || result.ptr != end || !std::isfinite(value)) return std::nullopt;
     return value;
+}
+
+// What to write for a number with a decimal comma: "; write 0.2". "" for other text.
+std::string with_point(std::string text) {
+    const auto comma = text.find(',');
+    if (comma == std::string::npos) return "";
+    text[comma] = '.';
+    return number_in(text) ? "; write " + text : "";
+}
+
+} // namespace
+
+double parse_number(std::string_view text, std::string_view what) {
+    const auto value = number_in(text);
+    if (!value)
+        throw Error(Exit::usage, "cannot read '" + std::string(text) + "' as a number for " + std::string(what) +
+                                     with_point(std::string(text)));
+    return *value;
 }
 
 std::vector<std::pair<std::string, double>> parse_weights(std::string_view words, const std::string& what) {

@@ -25,6 +25,7 @@ constexpr ForeignFormat kForeign[] = {
     {"\x28\xb5\x2f\xfd", "packed with zstd; unpack it first"},
     {"7z\xbc\xaf", "a 7z archive; unpack it first"},
     {"Rar!", "a RAR archive; unpack it first"},
+    {"GCDE", "a program for a printer (binary G-code), no mesh"},
     {"%PDF", "a PDF document"},
     {"\x89PNG", "a PNG picture"},
     {"\xff\xd8\xff", "a JPEG picture"},

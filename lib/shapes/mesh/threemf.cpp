@@ -55,6 +55,7 @@ class Archive {
         }
         if (same_.count > 0) to_.notes.push_back(std::move(same_));
         tell_left_out();
+        refuse_program();
         reserve();
         for (const PlacedMesh& p : placed_) add_mesh(p);
         tell(NoteCode::triangle_element_unknown, unknown_, to_.notes);
@@ -211,7 +212,8 @@ class Archive {
         const threemf::Function out = threemf::function_of(object);
         const std::string type = object.attribute("type").value();
         if (out == threemf::Function::unknown) bad("object '" + id + "' is of the unknown type '" + type + "'");
-        if (out == threemf::Function::other && !is_body) bad("object '" + id + "' of type 'other' is among what is to be made");
+        if (out == threemf::Function::other && !is_body)
+            bad("object '" + id + "' of type 'other' is among what is to be made");
         if (threemf::is_low_resolution(object))
             bad("the shape of object '" + id +
                 "' is held as slices (3MF extension 'slice'), and its mesh is coarser; "
@@ -231,6 +233,16 @@ class Archive {
         tell(NoteCode::surface_object_ignored, surfaces_, to_.notes);
         if (placed_.empty() && supports_ + surfaces_ > 0)
             bad("nothing in its build is a part, only supports or surfaces");
+    }
+
+    // Printers of Bambu Lab take programs in 3MF archives, which hold no mesh.
+    void refuse_program() const {
+        const auto entries = zip_.entries();
+        const bool program =
+            std::ranges::any_of(entries, [](const std::string& entry) { return entry.ends_with(".gcode"); });
+        if (placed_.empty() && program)
+            bad("it holds a program for a printer (.gcode.3mf), no mesh; give the project or the mesh that it was made "
+                "from");
     }
 
     // Sets items on the bed that would hang in the air or reach below it.

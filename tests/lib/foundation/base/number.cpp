@@ -63,6 +63,20 @@ TEST(ShortestText, ReadsBackAsTheSameValue) {
     }
 }
 
+TEST(ParseNumber, ADecimalCommaIsNamed) {
+    const auto message = [](const char* text) {
+        try {
+            parse_number(text, "--size");
+        } catch (const Error& e) {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(message("0,25"), "cannot read '0,25' as a number for --size; write 0.25");
+    for (const char* other : {"1,2,3", "a,b", ",", "1.000,5"})
+        EXPECT_EQ(message(other).find("write"), std::string::npos) << other;
+}
+
 TEST(ParseNumber, TakesWholeNumbersOfAnyFormAndNothingElse) {
     EXPECT_EQ(parse_number("1.5", "x"), 1.5);
     EXPECT_EQ(parse_number("-2e-3", "x"), -0.002);

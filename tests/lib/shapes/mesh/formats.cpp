@@ -320,6 +320,7 @@ TEST(Read, ForeignFilesAreNamed) {
                                                          {"<?xml version=\"1.0\"?>\n<amf unit=\"mm\">", "AMF"},
                                                          {"{\"asset\": {\"version\": \"2.0\"}}", "glTF"},
                                                          {"\x1f\x8b\x08" + std::string(300, '\1'), "gzip"},
+                                                         {"GCDE" + std::string(300, '\1'), "binary G-code"},
                                                          {"PK\x05\x06" + std::string(18, '\0'), "holds no mesh"},
                                                          {"ISO-10303-21;\n", "STEP"}};
     for (const auto& [bytes, name] : kinds) EXPECT_NE(what_of(bytes).find(name), std::string::npos) << what_of(bytes);

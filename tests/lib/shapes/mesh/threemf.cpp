@@ -197,4 +197,16 @@ TEST(ThreeMfRules, EachInstanceHasItsOwnNegativeBodies) {
     EXPECT_EQ(f.items[12], 1U);
 }
 
+// A program that a printer takes in a 3MF archive is no part.
+TEST(ThreeMfRules, ProgramsAreNamed) {
+    const std::string empty = "<model><resources/><build/></model>";
+    try {
+        read(shapes::archive(empty, {{"Metadata/plate_1.gcode", "G28"}}), "it");
+        ADD_FAILURE();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.exit(), Exit::bad_input);
+        EXPECT_NE(std::string(e.what()).find("it holds a program for a printer"), std::string::npos) << e.what();
+    }
+}
+
 } // namespace filum::mesh
