@@ -12,7 +12,8 @@ namespace {
 
 using geom::Vec2;
 
-constexpr double kHair = 1e-6; // of a cell: tolerance of rounding
+constexpr double kHair = 1e-6;      // of a cell: tolerance of rounding
+constexpr double kTouches = 0.5e-3; // mm: a program, which has whole micrometres, cannot express less
 
 // Cells of at least the mean length, at most four per bead; beads on a border belong to both cells.
 geom::SegmentGrid grid(std::span<const Bead> beads) {
@@ -42,12 +43,17 @@ bool meet(const Bead& earlier, double top, const Bead& later, double nozzle, dou
     return std::min(top, nozzle) - std::max(top - earlier.thick * height, nozzle - later.thick * height) > least;
 }
 
+// Whether ends with these signed distances from a line are on its two sides, neither within kTouches of it.
+bool on_both_sides(double a, double b) { return std::min(a, b) < -kTouches && std::max(a, b) > kTouches; }
+
 // Whether they cross; `at` is set to the place.
 bool cross(const Bead& s, const Bead& t, double height, Vec2& at) {
-    const double d1 = geom::orient(s.a, s.b, t.a), d2 = geom::orient(s.a, s.b, t.b);
-    if (d1 * d2 >= -1e-12) return false;
-    const double e1 = geom::orient(t.a, t.b, s.a), e2 = geom::orient(t.a, t.b, s.b);
-    if (e1 * e2 >= -1e-12) return false;
+    const double s_length = geom::distance(s.a, s.b), t_length = geom::distance(t.a, t.b);
+    if (!(s_length > 0 && t_length > 0)) return false;
+    const double d1 = geom::orient(s.a, s.b, t.a) / s_length, d2 = geom::orient(s.a, s.b, t.b) / s_length;
+    if (!on_both_sides(d1, d2)) return false;
+    const double e1 = geom::orient(t.a, t.b, s.a) / t_length, e2 = geom::orient(t.a, t.b, s.b) / t_length;
+    if (!on_both_sides(e1, e2)) return false;
     const double u = d1 / (d1 - d2), v = e1 / (e1 - e2);
     at = geom::lerp(t.a, t.b, u);
     const double z_t = std::lerp(double{t.from_z}, t.to_z, u), z_s = std::lerp(double{s.from_z}, s.to_z, v);

@@ -15,9 +15,13 @@ std::size_t brute(const std::vector<Bead>& beads) {
         for (std::size_t j = 0; j < i; ++j) {
             const Bead &s = beads[j], &t = beads[i];
             if (t.order - s.order <= 1) continue;
-            if (geom::orient(s.a, s.b, t.a) * geom::orient(s.a, s.b, t.b) >= -1e-12) continue;
-            if (geom::orient(t.a, t.b, s.a) * geom::orient(t.a, t.b, s.b) >= -1e-12) continue;
-            ++n;
+            bool both = true; // each has its ends on both sides of the other, half a micrometre and more from it
+            for (const auto& [line, ends] : {std::pair{s, t}, std::pair{t, s}}) {
+                const double length = geom::distance(line.a, line.b), a = geom::orient(line.a, line.b, ends.a) / length,
+                             b = geom::orient(line.a, line.b, ends.b) / length;
+                both = both && a * b < 0 && std::min(std::abs(a), std::abs(b)) > 0.5e-3;
+            }
+            n += both ? 1 : 0;
         }
     }
     return n;
@@ -50,6 +54,15 @@ TEST(Crossings, TouchingIsNone) {
                                   {{4, 0}, {5, 5}, 0.4, 0, 9},
                                   {{1, 0}, {3, 0}, 0.4, 0, 12}};
     EXPECT_EQ(crossings(beads, 1).whole, 0);
+    // An end that rounding has put on the other side, at any angle.
+    for (const double across : {0.0, 0.3, -2.0}) {
+        EXPECT_EQ(crossings(std::vector<Bead>{{{0, 0}, {4, 0}, 0.4, 0, 0}, {{2, -4e-4}, {2 + across, 3}, 0.4, 0, 5}}, 1)
+                      .whole,
+                  0);
+        EXPECT_EQ(crossings(std::vector<Bead>{{{0, 0}, {4, 0}, 0.4, 0, 0}, {{2, -1e-3}, {2 + across, 3}, 0.4, 0, 5}}, 1)
+                      .whole,
+                  1);
+    }
 }
 
 TEST(Crossings, OnGridLinesCountOnce) {
