@@ -22,6 +22,11 @@ cli::Spec spec(app::route::Options& o) {
                      .within(0, 1000)
                      .numbers(1)
                      .a_limit(),
+                 Option{"bath", &o.bath, "MM",
+                        "in a bath of gel: distance of travels from beads on all sides; in and out beside the part"}
+                     .within(0, 100)
+                     .when("!head=none")
+                     .a_limit(),
                  Option{"tilt", &o.tilt, "DEG", "largest angle by which the tool may lean off its normals"}
                      .within(0, 80)
                      .a_limit(),
@@ -32,7 +37,7 @@ cli::Spec spec(app::route::Options& o) {
                  Option{"leaning", &o.leaning, "FILE", "list of strokes whose tool leans, as TSV"}.not_a_setting().when(
                      "tilt")},
                 app::collide::options(o)),
-            .groups = {{"where the head is in the way", {"tilt", "tilt-rate", "leaning", "lift"}},
+            .groups = {{"where the head is in the way", {"tilt", "tilt-rate", "leaning", "lift", "bath"}},
                        app::collide::group(),
                        cli::head_group()},
             .examples = {{"slice part.stl | regions | sequence | fill | link3d | route --bed | postproc > part.gcode",

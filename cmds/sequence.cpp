@@ -31,7 +31,14 @@ cli::Spec spec(Options& o) {
                            .one_of({"columns", "layers"})
                            .a_limit()},
                       cli::head_options(o.work.head)),
-            {cli::Option{"budget", &o.budget, "MILLIONS|SECONDSs",
+            {cli::Option{"clearance", &o.work.clearance, "MM",
+                         "distance that the head keeps from finished regions, as in a "
+                         "bath of gel"}
+                 .within(0, 100)
+                 .when("!head=none")
+                 .not_a_setting()
+                 .a_limit(),
+             cli::Option{"budget", &o.budget, "MILLIONS|SECONDSs",
                          "steps of the search, about 3 ms per million; 10s: steps for about 10 s"}
                  .when("order=columns")
                  .a_limit(),

@@ -42,7 +42,7 @@ rows = [line.split() for line in open("both.tsv")]
 made = {int(r[1]): float(r[2]) for r in rows if r[0] == "tool"}
 sector = 64 / 2 * math.sin(2 * math.pi / 64)  # area of the polygon in a unit circle
 for tool, area in ((0, sector * (64 - 16)), (1, sector * 16)):
-    assert abs(made[tool] / (area * 4) - 1) < 0.01, (tool, made[tool], area * 4)
+    assert abs(made[tool] / (area * 4) - 1) < 0.005, (tool, made[tool], area * 4)
 assert ["changes", "20"] in rows, rows
 END
 }
@@ -153,19 +153,32 @@ made = {int(r[1]): float(r[2]) for r in map(str.split, open("random.tsv")) if r[
 for tool, name in ((0, "random/a.stl"), (1, "random/b.stl")):
     off = made[tool] / volume(name) - 1
     print("seed", sys.argv[1], "tool", tool, "off", off)
-    assert abs(off) < 0.015  # joins add material, corners lack some: boxes of 6 mm
+    assert abs(off) < 0.005
 END
         peek --text kept/*-sequence.* | awk '/^fact stage sequence/ { value[$5] = $7 }
             END { exit value["planned-strokes"] < value["lower-bound"] || value["tool-changes"] < value["tool-changes-bound"] }'
     done
 }
 
-@test "in a bath the needle keeps its distance from what is printed, on travels, too" {
-    "$FILUM_SOURCE/tests/bodies/make-bodies" vessels vessels
-    filum print -q vessels/a.stl --machine syringe --flat-radius 0.45 --cone-angle 0 --cone-height 60 -o vessels.gcode
-    collide --machine syringe --flat-radius 0.25 --cone-angle 0 --cone-height 60 --margin 0.2 --program vessels.gcode > /dev/null
-    run collide --machine syringe --flat-radius 0.25 --cone-angle 0 --cone-height 60 --margin 5 --program vessels.gcode
-    [ "$status" -eq 1 ] # the check can fail
+@test "in a bath the needle keeps its distance from what is printed, and goes in and out beside the part" {
+    local needle="--machine syringe --flat-radius 0.25 --cone-angle 0 --cone-height 60"
+    for part in vessels ear; do
+        "$FILUM_SOURCE/tests/bodies/make-bodies" $part $part
+        filum print -q $part/a.stl $needle --bath 0.2 -o $part.gcode
+        collide $needle --margin 0.2 --program $part.gcode > /dev/null
+        "$FILUM_SOURCE/tests/bodies/read-bath" $part.gcode 0.25 > $part.tsv
+        cat $part.tsv
+        awk -F'\t' '$2 < 0.2 { exit 1 } END { exit NR != 4 }' $part.tsv # side, under, entry, exit
+    done
+    # the checks can fail: planned for a needle without a shaft, the shaft is too near to the tower beside it
+    boxes beside.stl 0,0,0,4,4,3 4.1,0,0,8,4,3
+    slice -q beside.stl | regions -q | sequence --head none | fill -q | link3d -q -o blind.toolpath
+    run route $needle --bath 0.2 blind.toolpath -o blind.routed
+    [[ $status -eq 1 && $output == *mm* && ! -e blind.routed ]]
+    route $needle --bath 0.2 --strict=false blind.toolpath 2> route.notes | postproc -q --machine syringe > blind.gcode
+    grep -q 'meets beads' route.notes
+    run collide $needle --margin 0.2 --program blind.gcode
+    [ "$status" -eq 1 ]
 }
 
 @test "a tool is purged after it takes over, at its place, and values differ between tools" {

@@ -8,7 +8,7 @@ setup_file() {
     source_tree=$(cd "$BATS_TEST_DIRNAME/../.." && pwd)
     export source_tree PROFILES=$source_tree/lib/motion/machine/profiles PYTHONDONTWRITEBYTECODE=1
     cd "$BATS_FILE_TMPDIR" || exit 1
-    for link in scripts examples python cmake; do ln -s "$source_tree/$link" $link; done
+    for link in scripts examples python cmake tests; do ln -s "$source_tree/$link" $link; done
     ln -s "$FILUM_BUILD" build
     box_stl > part.stl
     examples/scaffold/make-part block 6 6 2 block.stl

@@ -28,6 +28,17 @@ Head altered(const Head& from, const HeadChoice& o) {
     return h;
 }
 
+Head widened(const Head& head, double distance) {
+    Head out = head;
+    const double half = head.cone_angle / 2;
+    out.flat_radius += distance / std::cos(half) + distance * std::tan(half); // aside, and as if the cone sank
+    out.carriage_x += 2 * distance;
+    out.carriage_y += 2 * distance;
+    out.cone_height = std::max(0.0, head.cone_height - distance);
+    out.gantry_height = std::max(0.0, head.gantry_height - distance);
+    return out;
+}
+
 namespace {
 
 std::vector<HeadSetting> plain(const Head& h) {

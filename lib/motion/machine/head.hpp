@@ -39,6 +39,9 @@ Head head(const HeadChoice& choice);
 // `from` with the sizes of the choice; the name of the choice is ignored.
 Head altered(const Head& from, const HeadChoice& choice);
 
+// A head that is larger on all sides: where it touches nothing, `head` keeps at least `distance` mm.
+Head widened(const Head& head, double distance);
+
 // A head as names and values of options that describe it completely.
 struct HeadSetting {
     std::string name, value;

@@ -125,7 +125,8 @@ void FibreWalk::release(std::uint32_t tool) {
     if (any_omitted(travels_)) travels_ = {joined(travels_, std::max(kOver, profile_->travel.lift))};
     for (Span& t : travels_) {
         t.tool = tool;
-        if (begun_) inner_->add(t); // before the first stroke no travel is needed
+        // Before the first stroke no travel is needed, unless it leads into a bath of gel.
+        if (begun_ || (!t.normals.empty() && !profile_->axes.active())) inner_->add(t);
     }
     travels_.clear();
     begun_ = true;

@@ -159,7 +159,10 @@ void Walk::purge(std::uint32_t layer, const Vec3& over) {
 }
 
 void Walk::travel(const toolpath::Span& span) {
-    if (!started()) return; // nothing was printed yet; begin_stroke() approaches the first stroke
+    if (!started()) { // nothing was printed yet; begin_stroke() approaches the first stroke
+        if (!span.normals.empty()) lead_in_ = span.points;
+        return;
+    }
     if (open_) put({.act = Act::close, .layer = span.layer, .to = at_, .tool = tool_});
     open_ = false;
     const bool other = span.tool != tool_, changes = other || profile_->fibre.lays(tool_);
@@ -189,7 +192,8 @@ void Walk::go(const Vec3& to, const toolpath::Span& travel) {
 }
 
 void Walk::begin_stroke(const toolpath::Span& span) {
-    const Vec3 to = span.points.front();
+    const Vec3 start = span.points.front();
+    Vec3 to = layer_ < 0 && !lead_in_.empty() ? lead_in_.front() : start;
     const auto go = [&](Act act, Vec3 where, double feed) {
         put({.act = act, .role = Role::travel, .layer = span.layer, .to = where, .feed = feed, .tool = tool_});
     };
@@ -205,6 +209,9 @@ void Walk::begin_stroke(const toolpath::Span& span) {
         if (changes) purge(span.layer, {to.x, to.y, clear});
         go(Act::climb, {to.x, to.y, clear}, own().feeds.z);
         go(Act::travel, {to.x, to.y, clear}, own().feeds.travel);
+        if (to != start) go(Act::climb, to, own().feeds.z);
+        for (std::size_t i = 1; i < lead_in_.size(); ++i) go(Act::travel, lead_in_[i], own().feeds.z);
+        to = start;
     }
     at_ = to;
     if (profile_->fibre.lays(tool_)) go(Act::push, to, 0); // into the air

@@ -148,8 +148,8 @@ class Throughput;
 //
 // A travel closes the stroke, retracts, rises, moves, comes down, primes, and opens the next stroke.  It rises above
 // all printed so far, above its own points and to travel.above, but not above the top of the machine.  A travel with
-// normals follows its points instead; after a change of the tool it begins above its second point.  A travel shorter
-// than the profile's min_length only moves.
+// normals follows its points instead; after a change of the tool, and before the first stroke, it is entered from
+// above.  A travel shorter than the profile's min_length only moves.
 //
 // Feeds depend on the role.  They are lowered on layer 0, to keep limits.flow and motion.max_speed_z, and to
 // motion.moves_per_second (throughput.hpp).  A lowered feed above 1 mm/s is a whole number.
@@ -173,9 +173,10 @@ class Walk final : public Walker {
     const machine::Profile* profile_;
     std::unique_ptr<Throughput> steps_;
     const Joins* joins_;
-    Vec3 at_;        // of the nozzle
-    double top_ = 0; // highest point printed so far
-    double run_ = 0; // mm of the stroke so far, while its speed rises
+    Vec3 at_;                   // of the nozzle
+    std::vector<Vec3> lead_in_; // points of the travel before the first stroke, if it must be followed
+    double top_ = 0;            // highest point printed so far
+    double run_ = 0;            // mm of the stroke so far, while its speed rises
     std::int64_t layer_ = -1;
     std::uint32_t tool_ = 0;
     std::set<std::uint32_t> retracted_; // tools

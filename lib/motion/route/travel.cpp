@@ -27,7 +27,7 @@ class TravelSearch {
         : fan_(fan), o_(options), reserve_(std::max(options.lift, kReserve)) {}
 
     Travel run() {
-        if (fan_.chord() < o_.min_length && !fan_.blocked({0, 0, 0}, {1, 0, 0}))
+        if (o_.under == 0 && fan_.chord() < o_.min_length && !fan_.blocked({0, 0, 0}, {1, 0, 0}))
             return {.stances = {}, .kind = Kind::straight, .length = fan_.chord(), .free = true};
         const Way straight{end(0), end(1)};
         Way best{straight[0]};
@@ -119,7 +119,7 @@ class TravelSearch {
         const bool ends = fan_.free({0, 0, 0}) && fan_.free({1, 0, 0});
         Travel out{.stances = {}, .kind = kind, .length = whole(way), .free = free && ends};
         for (std::size_t i = 0; i < way.size(); ++i) {
-            const ToolFrame to = fan_.at(way[i]);
+            const ToolFrame to = fan_.at({way[i].share, way[i].aside, way[i].rise + o_.under});
             const std::size_t parts = i == 0 ? 1 : turns(out.stances.back(), to);
             const collision::Move leg{i == 0 ? to : out.stances.back(), to};
             for (std::size_t k = 1; k < parts; ++k)

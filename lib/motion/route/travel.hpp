@@ -17,6 +17,7 @@ inline constexpr std::array<const char*, 3> kKindNames{"straight", "over", "arou
 struct TravelOptions {
     double lift = 0.6;      // mm along the tool axis before anything else
     double min_length = 0;  // mm; a shorter travel that is free is not raised
+    double under = 0;       // mm that the tip keeps above what it passes over, except at both ends
     double most_turn = 0.1; // rad between two points: machines rotate in their own way in between
 };
 
@@ -35,6 +36,7 @@ struct Travel {
 //   lift (at least 0.2 mm), until all is free; then unnecessary corners are removed;
 // - around: searched at four heights from the lift to that of the way over, if that exceeds the straight way by 5 mm
 //   and a quarter.
+// The way is found for a tip that is lower by `under`, and then raised by as much.
 // `before`: beads born earlier are obstacles. If no way is free, the way over as far as it was found; from an end
 // without room it first leads along the axis. Deterministic; a way over has at most 64 corners; see around.hpp for the
 // other.

@@ -32,9 +32,9 @@ const std::string& value_behind(const std::vector<std::string>& words, std::size
 // alone and wins there.  An option for all stages is not given to a stage where it has no effect, if it has an effect
 // in another stage. Some options set others, unless those are given: --vase sets --lift, --nozzle sets --bead-width,
 // --wells and --grid set
-// --place, --wells sets --wall-height.  --machine sets --head in each stage that has --head.
-// A value follows its option after a space or a '='.  All words behind "--" are files.
-// Throws Error(usage) for an option that no stage has, and for a missing value.
+// --place, --wells sets --wall-height, --body sets --volume, --bath sets --clearance.  --machine sets --head in each
+// stage that has --head. A value follows its option after a space or a '='.  All words behind "--" are files. Throws
+// Error(usage) for an option that no stage has, and for a missing value.
 Request distribute(const std::vector<std::string>& words, const std::vector<Stage>& stages);
 
 } // namespace filum::app::filum

@@ -35,9 +35,15 @@ bool is_stage(const std::string& name);
 
 // The stages of the planar chain, first to last.  kByWish: those that run only if the user gives one of their own
 // options.
-inline constexpr const char* kPlanar[] = {"slice",    "regions", "vase",   "skins",   "supports",
-                                          "sequence", "fill",    "link3d", "postproc"};
-inline constexpr const char* kByWish[] = {"vase", "skins", "supports"};
+inline constexpr const char* kPlanar[] = {"slice",    "regions", "vase",   "skins", "supports",
+                                          "sequence", "fill",    "link3d", "route", "postproc"};
+inline constexpr const char* kByWish[] = {"vase", "skins", "supports", "route"};
+
+// An option that means something else in this stage than in the others of the chain; only --STAGE.NAME reaches it.
+struct OwnMeaning {
+    const char *stage, *option;
+};
+inline constexpr OwnMeaning kOwnMeaning{"route", "lift"};
 
 // Names of all stages, in alphabetical order.
 std::vector<std::string> stage_names();

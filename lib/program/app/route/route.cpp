@@ -6,6 +6,7 @@
 #include "collision/report.hpp"
 #include "geom/angle.hpp"
 #include "route/job.hpp"
+#include "route/rim.hpp"
 #include "wire/planar.hpp"
 
 namespace filum::app::route {
@@ -58,6 +59,8 @@ void run(const Options& o, const cli::Io& given) {
         collide::machine_of(profile), o.check, {}, {o.tilt * kDegree, o.tilt_rate * kDegree}, o.bed};
     how.travel.lift = o.lift.empty() ? profile.travel.lift : o.lift[0];
     how.travel.min_length = profile.travel.min_length;
+    how.travel.under = o.bath;
+    how.check.margin = std::max(how.check.margin, o.bath);
     cli::Io io = given;
     collide::add_settings(profile.head, io);
     stream::Reader reader(io.input, stream::Payload::toolpath);
@@ -73,8 +76,9 @@ void run(const Options& o, const cli::Io& given) {
     }
     collide::Things things(o.part, o.fixture);
     io.settings.insert(io.settings.end(), things.settings.begin(), things.settings.end());
+    if (o.bath > 0) filum::route::add_rim_ways(spans, how.machine.head, o.bath + how.travel.lift);
     const auto job = filum::route::route(std::move(spans), std::move(things.solids), how, io.threads);
-    const collision::ReportInput answer{job.moves, job.found, o.check, collision::Source::point};
+    const collision::ReportInput answer{job.moves, job.found, how.check, collision::Source::point};
     collide::write_places(o.places, answer);
     write_leaning(o.leaning, job.leaning);
     if (!job.found.collisions.empty() && o.strict) throw Error(Exit::failure, collision::complaint(answer));

@@ -12,6 +12,7 @@ namespace filum::app::route {
 struct Options : collide::Surroundings {
     std::vector<double> lift;       // mm; empty: as in the profile
     double tilt = 0, tilt_rate = 5; // deg, deg/mm
+    double bath = 0;                // mm that travels keep from beads in a bath of gel; 0: no bath
     std::string leaning;            // file for the list of strokes with a tilted tool; "": none
 };
 

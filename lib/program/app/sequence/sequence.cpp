@@ -24,6 +24,11 @@ void run(const Work& work, const cli::Io& given) {
     if (how.first != filum::sequence::Priority::strokes) io.settings.push_back({"tool-changes", "first", true});
     for (const auto& [name, value, changed] : machine::settings(how.heads.common))
         io.settings.push_back({name, value, changed});
+    if (work.clearance > 0) {
+        how.heads.common = machine::widened(how.heads.common, work.clearance);
+        for (auto& [tool, head] : how.heads.own) head = machine::widened(head, work.clearance);
+        io.settings.push_back({"clearance", shortest_text(work.clearance), true});
+    }
     std::vector<stream::RawFrame> frames;
     std::vector<polygon::Region> regions;
     auto whole = cli::read_all(io.input, stream::Payload::regions, [&](stream::RawFrame frame) {

@@ -10,6 +10,7 @@ namespace filum::app::sequence {
 struct Work {
     filum::sequence::Options how; // `how.heads` are those of `head`
     machine::HeadChoice head;
+    double clearance = 0; // mm that the heads keep from finished regions
     std::string pause_at; // machine::parse_pauses; empty: no pause
     std::string ends;     // file for a table with the end of every stroke; empty: none
     bool report = false;  // print the facts
