@@ -15,34 +15,7 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
 # walls PROGRAM HEIGHT COLUMNS ROWS PITCH RADIUS: reads a program by itself, from its first move on.  Prints the number of
 # wells in which something is laid and the least height above the walls at which the nozzle is between wells.
 walls() {
-    python3 - "$@" << 'END'
-import math, sys
-program, height, columns, rows, pitch, radius = sys.argv[1], *map(float, sys.argv[2:])
-shift = 1.85 if columns == 6 else 0
-middles = [(100 + shift + (c - (columns - 1) / 2) * pitch, 100 + (r - (rows - 1) / 2) * pitch)
-           for c in range(int(columns)) for r in range(int(rows))]
-def well(p):
-    k = min(range(len(middles)), key=lambda k: math.dist(p, middles[k]))
-    return k if math.dist(p, middles[k]) < radius else None
-at, least, used = [None, None, None], math.inf, set()
-for line in open(program):
-    words = line.split(";")[0].split()
-    if not words or words[0] not in ("G0", "G1"): continue
-    to = list(at)
-    for w in words[1:]:
-        if w[0] in "XYZ": to["XYZ".index(w[0])] = float(w[1:])
-    lays = any(w[0] == "E" and float(w[1:]) > 0 for w in words)
-    if to[0] is not None and to[:2] != at[:2]:
-        # places on the way; the first move comes from anywhere
-        steps = 1 if at[0] is None else max(1, math.ceil(math.dist(at[:2], to[:2]) / 0.1))
-        for k in range(steps + 1):
-            f = k / steps
-            p = to[:2] if at[0] is None else [a + f * (b - a) for a, b in zip(at[:2], to[:2])]
-            if at[0] is None or well(p) is None: least = min(least, min(z for z in (at[2], to[2]) if z is not None))
-        if lays: used.add(well(to[:2]))
-    at = to
-print(len(used), round(least - height, 3), "outside" if None in used else "inside")
-END
+    "$FILUM_SOURCE/tests/bodies/read-wells" "$@"
 }
 
 @test "a part in each well of a plate, no travel less than 2 mm above the walls, the first included" {
