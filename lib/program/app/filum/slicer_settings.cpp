@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
+#include <sstream>
 
 namespace filum::app::filum {
 
@@ -131,6 +133,7 @@ class Reader {
             return first_of(key, {"max_fan_speed", "fan_max_speed", "min_fan_speed", "fan_min_speed"}) ? cooling()
                                                                                                        : Words{};
         if (row.target == "wipe") return key.ends_with("wipe") && !key.ends_with("before_wipe") ? wipe() : Words{};
+        if (row.target == "thumbnails") return thumbnails(values_.whole(key));
         if (row.target == "vase") return values_.number(key) != 0 ? Words{"--vase"} : Words{};
         if (row.target == "skirt") return key == "skirt_distance" ? skirt() : Words{};
         if (row.target == "shrinkage")
@@ -188,6 +191,29 @@ class Reader {
         remarks_.push_back("no brim: brim_type is " + (type.empty() ? "auto_brim, the slicer's default," : type) +
                            " and Filum makes outer ones; add --brim");
         return {};
+    }
+
+    // The sizes of "16x16/PNG, 220x124": Filum draws PNG pictures, and a remark names other forms.
+    Words thumbnails(const std::string& text) {
+        const std::string usual = values_.text("thumbnails_format");
+        std::string sizes, other;
+        std::istringstream items(text);
+        for (std::string item; std::getline(items, item, ',');) {
+            std::erase_if(item, [](char c) { return c == ' ' || c == '"'; });
+            const std::size_t slash = std::min(item.find('/'), item.size());
+            const std::string form = slash < item.size() ? item.substr(slash + 1) : usual.empty() ? "PNG" : usual;
+            int width = 0, height = 0, end = 0;
+            if (std::sscanf(item.c_str(), "%4dx%4d%n", &width, &height, &end) == 2 && width == 0 && height == 0)
+                continue;
+            const bool drawn = form == "PNG" && static_cast<std::size_t>(end) == slash &&
+                               std::min(width, height) >= 8 &&
+                               std::max(width, height) <= 2000; // sides that --thumbnails takes, pixels
+            std::string& list = drawn ? sizes : other;
+            list += (list.empty() ? "" : ",") + (drawn ? item.substr(0, slash) : item);
+        }
+        if (!other.empty())
+            remarks_.push_back("thumbnails " + other + " left out: Filum draws PNG of 8 to 2000 pixels a side");
+        return sizes.empty() ? Words{} : Words{option("thumbnails", sizes)};
     }
 
     // The length of a wipe.  PrusaSlicer wipes at four fifths of the travel speed while 95 % of what is left of the

@@ -34,6 +34,11 @@ std::string SlicerValues::text(const std::string& key) const {
     return first == "nil" ? "" : first;
 }
 
+std::string SlicerValues::whole(const std::string& key) const {
+    const auto at = values_.find(key);
+    return at == values_.end() ? "" : at->second;
+}
+
 double SlicerValues::number(const std::string& key) const {
     const std::string value = text(key);
     return parse_number(value.ends_with('%') ? value.substr(0, value.size() - 1) : value, key);

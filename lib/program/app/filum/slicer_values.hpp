@@ -20,6 +20,8 @@ class SlicerValues {
     // The value without quotes; of a list the item of the extruder that prints perimeters, or the first item if the
     // list is shorter.  "" for a key that is missing or nil.
     [[nodiscard]] std::string text(const std::string& key) const;
+    // The value as in the file, with all items of a list; "" for a key that is missing.
+    [[nodiscard]] std::string whole(const std::string& key) const;
     [[nodiscard]] bool percent(const std::string& key) const { return text(key).ends_with('%'); }
     // The number, without a '%' behind it.  Throws Error(usage) if the value is no number.
     [[nodiscard]] double number(const std::string& key) const;
