@@ -57,7 +57,7 @@ cli::Spec spec(postproc::Options& o) {
                  .within(-100, 100),
              {"pause-at", &o.pause_at, "LAYER|Zmm,...",
               "wait for the user (templates.pause) before a layer, counted from 0, as 12, or above a height, as 2.4mm; "
-              "give sequence the same"},
+              "2.4mm:colour changes the filament there; give sequence the same"},
              {"by-layer", &o.by_layer, "LAYER:NAME=VALUE,...",
               "change [values] from a layer on, as 50:nozzle_temp=205; the codes of the layers run again there"},
              {"thumbnails", &o.thumbnails, "WxH,...",

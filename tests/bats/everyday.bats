@@ -147,7 +147,7 @@ strokes_of() { metrics --format tsv "$1" | awk '$1 == "strokes" || $2 == "stroke
     slice project.3mf 2> said | regions --quiet -o p.regions
     [[ $(< said) == *'[project-modifier]'* ]]
     skins --walls 3 --modifier project.3mf p.regions -o p.skins 2> said
-    [[ $(< said) == *"setting 'fuzzy_skin=all' of a project's modifier was ignored"* && $(< said) != *extrusion_width* ]]
+    [[ $(< said) == *"setting 'fuzzy_skin=all' of a part or modifier of the project was ignored"* && $(< said) != *extrusion_width* ]]
     [[ -n $(peek p.skins | value modifier-1-infill-spacing) ]]
     peek --text p.skins | grep -q 'area kind zone'
     # paint, in two of twelve triangles, looks down over 35 x 24 mm of air

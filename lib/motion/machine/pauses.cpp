@@ -6,31 +6,40 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string_view>
 
 namespace filum::machine {
 
-std::size_t Pauses::before(std::uint32_t layer, double z, double height) const {
-    const auto in_layers = std::count_if(layers.begin(), layers.end(), [&](std::uint32_t l) { return l <= layer; });
+bool Pause::before(std::uint32_t layer, double z, double height) const {
     constexpr double rounding = 1e-6; // mm, rounding error of the heights of layers
-    const auto in_heights =
-        std::count_if(heights.begin(), heights.end(), [&](double h) { return h < z - height / 2 - rounding; });
-    return static_cast<std::size_t>(in_layers + in_heights);
+    return by_height ? at < z - height / 2 - rounding : at <= layer;
+}
+
+std::size_t Pauses::before(std::uint32_t layer, double z, double height) const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(all, [&](const Pause& p) { return p.before(layer, z, height); }));
 }
 
 Pauses parse_pauses(const std::string& text) {
     Pauses out;
     std::istringstream words(text);
+    constexpr std::string_view colour = ":colour";
     for (std::string word; std::getline(words, word, ',');) {
-        const bool height = word.ends_with("mm");
-        const double value = parse_number(height ? word.substr(0, word.size() - 2) : word, "--pause-at");
-        const bool whole = value == std::floor(value) && value < 1e9;
-        if (!(value > 0) || (!height && !whole))
+        Pause pause;
+        std::string number = word;
+        if (number.ends_with(colour)) {
+            pause.what = Pause::What::colour;
+            number.resize(number.size() - colour.size());
+        }
+        pause.by_height = number.ends_with("mm");
+        if (pause.by_height) number.resize(number.size() - 2);
+        pause.at = parse_number(number, "--pause-at");
+        const bool whole = pause.at == std::floor(pause.at) && pause.at < 1e9;
+        if (!(pause.at > 0) || (!pause.by_height && !whole))
             throw Error(Exit::usage, "cannot use '" + word +
-                                         "' for --pause-at: it must be a layer above 0, as 12, or a height, as 2.4mm");
-        if (height)
-            out.heights.push_back(value);
-        else
-            out.layers.push_back(static_cast<std::uint32_t>(value));
+                                         "' for --pause-at: it must be a layer above 0, as 12, or a height, as 2.4mm; "
+                                         "with ':colour' behind it, the filament is changed there");
+        out.all.push_back(pause);
     }
     return out;
 }

@@ -8,17 +8,29 @@
 
 namespace filum::machine {
 
-struct Pauses {
-    std::vector<std::uint32_t> layers; // a pause before each of these layers, counted from 0
-    std::vector<double> heights;       // mm: a pause before the first layer whose middle is above
+struct Pause {
+    enum class What : std::uint8_t { wait, colour };
+    What what = What::wait;
+    bool by_height = false;
+    // The number of the layer before which it is, counted from 0. By height, mm: it is before the first layer whose
+    // middle is above.
+    double at = 0;
 
-    [[nodiscard]] std::size_t count() const { return layers.size() + heights.size(); }
+    // Whether it comes before a layer whose top is at `z` and whose thickness is `height`, mm.
+    [[nodiscard]] bool before(std::uint32_t layer, double z, double height) const;
+};
+
+struct Pauses {
+    std::vector<Pause> all;
+
+    [[nodiscard]] std::size_t count() const { return all.size(); }
     // The number of pauses before a layer whose top is at `z` and whose thickness is `height`, mm.
     [[nodiscard]] std::size_t before(std::uint32_t layer, double z, double height) const;
 };
 
-// Parses "12,2.4mm": a number with "mm" is a height, a number without it is a layer.  Throws Error(usage) for any other
-// text, and for layer 0 or a height of 0 or less, as nothing is printed before these.
+// Parses "12,2.4mm,5mm:colour": a number with "mm" is a height, a number without it is a layer; ":colour" asks for
+// another filament.  Throws Error(usage) for any other text, and for layer 0 or a height of 0 or less, as nothing is
+// printed before these.
 Pauses parse_pauses(const std::string& text);
 
 } // namespace filum::machine

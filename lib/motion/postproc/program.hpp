@@ -83,7 +83,7 @@ class Program final : public Writer {
     std::unique_ptr<preset::Program> preset_; // null: the profile's own templates
     Step layer_;                              // the step that began the layer
     std::vector<LabelledPart> parts_;         // parts on the bed, with plain names
-    std::uint64_t waited_ = 0;                // pauses written
+    std::vector<char> waited_;                // by pause: it was written
     std::int64_t part_ = -1;                  // the part begun last; -1: none
     std::vector<char> named_;                 // by part: its name was written
     Nominal nominal_;

@@ -37,12 +37,17 @@ void Program::layer(const Step& step) {
 
 // Writes the pauses that are due before the layer.
 void Program::wait(const Step& step) {
-    const std::uint64_t due = planned_->pauses.before(step.layer, step.to.z, step.height);
-    for (; waited_ < due; ++waited_) {
-        if (preset_ != nullptr)
-            preset_code(preset_->pause(step.layer, step.to.z));
-        else
+    const auto& all = planned_->pauses.all;
+    waited_.resize(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (waited_[i] != 0 || !all[i].before(step.layer, step.to.z, step.height)) continue;
+        waited_[i] = 1;
+        if (preset_ == nullptr)
             code(profile_->templates.pause);
+        else if (all[i].what == machine::Pause::What::colour)
+            preset_code(preset_->change_colour(step.layer, step.to.z));
+        else
+            preset_code(preset_->pause(step.layer, step.to.z));
     }
 }
 

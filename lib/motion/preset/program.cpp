@@ -93,7 +93,8 @@ std::string Program::first_bed_temperature(const std::string& start) {
         if (!orca_ && set.celsius >= 0 && set.celsius < 1000) bed_ = set.celsius; // OrcaSlicer goes by its setting
         return "";
     }
-    return bed_temperature(flavor_, bed_, true);
+    // Slicers take the bed to be at 0 degrees and write no command that would leave it there.
+    return bed_ != 0 ? bed_temperature(flavor_, bed_, true) : "";
 }
 
 std::string Program::temperatures(const std::string& start, bool wait) {
@@ -206,6 +207,14 @@ std::string Program::pause(std::uint32_t layer, double z) {
     std::string text = code_of({key});
     if (text.empty()) text = "M601";
     return code(key, text, tool_);
+}
+
+std::string Program::change_colour(std::uint32_t layer, double z) {
+    place(layer, z);
+    const char* key = "color_change_gcode";
+    std::string text = code_of({key});
+    if (text.empty()) text = "M600";
+    return ";COLOR_CHANGE,T" + std::to_string(tool_) + "\n" + code(key, text, tool_);
 }
 
 // The lift of the nozzle at a retraction at height z, mm.

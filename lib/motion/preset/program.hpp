@@ -42,6 +42,7 @@ class Program {
     std::string after_layer(std::uint32_t layer, double z);
     std::string change_tool(std::uint32_t to, std::uint32_t layer, double z);
     std::string pause(std::uint32_t layer, double z);
+    std::string change_colour(std::uint32_t layer, double z); // the user changes the filament
     std::string end(std::uint32_t layer, double z);
 
     [[nodiscard]] Flavor flavor() const { return flavor_; }

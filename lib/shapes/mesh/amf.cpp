@@ -191,7 +191,8 @@ class Amf {
                 what = prusa_body(value);
             else if (key == "modifier" && value == "1" && !what)
                 what = Body::What::modifier;
-            else if (is_setting(key))
+            else if (is_setting(key) ||
+                     (key == "extruder" && value != "0" && value != "1")) // that of the part otherwise
                 out.settings.emplace_back(key, value);
         }
         if (!what) return std::nullopt;

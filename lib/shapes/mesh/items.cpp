@@ -117,12 +117,15 @@ void cut_below_bed(const geom::Box3& box, std::uint32_t item, File& to) {
 }
 
 void tell_bodies(File& to) {
-    using What = Body::What;
-    const auto count = [&](What what) {
-        return static_cast<std::size_t>(std::ranges::count(to.bodies, what, &Body::what));
+    const auto count = [&](const auto& fits) {
+        return static_cast<std::size_t>(std::ranges::count_if(to.bodies, fits));
     };
-    tell(NoteCode::project_modifier, count(What::modifier), to.notes);
-    tell(NoteCode::project_support_body, count(What::enforcer) + count(What::blocker), to.notes);
+    tell(NoteCode::project_modifier, count([](const Body& b) { return b.what == Body::What::modifier && !b.printed; }),
+         to.notes);
+    tell(NoteCode::project_part_settings, count([](const Body& b) { return b.printed && changes_settings(b); }),
+         to.notes);
+    tell(NoteCode::project_support_body,
+         count([](const Body& b) { return wants_supports(b, true) || wants_supports(b, false); }), to.notes);
 }
 
 Mesh part_of(const Mesh& mesh, std::span<const Triangle> triangles) {

@@ -41,7 +41,7 @@ std::vector<double> heights_to_lose(std::span<const geom::Box3> boxes, Notes& no
 // If the item in `box` reaches below the bed (z = 0), adds a negative body that cuts that part away, as slicers do.
 void cut_below_bed(const geom::Box3& box, std::uint32_t item, File& to);
 
-// Adds notes on the bodies that are not printed: modifiers, and those for supports.
+// Adds notes on the bodies that change settings, and on those for supports.
 void tell_bodies(File& to);
 
 // Copies some triangles of a mesh, and the vertices that they use, into a new mesh.

@@ -11,6 +11,12 @@ namespace {
 
 constexpr int kMostCuts = 32; // deepest nesting of splits
 
+// Attributes with paint: in PrusaSlicer's namespace, and in OrcaSlicer and Bambu Studio.
+struct PaintName {
+    std::string_view prusa, bambu;
+    const char* what;
+};
+
 class PaintReader {
   public:
     PaintReader(std::string_view text, const std::function<void(Paint, const Corners&)>& put)
@@ -67,6 +73,18 @@ class PaintReader {
 };
 
 } // namespace
+
+const char* const kSupportPaint = "supports";
+
+const char* paint_of(std::string_view attribute) {
+    static constexpr PaintName kNames[] = {{":custom_seam", "paint_seam", "seams"},
+                                           {":mmu_segmentation", "paint_color", "materials"},
+                                           {":fuzzy_skin", "paint_fuzzy_skin", "fuzzy skin"}};
+    if (attribute.ends_with(":custom_supports") || attribute == "paint_supports") return kSupportPaint;
+    for (const PaintName& name : kNames)
+        if (attribute.ends_with(name.prusa) || attribute == name.bambu) return name.what;
+    return nullptr;
+}
 
 bool each_painted(std::string_view text, const Corners& corners,
                   const std::function<void(Paint, const Corners&)>& put) {

@@ -23,6 +23,11 @@ enum class Paint : std::uint8_t { none, wanted, unwanted, other };
 // times.
 bool each_painted(std::string_view text, const Corners& corners, const std::function<void(Paint, const Corners&)>& put);
 
+// The purpose of the paint in an attribute of a triangle: kSupportPaint, or another one in words; null if the attribute
+// holds no paint.
+extern const char* const kSupportPaint;
+const char* paint_of(std::string_view attribute);
+
 // A triangle and its paint, in the text form of the project.
 struct PaintedTriangle {
     Triangle triangle;

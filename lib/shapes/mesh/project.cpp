@@ -1,5 +1,7 @@
 #include "mesh/project.hpp"
 
+#include "mesh/formats.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
@@ -25,7 +27,7 @@ constexpr Word kBambu[] = {{"modifier_part", What::modifier},
                            {"support_blocker", What::blocker},
                            {"negative_part", What::negative}};
 // Metadata of a body that are not settings.
-constexpr std::string_view kNoSetting[] = {"name", "volume_type", "modifier", "matrix"};
+constexpr std::string_view kNoSetting[] = {"name", "volume_type", "modifier", "matrix", "extruder"};
 
 template <std::size_t N>
 std::optional<What> what_of(const Word (&words)[N], std::string_view text) {
@@ -43,16 +45,14 @@ bool is_setting(std::string_view key) {
 
 namespace {
 
-// Makes a body with the settings in the metadata of an element.
-Body body_of(What what, const pugi::xml_node& element) {
-    Body out;
-    out.what = what;
+// Adds the settings in the metadata of an element; they replace those of the same names.
+void add_settings(const pugi::xml_node& element, SlicerSettings& to) {
     for (const auto& data : element.children("metadata")) {
         const std::string key = data.attribute("key").value();
         if (!is_setting(key)) continue;
-        out.settings.emplace_back(key, data.attribute("value").value());
+        std::erase_if(to, [&](const auto& before) { return before.first == key; });
+        to.emplace_back(key, data.attribute("value").value());
     }
-    return out;
 }
 
 // The value of an element's metadata with this name, or "".
@@ -77,6 +77,25 @@ std::optional<std::uint32_t> extruder_of(const pugi::xml_node& element) {
     return number > 0 ? std::optional(static_cast<std::uint32_t>(number - 1)) : std::nullopt;
 }
 
+// Makes a body with the settings in the metadata of an element. Its extruder is a setting if it is not the one of the
+// object, which printed parts follow without any setting.
+Body body_of(What what, const pugi::xml_node& element, const pugi::xml_node& object) {
+    Body out;
+    out.what = what;
+    add_settings(element, out.settings);
+    if (const auto own = extruder_of(element); own && *own != extruder_of(object).value_or(0))
+        out.settings.emplace_back("extruder", std::to_string(*own + 1));
+    return out;
+}
+
+// Makes a printed part of an object, with the settings of both elements.
+Project::Part printed_part(const pugi::xml_node& object, const pugi::xml_node& element) {
+    Project::Part out{object.attribute("id").value(), ""};
+    add_settings(object, out.settings);
+    add_settings(element, out.settings);
+    return out;
+}
+
 // Reads the extruder of an object.
 void read_extruder(const pugi::xml_node& object, Project& to) {
     if (const auto number = extruder_of(object)) to.extruder[object.attribute("id").value()] = *number;
@@ -96,44 +115,59 @@ std::size_t Project::of_component(const std::string& object, const std::string& 
     return found == components.end() ? kNone : found->second;
 }
 
+namespace {
+
+void read_volume(const pugi::xml_node& object, const pugi::xml_node& volume, Project& to) {
+    const std::string id = object.attribute("id").value();
+    const Project::Range range{volume.attribute("firstid").as_ullong(), volume.attribute("lastid").as_ullong(), 0};
+    if (const auto number = extruder_of(volume)) to.extruders[id].push_back({range.first, range.last, *number});
+    const std::string kind = metadata(volume, "volume_type");
+    if (const auto what = what_of(kPrusa, kind)) {
+        to.triangles[id].push_back({range.first, range.last, to.bodies.size()});
+        to.bodies.push_back(body_of(*what, volume, object));
+    } else if (kind.empty() || kind == "ModelPart") {
+        to.parts.push_back(printed_part(object, volume));
+        to.parts.back().first = range.first;
+        to.parts.back().last = range.last;
+    }
+}
+
+void read_part(const pugi::xml_node& object, const pugi::xml_node& part, Project& to) {
+    const std::string id = object.attribute("id").value(), component = part.attribute("id").value();
+    if (const auto number = extruder_of(part)) to.component_extruder.emplace(std::pair(id, component), *number);
+    const std::string kind = part.attribute("subtype").value();
+    if (const auto what = what_of(kBambu, kind)) {
+        to.components.try_emplace({id, component}, to.bodies.size());
+        to.bodies.push_back(body_of(*what, part, object));
+    } else if (kind.empty() || kind == "normal_part") {
+        to.parts.push_back(printed_part(object, part));
+        to.parts.back().component = component;
+    }
+}
+
+// Calls read(object, element, to) for each object's elements of this name; an object without any is one part.
+template <typename Read>
+void read_objects(const pugi::xml_node& config, const char* name, const Read& read, Project& to) {
+    for (const auto& object : config.children("object")) {
+        read_extruder(object, to);
+        for (const auto& element : object.children(name)) read(object, element, to);
+        if (!object.child(name)) to.parts.push_back(printed_part(object, {}));
+    }
+}
+
+} // namespace
+
 bool read_prusa_project(const std::string& text, Project& to) {
     pugi::xml_document xml;
     if (!xml.load_buffer(text.data(), text.size())) return false;
-    for (const auto& object : xml.child("config").children("object")) {
-        read_extruder(object, to);
-        for (const auto& volume : object.children("volume")) {
-            if (const auto number = extruder_of(volume))
-                to.extruders[object.attribute("id").value()].push_back(
-                    {volume.attribute("firstid").as_ullong(), volume.attribute("lastid").as_ullong(), *number});
-            for (const auto& data : volume.children("metadata")) {
-                if (std::string_view(data.attribute("key").value()) != "volume_type") continue;
-                const auto what = what_of(kPrusa, data.attribute("value").value());
-                if (!what) continue;
-                to.triangles[object.attribute("id").value()].push_back({volume.attribute("firstid").as_ullong(),
-                                                                        volume.attribute("lastid").as_ullong(),
-                                                                        to.bodies.size()});
-                to.bodies.push_back(body_of(*what, volume));
-            }
-        }
-    }
+    read_objects(xml.child("config"), "volume", read_volume, to);
     return true;
 }
 
 bool read_bambu_project(const std::string& text, Project& to) {
     pugi::xml_document xml;
     if (!xml.load_buffer(text.data(), text.size())) return false;
-    for (const auto& object : xml.child("config").children("object")) {
-        read_extruder(object, to);
-        for (const auto& part : object.children("part")) {
-            if (const auto number = extruder_of(part))
-                to.component_extruder.emplace(std::pair(object.attribute("id").value(), part.attribute("id").value()),
-                                              *number);
-            const auto what = what_of(kBambu, part.attribute("subtype").value());
-            if (!what) continue;
-            to.components.try_emplace({object.attribute("id").value(), part.attribute("id").value()}, to.bodies.size());
-            to.bodies.push_back(body_of(*what, part));
-        }
-    }
+    read_objects(xml.child("config"), "part", read_part, to);
     for (const auto& plate : xml.child("config").children("plate")) to.plates.push_back(plate_of(plate));
     if (std::ranges::all_of(to.plates, [](const Plate& p) { return p.items.empty(); })) to.plates.clear();
     return true;

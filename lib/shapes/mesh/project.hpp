@@ -1,9 +1,12 @@
-// Reads the metadata of slicers' 3MF projects: plates, and bodies that are not printed, such as modifiers.
+// Reads the metadata of slicers' 3MF projects: plates, bodies that are not printed, such as modifiers, and settings of
+// objects and of their parts.
 #pragma once
 
+#include "archive/zip.hpp"
 #include "mesh/read.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -19,8 +22,11 @@ struct Plate {
     std::vector<std::pair<std::string, int>> items;
 };
 
-// The bodies of a project that are not printed: modifiers, support enforcers and blockers, negative bodies. Bodies are
-// numbered in the order in which the project names them.
+// Names and values of settings, in the slicer's own terms.
+using SlicerSettings = std::vector<std::pair<std::string, std::string>>;
+
+// The bodies of a project: modifiers, support enforcers and blockers, negative bodies. They are not printed. After them
+// come parts that are printed with settings of their own (Body::printed).
 struct Project {
     struct Range {
         std::size_t first = 0, last = 0; // triangles
@@ -37,11 +43,27 @@ struct Project {
     [[nodiscard]] std::size_t of_triangle(const std::string& object, std::size_t i) const;
     // The body of an object's component, or kNone.
     [[nodiscard]] std::size_t of_component(const std::string& object, const std::string& component) const;
+    // Whether the triangles of a body, or those of no body (kNone), are printed.
+    [[nodiscard]] bool printed(std::size_t body) const { return body == kNone || bodies[body].printed; }
 
     // Extruders, numbered from 0, of objects and of their parts. A part is a range of triangles or a component.
     std::map<std::string, std::uint32_t> extruder;
     std::map<std::string, std::vector<Range>> extruders; // `body` is the number of the extruder
     std::map<std::pair<std::string, std::string>, std::uint32_t> component_extruder;
+
+    // A printed part of an object with the settings of both; those of the part win.
+    struct Part {
+        std::string object, component; // `component` is empty for a range of triangles
+        std::size_t first = 0, last = kNone;
+        SlicerSettings settings{};
+    };
+    std::vector<Part> parts;
+    SlicerSettings shared; // settings that all parts of the plate have; they hold for the whole job
+
+    // Divides the settings of the parts on a plate: what all of them have goes to `shared`, and parts that differ in
+    // other settings become bodies. `usual` is the project's own value of a setting, "" if it has none. If some parts
+    // want supports and others do not, the job has supports, and the others are marked as without.
+    void divide_settings(int plate, const std::function<std::string(const std::string&)>& usual);
 };
 
 // The kind of body that PrusaSlicer calls `word`, such as "SupportBlocker"; none for a part that is printed.
@@ -49,6 +71,16 @@ std::optional<Body::What> prusa_body(std::string_view word);
 
 // Whether a key in the metadata of a body is the name of a setting.
 bool is_setting(std::string_view key);
+
+// Reads all of it from an archive. `plate` counts from 1. Throws Error(bad_input) if metadata are no XML.
+Project read_project(archive::Zip& zip, const std::string& name, int plate);
+
+// Whether supports are wanted in a body, or not wanted (`wanted` is false): it is an enforcer or a blocker, or a
+// printed part whose own settings say so.
+bool wants_supports(const Body& body, bool wanted);
+
+// Whether a body has settings other than those for supports.
+bool changes_settings(const Body& body);
 
 // Reads Metadata/Slic3r_PE_model.config of PrusaSlicer and SuperSlicer into `to`. Returns false if `text` is not XML.
 bool read_prusa_project(const std::string& text, Project& to);

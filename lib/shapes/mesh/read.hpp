@@ -21,7 +21,8 @@ Kind recognise(std::string_view bytes);
 // True if files of this kind state their unit.
 inline bool states_unit(Kind kind) { return kind == Kind::threemf || kind == Kind::amf || kind == Kind::step; }
 
-// A body of a slicer's project that is not printed itself; in mm, at the position that the project gives it.
+// A body of a slicer's project with a purpose or with settings of its own; in mm, at the position that the project
+// gives it.
 struct Body {
     enum class What : std::uint8_t {
         modifier,       // region with other settings
@@ -35,6 +36,7 @@ struct Body {
     std::vector<std::pair<std::string, std::string>> settings{}; // names and values in the slicer's own terms
     Mesh mesh{};
     std::uint32_t item = 0; // the build item of the body; a negative body is cut away from that item.  See File::items
+    bool printed = false;   // it is a part that is printed, a modifier only because it has settings of its own
 };
 
 struct File {

@@ -9,14 +9,17 @@
 #include "mesh/materials.hpp"
 #include "mesh/paint.hpp"
 #include "mesh/project.hpp"
+#include "mesh/project_heights.hpp"
 #include "mesh/text.hpp"
 #include "mesh/threemf_rules.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <iterator>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <pugixml.hpp>
 #include <set>
 #include <tuple>
@@ -46,7 +49,9 @@ class Archive {
     void read() {
         const std::string root = root_path();
         const Model& model = load(root);
-        read_project();
+        project_ = read_project(zip_, name_, plate_);
+        triangles_.resize(project_.bodies.size());
+        std::ranges::move(tell_heights(zip_, plate_), std::back_inserter(to_.notes));
         const std::vector<pugi::xml_node> items = wanted_items(model);
         for (const auto& item : items) {
             const std::string path = threemf::part_path(item);
@@ -103,19 +108,6 @@ class Archive {
         }
         if (out.empty()) bad("the archive names no 3D model: it is no 3MF");
         return out;
-    }
-
-    void read_project() {
-        constexpr std::pair<const char*, bool (*)(const std::string&, Project&)> kFiles[] = {
-            {"Metadata/Slic3r_PE_model.config", read_prusa_project},
-            {"Metadata/model_settings.config", read_bambu_project}};
-        for (const auto& [path, read] : kFiles)
-            if (zip_.has(path) && !read(zip_.read(path), project_))
-                bad("'" + std::string(path) + "' in the archive is no XML");
-        for (const char* path : {"Metadata/Slic3r_PE.config", "Metadata/Slic3r_PE_model.config",
-                                 "Metadata/model_settings.config", "Metadata/project_settings.config"})
-            project_.found = project_.found || zip_.has(path);
-        triangles_.resize(project_.bodies.size());
     }
 
     // Reads the build items: those of the plate that are printable.
@@ -301,24 +293,24 @@ class Archive {
                 materials_.of_triangle(placed.path, t, number_of++, placed.material, project_);
             Triangle tri{index(t, "v1", count), index(t, "v2", count), index(t, "v3", count)};
             for (auto& v : tri) v += static_cast<std::uint32_t>(first);
-            if (body == Project::kNone) take_paint(t, tri);
+            if (project_.printed(body)) take_paint(t, tri);
             if (turn) std::swap(tri[1], tri[2]);
-            if (body != Project::kNone) {
-                triangles_[body][placed.item].push_back(tri);
-                continue;
-            }
+            if (body != Project::kNone) triangles_[body][placed.item].push_back(tri);
+            if (!project_.printed(body)) continue;
             to_.mesh.triangles.push_back(tri);
             item_of_.push_back(placed.item);
             to_.materials.push_back(material);
         }
     }
 
-    // Reads the support paint of a triangle, as PrusaSlicer, OrcaSlicer and Bambu Studio write it.
+    // Reads the support paint of a triangle, as PrusaSlicer, OrcaSlicer and Bambu Studio write it. Counts other paint.
     void take_paint(const pugi::xml_node& t, const Triangle& tri) {
         for (const auto& a : t.attributes()) {
-            const std::string_view attribute(a.name());
-            if (attribute.ends_with(":custom_supports") || attribute == "paint_supports")
+            const char* what = paint_of(a.name());
+            if (what == kSupportPaint)
                 paint_.push_back({tri, a.value()}); // points into a text of models_
+            else if (what != nullptr && *a.value() != '\0')
+                ++other_paint_[what];
         }
     }
 
@@ -326,7 +318,11 @@ class Archive {
     void take_bodies() {
         std::vector<Body> of_items; // go behind those of the project
         std::swap(of_items, to_.bodies);
-        for (std::size_t b = 0; b < project_.bodies.size(); ++b) {
+        // Printed parts come first, as modifiers have precedence over their settings.
+        std::vector<std::size_t> order(project_.bodies.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::ranges::stable_partition(order, [&](std::size_t b) { return project_.bodies[b].printed; });
+        for (const std::size_t b : order) {
             const Body& body = project_.bodies[b];
             std::vector<Triangle> all;
             for (auto& [item, triangles] : triangles_[b]) {
@@ -335,13 +331,17 @@ class Archive {
                 to_.bodies.push_back({body.what, body.settings, part_of(to_.mesh, std::exchange(all, {})), item});
             }
             if (body.what != Body::What::negative)
-                to_.bodies.push_back({body.what, body.settings, part_of(to_.mesh, all)});
+                to_.bodies.push_back({body.what, body.settings, part_of(to_.mesh, all), 0, body.printed});
         }
         std::ranges::move(of_items, std::back_inserter(to_.bodies));
         if (std::ranges::any_of(to_.bodies, [](const Body& b) { return b.what == Body::What::negative; }))
             to_.items = std::move(item_of_);
         add_painted(paint_, to_);
         tell_bodies(to_);
+        for (const auto& [what, triangles] : other_paint_) {
+            to_.notes.push_back(note(NoteCode::project_paint_unused, 0, what));
+            to_.notes.back().count = triangles;
+        }
     }
 
     [[nodiscard]] double number(const pugi::xml_node& n, const char* what) const {
@@ -374,6 +374,7 @@ class Archive {
     Materials materials_;
     std::vector<std::map<std::uint32_t, std::vector<Triangle>>> triangles_; // per body of the project, by item
     std::vector<PaintedTriangle> paint_;
+    std::map<std::string, std::size_t> other_paint_; // painted triangles, by the purpose of the paint
 };
 
 } // namespace

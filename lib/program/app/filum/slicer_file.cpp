@@ -1,9 +1,9 @@
 #include "app/filum/slicer_file.hpp"
 
 #include "app/filum/slicer_presets.hpp"
+#include "app/filum/slicer_project.hpp"
 #include "archive/zip.hpp"
 #include "base/error.hpp"
-#include "mesh/read.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -40,21 +40,6 @@ bool is_program(const std::string& text, const std::string& file) {
     for (const char* ending : {".gcode", ".gco", ".g", ".nc", ".ngc"})
         if (file.ends_with(ending)) return true;
     return false;
-}
-
-SlicerFile of_project(const std::string& bytes, const std::string& file) {
-    archive::Zip zip(bytes, "'" + file + "'");
-    SlicerFile out;
-    if (const char* path = "Metadata/Slic3r_PE.config"; zip.has(path)) {
-        const std::string text = zip.read(path);
-        out.settings = all_settings(text, Lines::commented);
-        out.slicer = writer_of(text, out.settings);
-    } else if (const char* path = "Metadata/project_settings.config"; zip.has(path)) {
-        const std::string text = zip.read(path);
-        out.settings = json_settings(text);
-        out.slicer = writer_of(text, out.settings);
-    }
-    return out;
 }
 
 bool is_bundle(const std::string& text) {
@@ -111,7 +96,7 @@ const char* name_of(Slicer slicer) {
     return "a slicer that the file does not name";
 }
 
-SlicerFile slicer_file(const std::string& word) {
+SlicerFile slicer_file(const std::string& word, int plate) {
     const NamedPresets named = named_presets(word);
     const std::string& file = named.file;
     const std::string text = content_of(file);
@@ -123,7 +108,7 @@ SlicerFile slicer_file(const std::string& word) {
     if (named.any() && (project || is_json(text) || !is_bundle(text)))
         throw Error(Exit::usage,
                     "cannot use '" + word + "': '" + file + "' is no bundle of presets; load it by its name alone");
-    SlicerFile out = project ? of_project(text, file) : of_text(text, named);
+    SlicerFile out = project ? project_settings(text, file, plate) : of_text(text, named);
     if (!out.settings.empty()) return out;
     if (is_json(text))
         throw Error(Exit::bad_input, "cannot use '" + file + "': it is no JSON, or holds no settings; export it again");
@@ -147,22 +132,6 @@ std::vector<SlicerFile> merged(std::vector<SlicerFile> files) {
             into.settings.push_back(std::move(s));
         }
         std::ranges::move(file.remarks, std::back_inserter(into.remarks));
-    }
-    return out;
-}
-
-ProjectBodies project_bodies(const std::string& file) {
-    ProjectBodies out;
-    try {
-        const mesh::Bytes bytes = mesh::load(file);
-        if (!archive::Zip::begins(bytes.view())) return out;
-        using What = mesh::Body::What;
-        for (const mesh::Body& b : mesh::read(bytes.view(), mesh::spoken_name(file)).bodies) {
-            out.modifiers = out.modifiers || b.what == What::modifier;
-            out.wanted = out.wanted || b.what == What::enforcer || b.what == What::painted;
-            out.unwanted = out.unwanted || b.what == What::blocker || b.what == What::painted_blocker;
-        }
-    } catch (const Error&) { // the file holds settings only
     }
     return out;
 }

@@ -35,18 +35,11 @@ Slicer writer_of(const std::string& text, const std::vector<SlicerSetting>& sett
 // Settings that a preset inherits come before its own ones.
 // Throws Error: io for a file that cannot be read; bad_input for a file without settings, and for a bundle if no preset
 // of it is chosen; usage for an unknown preset.
-SlicerFile slicer_file(const std::string& word);
+// Of a project, settings that all parts of plate number `plate` have are settings of the file.
+SlicerFile slicer_file(const std::string& word, int plate = 1);
 
 // Joins consecutive files of the same slicer to one, such as a printer, a print and a filament.  A file of an unknown
 // slicer joins any other.  Where several files have a key, the last one counts.
 std::vector<SlicerFile> merged(std::vector<SlicerFile> files);
-
-// The kinds of bodies in a slicer's project, beside the part.
-struct ProjectBodies {
-    bool modifiers = false;                // bodies with settings of their own
-    bool wanted = false, unwanted = false; // bodies or painted faces that ask for supports, or forbid them
-};
-// All false for a file that is no project, holds no part or cannot be read.
-ProjectBodies project_bodies(const std::string& file);
 
 } // namespace filum::app::filum

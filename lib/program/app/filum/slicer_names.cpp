@@ -2,6 +2,7 @@
 
 #include "app/filum/distribute.hpp"
 #include "app/filum/printers.hpp"
+#include "app/filum/slicer_project.hpp"
 #include "app/filum/slicer_settings.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -39,20 +40,27 @@ const OtherName* known(const std::vector<Stage>& stages, const std::string& thei
     return cli::other_name(theirs, [&](std::string_view ours) { return has(stages, ours); });
 }
 
+// A slicer's project among the files of --load.
+struct LoadedProject {
+    std::string file;
+    bool printed = false; // it is the part, too
+    int plate = 1;
+};
+
 // Makes options of the bodies in a project, if its part is printed.  Otherwise a remark reports that they are left out.
-void load_bodies(const std::string& file, bool printed, bool supports, const std::vector<Stage>& stages,
+void load_bodies(const LoadedProject& project, bool supports, const std::vector<Stage>& stages,
                  SlicerTranslation& out) {
-    const ProjectBodies there = project_bodies(file);
+    const ProjectBodies there = project_bodies(project.file, project.plate);
     const std::tuple<bool, const char*, const char*> kinds[] = {
         {there.modifiers, "modifier", "bodies that change settings"},
         {there.wanted && supports, "support-in", "places for supports"},
         {there.unwanted && supports, "no-support-in", "places without supports"}};
     for (const auto& [any, option, name] : kinds) {
         if (!any) continue;
-        if (printed && has(stages, option))
-            out.words.push_back(option_of(option, file));
+        if (project.printed && has(stages, option))
+            out.words.push_back(option_of(option, project.file));
         else
-            out.remarks.push_back(std::string(name) + " in '" + file +
+            out.remarks.push_back(std::string(name) + " in '" + project.file +
                                   "' left out: it is not the part that is printed");
     }
 }
@@ -96,7 +104,7 @@ std::optional<machine::Profile> machine_profile(const std::vector<std::string>& 
     }
 }
 
-// Removes settings for which the machine has no code: those of the fan, and accelerations by role.
+// Removes settings for which the machine has no code: those of the fan, accelerations by role, and pictures.
 void leave_out_codes(SlicerWishes& all, const machine::Profile& machine) {
     const auto drop = [&](const std::string& codes, const char* start, const char* end, const char* key,
                           const char* what) {
@@ -108,6 +116,8 @@ void leave_out_codes(SlicerWishes& all, const machine::Profile& machine) {
             all.remarks.push_back(std::string(what) + " of the settings not used: machine '" + machine.name +
                                   "' has no " + key);
     };
+    if (machine.format.comments != machine::CommentStyle::semicolon)
+        std::erase_if(all.words, [](const std::string& word) { return word.starts_with("--thumbnails="); });
     drop(machine.features.set_fan, "--set=cooling.", "", "features.set_fan", "the fan's speeds");
     drop(machine.features.set_acceleration, "--set=features.", "acceleration", "features.set_acceleration",
          "accelerations by role");
@@ -188,6 +198,22 @@ bool use_settings(const SlicerFile& file, const std::optional<machine::Profile>&
     return all.supports;
 }
 
+// Makes --pause-at of the pauses and changes of colour that a printed project has by height, if the machine can wait.
+void load_codes(const LoadedProject& project, const std::optional<machine::Profile>& machine,
+                const std::vector<std::string>& typed, SlicerTranslation& out) {
+    if (!project.printed || !last_value(typed, "--pause-at").empty()) return;
+    const std::string height = last_value(out.words, "--layer-height");
+    constexpr double kUsualHeight = 0.2; // mm, of slice
+    ProjectCodes codes = project_codes(project.file, project.plate,
+                                       height.empty() ? kUsualHeight : parse_number(height, "layer_height"));
+    std::ranges::move(codes.remarks, std::back_inserter(out.remarks));
+    if (codes.pauses.empty()) return;
+    if (machine && machine->preset == nullptr && machine->templates.pause.empty())
+        out.remarks.push_back("pauses of the project not used: machine '" + machine->name + "' has no templates.pause");
+    else
+        out.words.push_back(option_of("pause-at", codes.pauses));
+}
+
 // Removes the options of supports if nothing is supported, as they would be errors then.  That happens if a slicer
 // makes supports only at bodies and painted faces that ask for them, and there are none.
 void leave_out_supports(const std::vector<std::string>& typed, SlicerTranslation& out) {
@@ -207,6 +233,14 @@ void leave_out_supports(const std::vector<std::string>& typed, SlicerTranslation
                                  "there are none; add --support");
 }
 
+// The number of the plate in --plate; 1 if there is none, or if it is wrong, which `slice` reports.
+int plate_of(const std::vector<std::string>& words) {
+    const std::string text = last_value(words, "--plate");
+    return text.empty() || text.size() > 3 || text.find_first_not_of("0123456789") != std::string::npos
+               ? 1
+               : std::stoi(text);
+}
+
 // Adds the settings of the printer and of all files, then the bodies in projects.  `words`: those that the user typed.
 void load(const PrinterNames& printer, const std::vector<std::string>& files, const std::vector<std::string>& words,
           const std::vector<Stage>& stages, SlicerTranslation& out) {
@@ -214,7 +248,8 @@ void load(const PrinterNames& printer, const std::vector<std::string>& files, co
     ChosenPrinter chosen = chosen_printer(printer);
     out.words = chosen.words;
     std::vector<SlicerFile> read = std::move(chosen.settings);
-    for (const std::string& file : files) read.push_back(slicer_file(file));
+    const int plate = plate_of(words);
+    for (const std::string& file : files) read.push_back(slicer_file(file, plate));
     std::vector<std::string> all = out.words;
     all.insert(all.end(), words.begin(), words.end());
     std::vector<std::string> sources = printer.words();
@@ -225,8 +260,11 @@ void load(const PrinterNames& printer, const std::vector<std::string>& files, co
     bool supports = false;
     for (const SlicerFile& file : merged(std::move(read)))
         supports = use_settings(file, machine, stages, out) || supports;
-    for (const std::string& file : files)
-        load_bodies(file, std::ranges::find(words, file) != words.end(), supports, stages, out);
+    for (const std::string& file : files) {
+        const LoadedProject project{file, std::ranges::find(words, file) != words.end(), plate};
+        load_bodies(project, supports, stages, out);
+        load_codes(project, machine, words, out);
+    }
     leave_out_supports(words, out);
 }
 
@@ -277,7 +315,7 @@ std::string own_project(const std::vector<std::string>& words, const std::vector
     try {
         const std::vector<std::string> inputs = distribute(words, stages).inputs;
         if (inputs.size() != 1 || !inputs[0].ends_with(".3mf")) return "";
-        (void)slicer_file(inputs[0]);
+        (void)slicer_file(inputs[0], plate_of(words));
         return inputs[0];
     } catch (const Error&) { // a file without settings, or wrong options, which are reported later
         return "";

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "mesh/place.hpp"
+#include "mesh/project.hpp"
 #include "mesh/read.hpp"
 #include "mesh/step/step.hpp"
 #include "polygon/clip.hpp"
@@ -17,10 +18,13 @@ namespace filum::app::modifier {
 
 namespace {
 
-// Whether a note reports that reading the mesh has left out a body of a slicer's project.
+// Whether a note reports that reading the mesh has left out something of a slicer's project.
 bool of_project(NoteCode code) {
-    return code == NoteCode::project_modifier || code == NoteCode::project_support_body ||
-           code == NoteCode::project_negative;
+    constexpr NoteCode kCodes[] = {NoteCode::project_modifier,        NoteCode::project_part_settings,
+                                   NoteCode::project_support_body,    NoteCode::project_negative,
+                                   NoteCode::project_metadata_unused, NoteCode::project_codes,
+                                   NoteCode::project_paint_unused};
+    return std::ranges::find(kCodes, code) != std::end(kCodes);
 }
 
 using filum::slice::Level;
@@ -153,6 +157,8 @@ std::optional<geom::Affine> placement_in(const stream::Header& header) {
     return out;
 }
 
+bool is_part(const std::string& crc32c, const stream::Header& header) { return told(header, "input_crc32c") == crc32c; }
+
 Body body(const std::string& path, const stream::Header& header, const std::vector<polygon::Region>& regions,
           int threads, Notes& notes) {
     PlacedFile placed = load(path, header, notes);
@@ -168,7 +174,7 @@ Project modifiers(const std::string& path, const stream::Header& header, const s
     const Levels levels(regions);
     Project out{{}, std::move(placed.crc32c)};
     for (mesh::Body& b : placed.file.bodies) {
-        if (b.what != mesh::Body::What::modifier) continue;
+        if (!mesh::changes_settings(b)) continue;
         placed.move(b.mesh, path);
         out.bodies.push_back({outlines(std::move(b.mesh), levels, threads, notes), std::move(b.settings)});
         tell_if_apart(out.bodies.back().outlines, regions, notes);
@@ -185,8 +191,11 @@ Places support_places(const std::string& path, bool wanted, const stream::Header
     using What = mesh::Body::What;
     PlacedFile placed = load(path, header, notes);
     const Levels levels(regions);
-    const What solid = wanted ? What::enforcer : What::blocker, paint = wanted ? What::painted : What::painted_blocker;
-    const auto of_supports = [](const mesh::Body& b) { return b.what != What::modifier && b.what != What::negative; };
+    const What paint = wanted ? What::painted : What::painted_blocker;
+    const auto of_supports = [](const mesh::Body& b) {
+        return b.what == What::painted || b.what == What::painted_blocker || mesh::wants_supports(b, true) ||
+               mesh::wants_supports(b, false);
+    };
     Places out{{levels.none(), std::move(placed.crc32c)}, 0};
     if (std::ranges::none_of(placed.file.bodies, of_supports)) {
         placed.move(placed.file.mesh, path);
@@ -196,12 +205,12 @@ Places support_places(const std::string& path, bool wanted, const stream::Header
     }
     bool any = false;
     for (mesh::Body& b : placed.file.bodies) {
-        if (b.what != solid && b.what != paint) continue;
+        if (!mesh::wants_supports(b, wanted) && b.what != paint) continue;
         any = true;
         placed.move(b.mesh, path);
         if (b.what == paint) out.painted += area_facing_down(b.mesh);
-        const auto more = b.what == solid ? outlines(std::move(b.mesh), levels, threads, notes)
-                                          : seen_from_below(b.mesh, levels.level, levels.layer);
+        const auto more = b.what == paint ? seen_from_below(b.mesh, levels.level, levels.layer)
+                                          : outlines(std::move(b.mesh), levels, threads, notes);
         for (std::size_t i = 0; i < more.size(); ++i)
             if (!more[i].empty()) out.body.outlines[i] = polygon::unite(out.body.outlines[i], more[i]);
     }

@@ -38,7 +38,11 @@ struct Body {
 Body body(const std::string& path, const stream::Header& header, const std::vector<polygon::Region>& regions,
           int threads, Notes& notes);
 
-// The modifiers of a slicer's project, with their settings as in the project.
+// Whether the file with this checksum is the one of the part. Then notes that bodies of it are ignored no longer hold.
+bool is_part(const std::string& crc32c, const stream::Header& header);
+
+// The modifiers of a slicer's project, with their settings as in the project. Printed parts with settings of their own
+// come first.
 struct Project {
     struct Modifier {
         std::vector<polygon::Loops> outlines; // as in Body

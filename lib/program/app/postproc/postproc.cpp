@@ -158,6 +158,7 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
         say(notes, io);
         throw;
     }
+    if (!o.pause_at.empty()) std::erase_if(notes, [](const Note& n) { return n.code == NoteCode::project_codes; });
     first_pass.by_layer = filum::postproc::parse_by_layer(o.by_layer, profile);
     if (!profile.axes.active()) first_pass.parts = parts_on_bed(reader.header());
     tell_idle(first_pass, io);

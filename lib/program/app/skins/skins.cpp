@@ -106,6 +106,7 @@ std::string settings_of_project(const std::vector<std::pair<std::string, std::st
     std::string out;
     for (const auto& [key, value] : all) {
         if (value == "0" && key.ends_with("width")) continue;
+        if (key == "support_material" || key == "enable_support") continue; // `supports` takes these
         if (const auto word = in_our_words(key, value, part))
             out += (out.empty() ? "" : ",") + *word;
         else
@@ -118,6 +119,7 @@ std::string settings_of_project(const std::vector<std::pair<std::string, std::st
 struct ModifierSet {
     std::vector<Modifier> modifiers;
     std::string said, crc; // in the history, where files have no names
+    bool of_part = false;  // some are from the part's own project
 
     void add(std::vector<polygon::Loops> where, const std::string& settings, const filum::skins::Options& part) {
         said += (said.empty() ? "FILE:" : ";FILE:") + settings;
@@ -125,15 +127,16 @@ struct ModifierSet {
     }
 };
 
-std::vector<Modifier> read_modifiers(const std::vector<ModifierRequest>& all, const filum::skins::Options& part,
-                                     const stream::Header& header, const std::vector<Region>& regions, cli::Io& self,
-                                     Notes& notes) {
+ModifierSet read_modifiers(const std::vector<ModifierRequest>& all, const filum::skins::Options& part,
+                           const stream::Header& header, const std::vector<Region>& regions, cli::Io& self,
+                           Notes& notes) {
     ModifierSet out;
     for (const ModifierRequest& a : all) {
         std::string crc;
         if (a.settings.empty()) {
             auto project = modifier::modifiers(a.file, header, regions, self.threads, notes);
             crc = std::move(project.crc32c);
+            out.of_part = out.of_part || modifier::is_part(crc, header);
             for (auto& m : project.bodies)
                 if (const auto settings = settings_of_project(m.settings, part, notes); !settings.empty())
                     out.add(std::move(m.outlines), settings, part);
@@ -144,10 +147,10 @@ std::vector<Modifier> read_modifiers(const std::vector<ModifierRequest>& all, co
         }
         out.crc += (out.crc.empty() ? "" : ",") + crc;
     }
-    if (all.empty()) return {};
+    if (all.empty()) return out;
     self.settings.push_back({"modifier", out.said, true});
     self.settings.push_back({"modifier_crc32c", out.crc});
-    return std::move(out.modifiers);
+    return out;
 }
 
 } // namespace
@@ -164,7 +167,11 @@ void run(const Options& o, const cli::Io& io) {
     const auto original = polygon::close_gaps(regions, filum::skins::reach_in_layers(options));
     cli::Io self = io;
     Notes notes;
-    const auto modifiers = read_modifiers(bodies, options, whole.header, regions, self, notes);
+    const auto [modifiers, said, crc, of_part] = read_modifiers(bodies, options, whole.header, regions, self, notes);
+    if (of_part)
+        std::erase_if(whole.notes, [](const Note& n) {
+            return n.code == NoteCode::project_modifier || n.code == NoteCode::project_part_settings;
+        });
     Facts facts;
     std::ranges::move(filum::skins::skins(regions, options, modifiers, facts), std::back_inserter(notes));
     for (Region& r : regions) r.layer = original[r.layer];

@@ -66,6 +66,8 @@ void run(const Options& o, const cli::Io& io) {
         auto [body, painted] =
             modifier::support_places(file, option == "support-in", whole.header, given, io.threads, notes);
         to = std::move(body.outlines);
+        if (modifier::is_part(body.crc32c, whole.header))
+            std::erase_if(whole.notes, [](const Note& n) { return n.code == NoteCode::project_support_body; });
         if (painted > 0) facts.push_back({"", option + "-painted", painted, "mm2"});
         self.settings.push_back({option, "FILE", true}); // files have no names in the history
         self.settings.push_back({option + "_crc32c", body.crc32c});

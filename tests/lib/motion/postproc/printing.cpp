@@ -130,7 +130,8 @@ TEST(Printing, APauseComesBeforeItsLayer) {
     spans.insert(spans.end(), second.begin(), second.end());
     EXPECT_EQ(count(program(p, spans, "2", "", {}, &found), "\nM0\n"), 1U);
     EXPECT_EQ(found.waits.late, 2U);
-    for (const char* bad : {"0", "-1", "2.5", "x", "0mm"}) EXPECT_THROW(machine::parse_pauses(bad), Error) << bad;
+    for (const char* bad : {"0", "-1", "2.5", "x", "0mm", "3:color", ":colour"})
+        EXPECT_THROW(machine::parse_pauses(bad), Error) << bad;
 }
 
 TEST(Printing, ValuesChangeFromTheirLayerOn) {

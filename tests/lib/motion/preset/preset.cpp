@@ -80,6 +80,8 @@ TEST(PresetProgram, HeatsOnlyWhereTheStartDoesNot) {
     EXPECT_EQ(start_of({{"start_gcode", "M140 S60\\n  M109 S[first_layer_temperature] T0"}}).find("; set t"),
               std::string::npos);
     EXPECT_NE(start_of({{"start_gcode", "; M104 S1"}}).find("M104 S212"), std::string::npos);
+    const std::string cold = start_of({{"start_gcode", "G28"}, {"first_layer_bed_temperature", "0"}});
+    EXPECT_TRUE(cold.find("M190") == std::string::npos && cold.find("M140") == std::string::npos) << cold;
     const auto g10 = preset::temperature_commands("G10 P0 R0\nG10 P0 S200 R1", 104, 109, true);
     EXPECT_TRUE(g10.any);
     EXPECT_EQ(g10.celsius, 200);
