@@ -27,7 +27,8 @@ constexpr const char* kMinRadius =
 
 constexpr const char* kVolume =
     "how much material a region gets. beads: what its beads hold, as wide as they are apart; exact: "
-    "its area times its height; all its beads change by the same factor, up to 5 %";
+    "its area times its height; all its beads change by the same factor, up to 5 %; not where walls and infill have "
+    "areas of their own";
 
 struct Options {
     fill::Options how;
@@ -156,7 +157,7 @@ void run(const Options& o, const cli::Io& io) {
         if (o.volume == fill::Volume::exact && region.walls == 0) fill::make_exact(paths, notes);
         return std::vector{wire::frame(paths)};
     });
-    for (const char* name : {"pattern", "volume", "min-width", "thin", "min-radius", "angles", "rings"})
+    for (const char* name : {"pattern", "min-width", "thin", "min-radius", "angles", "rings"})
         if (any_hollow) io.idle(name, "regions with walls and areas of their own are filled by lanes and as these say");
 }
 

@@ -111,6 +111,8 @@ END
     done
     run slice --body a.stl:tool=1,width=0.4 --body a.stl:tool=1,width=0.6 -o bad.layers
     [ "$status" -eq 2 ]
+    run slice --body a.stl:tool=1,height=0.1 -o bad.layers
+    [[ $status -eq 2 && $output == *"--layer-height"* ]]
     run slice a.stl a.stl --body a.stl:tool=1 -o bad.layers
     [ "$status" -eq 2 ]
     run slice --body none.stl:tool=1 -o bad.layers

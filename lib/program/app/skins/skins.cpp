@@ -2,6 +2,7 @@
 
 #include "app/modifier/modifier.hpp"
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "cli/other_values.hpp"
 #include "cli/output.hpp"
 #include "polygon/stack.hpp"
@@ -155,6 +156,22 @@ ModifierSet read_modifiers(const std::vector<ModifierRequest>& all, const filum:
 
 } // namespace
 
+namespace {
+
+// Adds a note if a tool's beads have a width of their own, as walls and sparse areas are planned with that of `o`.
+void note_other_width(const std::vector<Region>& regions, const filum::skins::Options& o, Notes& notes) {
+    const auto other = std::ranges::find_if(
+        regions, [&](const Region& r) { return r.width > 0 && r.width != o.bead_width && o.infill < 1; });
+    if (other == regions.end()) return;
+    notes.push_back({.code = NoteCode::setting_differs,
+                     .layer = other->layer,
+                     .detail = "beads of tool " + std::to_string(other->tool) + " are " + shortest_text(other->width) +
+                               " mm wide, but walls and sparse areas of all tools are planned for " +
+                               shortest_text(o.bead_width) + " mm"});
+}
+
+} // namespace
+
 void run(const Options& o, const cli::Io& io) {
     filum::skins::Options options = o.how;
     options.infill = filum::skins::share(o.infill);
@@ -172,6 +189,7 @@ void run(const Options& o, const cli::Io& io) {
         std::erase_if(whole.notes, [](const Note& n) {
             return n.code == NoteCode::project_modifier || n.code == NoteCode::project_part_settings;
         });
+    note_other_width(regions, options, notes);
     Facts facts;
     std::ranges::move(filum::skins::skins(regions, options, modifiers, facts), std::back_inserter(notes));
     for (Region& r : regions) r.layer = original[r.layer];

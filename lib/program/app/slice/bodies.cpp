@@ -37,6 +37,8 @@ void set(const std::string& item, const std::string& setting, BodyItem& to) {
     } else if (name == "width") {
         if (!(number >= 0.01 && number <= 100)) refuse(item, "a width is between 0.01 and 100 mm");
         to.width = number;
+    } else if (name == "height" || name == "layer-height") {
+        refuse(item, "the bodies carry each other layer by layer, so all have the height of --layer-height");
     } else {
         refuse(item, "its settings are tool and width, not '" + name + "'");
     }
