@@ -33,6 +33,7 @@ struct PairSearch {
     const Columns& columns;
     const std::vector<Outline>& outlines;
     const machine::Head& head;
+    DistanceWork& work;
     geom::Vec3 shift;                     // mm, from the tip in use to the tip of this head
     const std::vector<Outline>& over;     // the outlines, shifted: where this tip is while a region is printed
     std::vector<std::vector<Box2>> block; // per column, one per kBlock regions
@@ -83,6 +84,7 @@ struct PairSearch {
     // to last of column c.
     [[nodiscard]] bool clear(Index v, Index a, Index c, const RegionDistance& m, std::size_t first,
                              std::size_t last) const {
+        if (!m.known) return false;
         const std::size_t i = place(v, a);
         const double within =
             drifts[a].between(m.i, i) + std::max(drifts[c].between(m.k, first), drifts[c].between(m.k, last));
@@ -97,7 +99,7 @@ struct PairSearch {
     // The first place in [first, limit) for which the measured distance does not prove that the head over v is clear.
     [[nodiscard]] std::size_t skip(Index v, Index a, Index c, const RegionDistance& m, std::size_t first,
                                    std::size_t limit) const {
-        if (!m.known || !clear(v, a, c, m, first, first)) return first;
+        if (!clear(v, a, c, m, first, first)) return first;
         std::size_t proven = first, open = limit; // clear up to and including `proven`; from `open` on unknown
         while (open - proven > 1) {
             const std::size_t middle = proven + (open - proven) / 2;
@@ -106,7 +108,7 @@ struct PairSearch {
         return proven + 1;
     }
 
-    // Whether the head over v touches place k of column c.
+    // Whether the head over v touches place k of column c; also if it may touch, and the work is used up.
     bool touches(Index v, Index a, Index c, std::size_t k, RegionDistance& m) {
         const Index u = columns.member[c][k];
         const Reach r = reach_of(v, u);
@@ -116,11 +118,15 @@ struct PairSearch {
         const double most = m.known ? slack(a, c, m, i, k) : 0;
         if (m.known && m.distance + most < std::max(r.radius, std::min(r.half_x, r.half_y))) return true;
         if (m.known && m.in_box && knows_box(m, r, most)) return true;
-        if (drifts[a].alone(i) || drifts[c].alone(k)) return within(over[v], outlines[u], r);
-        m = {true, i, k, distance(over[v], outlines[u]), r.half_x, r.half_y, false, false};
+        if (!work.may_measure()) {
+            ++work.assumed;
+            return true;
+        }
+        if (drifts[a].alone(i) || drifts[c].alone(k)) return within(over[v], outlines[u], r, &work.steps);
+        m = {true, i, k, distance(over[v], outlines[u], &work.steps), r.half_x, r.half_y, false, false};
         if (r.half_x > 0 && r.half_y > 0) {
             const auto in_box = [&](double more) {
-                return within(over[v], outlines[u], {0, r.half_x + more, r.half_y + more, false});
+                return within(over[v], outlines[u], {0, r.half_x + more, r.half_y + more, false}, &work.steps);
             };
             m.in_box = in_box(0);
             m.sure = m.in_box == in_box(m.in_box ? -kBoxMargin : kBoxMargin);
@@ -145,7 +151,10 @@ struct PairSearch {
                                                           member.begin() + static_cast<long>(limit), out_of_reach) -
                                      member.begin());
         for (; i < limit; ++i) {
-            i = skip(v, a, c, m, i, limit);
+            for (std::size_t from = limit; from != i && i < limit;) { // a stretch may end where the next one begins
+                from = i;
+                i = skip(v, a, c, m, i, limit);
+            }
             if (i == limit) break;
             if (i % kBlock == 0) {
                 const std::size_t last = std::min(member.size(), i + kBlock) - 1;
@@ -194,6 +203,7 @@ struct PairSearch {
         std::vector<RegionDistance> measured_of(near.size());
         for (std::size_t i = own.size(); i-- > 0;) {
             const Index v = own[i];
+            ++work.done;
             limit[a] = i; // regions that rest on v, and higher ones, wait for it by support
             for (std::size_t k = 0; k < near.size(); ++k) {
                 const Index c = near[k];
@@ -216,11 +226,12 @@ constexpr double kLowest = 0.001; // mm, lower tips of idle tools touch the prin
 
 // Appends the collisions of one head while `tool` prints.
 void add_collisions(const Graph& g, const Columns& columns, const std::vector<Outline>& outlines,
-                    const machine::Head& head, Index tool, const geom::Vec3& shift, std::vector<Pair>& out) {
+                    const machine::Head& head, Index tool, const geom::Vec3& shift, DistanceWork& work,
+                    std::vector<Pair>& out) {
     std::vector<Outline> over;
     if (shift.xy() != geom::Vec2{})
         for (const Outline& o : outlines) over.push_back(shifted(o, shift.xy()));
-    PairSearch s{g, columns, outlines, head, shift, over.empty() ? outlines : over, {}, {}, {}, {}, 0, {}, {}};
+    PairSearch s{g, columns, outlines, head, work, shift, over.empty() ? outlines : over, {}, {}, {}, {}, 0, {}, {}};
     s.boxes();
     for (Index a = 0; a < columns.member.size(); ++a)
         if (g.node[columns.member[a][0]].tool == tool) s.column(a);
@@ -229,19 +240,25 @@ void add_collisions(const Graph& g, const Columns& columns, const std::vector<Ou
 
 } // namespace
 
+bool DistanceWork::may_measure() const {
+    const double share = std::min(1.0, static_cast<double>(done) / static_cast<double>(std::max(regions, done)));
+    return static_cast<double>(steps) < 0.5 * (1 + share) * static_cast<double>(limit);
+}
+
 std::vector<Pair> collisions(const Graph& g, const Columns& columns, const std::vector<Outline>& outlines,
-                             const machine::Heads& heads) {
+                             const machine::Heads& heads, DistanceWork& work) {
     std::vector<Pair> out;
     const std::vector<Index> used = tools(g);
+    work.regions = g.size() * used.size(); // at most: each one under each head
     for (const Index tool : used) {
-        add_collisions(g, columns, outlines, heads.of(tool), tool, {}, out);
+        add_collisions(g, columns, outlines, heads.of(tool), tool, {}, work, out);
         for (const machine::Heads::Idle& idle : heads.beside(tool)) {
             if (used.size() == 1) break; // only one head is mounted
             if (idle.shift.z < -kLowest)
                 throw Error(Exit::usage, "cannot print with tool " + std::to_string(tool) + ": the tip of tool " +
                                              std::to_string(idle.tool) + " hangs " + fixed_text(-idle.shift.z, 3) +
                                              " mm lower while it is idle and would touch the print; set tools.raised");
-            add_collisions(g, columns, outlines, heads.of(idle.tool), tool, idle.shift, out);
+            add_collisions(g, columns, outlines, heads.of(idle.tool), tool, idle.shift, work, out);
         }
     }
     return out;

@@ -6,25 +6,29 @@
 
 namespace filum::sequence {
 
-// How the loops of `a` move to those of `b`, loop by loop and vertex by vertex, without vertices on straight edges: all
-// boundary points by `shift`, and then each by at most `rest` mm. No point of the shifted region is farther than `rest`
-// from the other region: where the boundary does not pass a point, its winding number stays; where it passes, it ends
-// within that distance.
+// How the region inside the loops `a` becomes the one inside `b`: its outline moves by `shift`, and then each of its
+// points by at most `rest` mm. Both walk round their loops at once, so that numbers and places of vertices do not
+// matter. No point of the shifted region is farther than `rest` from the other region: where the outline does not pass
+// a point, its winding number stays; where it passes, it ends within that distance.
 struct Movement {
     geom::Vec2 shift;
-    double rest = 0; // mm; infinite if the numbers of vertices differ
+    double rest = 0; // mm; infinite if the numbers of loops differ
 };
 Movement movement(const polygon::Loops& a, const polygon::Loops& b);
 
-// Movements along one column, summed from its foot. They are known between regions of the same `stretch`.
+// Movements along one column: from each place to the next, summed from the foot, and from the foot of a stretch to each
+// of its places. They are known between regions of the same stretch.
 struct Drift {
-    std::vector<geom::Vec2> shift; // mm
-    std::vector<double> rest;      // mm
-    std::vector<double> length;    // mm: sum of the lengths of shifts and rests
+    std::vector<geom::Vec2> shift;   // mm, summed
+    std::vector<double> rest;        // mm, summed
+    std::vector<double> length;      // mm: sum of the lengths of shifts and rests
+    std::vector<Movement> from_foot; // of the stretch
     std::vector<Index> stretch;
     [[nodiscard]] bool known(std::size_t i, std::size_t k) const { return stretch[i] == stretch[k]; }
     [[nodiscard]] double between(std::size_t i, std::size_t k) const; // mm: the way of a boundary point, at most
     [[nodiscard]] bool alone(std::size_t i) const;                    // in its stretch
+    // The movement from place i to k with the smaller rest: by the sums, or by way of the foot.
+    [[nodiscard]] Movement movement(std::size_t i, std::size_t k) const;
 };
 Drift drift(std::span<const Index> column, const std::vector<Outline>& outlines);
 

@@ -17,8 +17,13 @@ constexpr std::size_t kRun = 2;  // edges per leaf
 constexpr double kNeedle = 1e-3; // mm: without a head, regions this near are touched, as they are above or below
 constexpr double kLevel = 1e-6;  // mm: heights this near are equal, since sums of layers are not exact
 
-double gap_x(const Box2& a, const Box2& b) { return std::max({0.0, a.lo.x - b.hi.x, b.lo.x - a.hi.x}); }
-double gap_y(const Box2& a, const Box2& b) { return std::max({0.0, a.lo.y - b.hi.y, b.lo.y - a.hi.y}); }
+inline double gap_x(const Box2& a, const Box2& b) { return std::max(0.0, std::max(a.lo.x - b.hi.x, b.lo.x - a.hi.x)); }
+inline double gap_y(const Box2& a, const Box2& b) { return std::max(0.0, std::max(a.lo.y - b.hi.y, b.lo.y - a.hi.y)); }
+
+inline double squared_gap(const Box2& a, const Box2& b) {
+    const double x = gap_x(a, b), y = gap_y(a, b);
+    return x * x + y * y;
+}
 
 bool may_reach(const Box2& a, const Box2& b, const Reach& r) {
     const double x = gap_x(a, b), y = gap_y(a, b);
@@ -60,18 +65,23 @@ Box2 span(Vec2 p, Vec2 q) {
     return {{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}};
 }
 
-// Calls near(a, b, c, d) for pairs of edges whose boxes pass `open`; stops when it returns true.
+// Calls near(a, b, c, d) for pairs of edges whose boxes pass `open`; stops when it returns true. Adds the pairs of
+// boxes and edges to `steps`.
 template <class Open, class Near>
-bool any_pair(const Outline& a, const Outline& b, Open&& open, Near&& near) {
+bool any_pair(const Outline& a, const Outline& b, std::uint64_t* steps, Open&& open, Near&& near) {
     std::vector<std::pair<std::size_t, std::size_t>> pending{{0, 0}};
+    std::uint64_t none = 0;
+    std::uint64_t& count = steps != nullptr ? *steps : none;
     while (!pending.empty()) {
         const auto [i, j] = pending.back();
         pending.pop_back();
+        ++count;
         if (!open(a.box[i], b.box[j])) continue;
         const bool leaf_a = i + 1 >= a.leaves, leaf_b = j + 1 >= b.leaves;
         if (leaf_a && leaf_b) {
             const auto [a0, a1] = run(a, i);
             const auto [b0, b1] = run(b, j);
+            count += (a1 - a0) * (b1 - b0);
             EdgeCursor ea(a.loops, a0);
             for (std::size_t k = a0; k < a1; ++k) {
                 const auto [p, q] = ea.at(k);
@@ -84,20 +94,28 @@ bool any_pair(const Outline& a, const Outline& b, Open&& open, Near&& near) {
             continue;
         }
         const auto size = [](const Box2& x) { return x.hi.x - x.lo.x + x.hi.y - x.lo.y; };
-        if (leaf_b || (!leaf_a && size(a.box[i]) >= size(b.box[j]))) {
-            pending.emplace_back(2 * i + 1, j);
-            pending.emplace_back(2 * i + 2, j);
+        const bool halve_a = leaf_b || (!leaf_a && size(a.box[i]) >= size(b.box[j]));
+        std::pair<std::size_t, std::size_t> first{i, j}, second{i, j}; // the pairs of halves
+        if (halve_a) {
+            first.first = 2 * i + 1;
+            second.first = 2 * i + 2;
         } else {
-            pending.emplace_back(i, 2 * j + 1);
-            pending.emplace_back(i, 2 * j + 2);
+            first.second = 2 * j + 1;
+            second.second = 2 * j + 2;
         }
+        const auto gap = [&](const auto& pair) { return squared_gap(a.box[pair.first], b.box[pair.second]); };
+        if (gap(first) < gap(second)) std::swap(first, second);
+        pending.push_back(first);
+        pending.push_back(second); // the nearer one comes next
     }
     return false;
 }
 
-bool holds(const Outline& a, Vec2 p) {
+bool holds(const Outline& a, Vec2 p, std::uint64_t* steps) {
     const Box2& b = a.box[0];
-    return p.x >= b.lo.x && p.x <= b.hi.x && p.y >= b.lo.y && p.y <= b.hi.y && polygon::contains(a.loops, p);
+    if (p.x < b.lo.x || p.x > b.hi.x || p.y < b.lo.y || p.y > b.hi.y) return false;
+    if (steps != nullptr) *steps += a.loops.points.size();
+    return polygon::contains(a.loops, p);
 }
 
 } // namespace
@@ -146,26 +164,27 @@ Outline outline(polygon::Loops loops) {
     return o;
 }
 
-bool within(const Outline& a, const Outline& b, const Reach& r) {
+bool within(const Outline& a, const Outline& b, const Reach& r, std::uint64_t* steps) {
     if (r.everywhere) return true;
     if (!may_reach(a.box[0], b.box[0], r)) return false;
-    if (holds(a, b.loops.points[0]) || holds(b, a.loops.points[0])) return true;
+    if (holds(a, b.loops.points[0], steps) || holds(b, a.loops.points[0], steps)) return true;
     const bool box = r.half_x > 0 && r.half_y > 0;
     return any_pair(
-        a, b, [&](const Box2& x, const Box2& y) { return may_reach(x, y, r); },
+        a, b, steps, [&](const Box2& x, const Box2& y) { return may_reach(x, y, r); },
         [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) {
             return geom::segment_distance(p, q, s, t) < r.radius ||
                    (box && box_reaches(p, q, s, t, r.half_x, r.half_y));
         });
 }
 
-double distance(const Outline& a, const Outline& b) {
-    if (holds(a, b.loops.points[0]) || holds(b, a.loops.points[0])) return 0;
-    double best = std::numeric_limits<double>::infinity();
+double distance(const Outline& a, const Outline& b, std::uint64_t* steps) {
+    if (holds(a, b.loops.points[0], steps) || holds(b, a.loops.points[0], steps)) return 0;
+    double best = std::numeric_limits<double>::infinity(), squared = best;
     any_pair(
-        a, b, [&](const Box2& x, const Box2& y) { return geom::distance(x, y) < best; },
+        a, b, steps, [&](const Box2& x, const Box2& y) { return squared_gap(x, y) < squared; },
         [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) {
             best = std::min(best, geom::segment_distance(p, q, s, t));
+            squared = best * best;
             return best == 0;
         });
     return best;

@@ -5,6 +5,7 @@
 #include "machine/head.hpp"
 #include "polygon/loops.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace filum::sequence {
@@ -31,10 +32,11 @@ Outline outline(polygon::Loops loops);
 Outline shifted(Outline outline, geom::Vec2 way);
 
 // Whether a point of region a and a point of region b are within `r`, so that the head over one touches the other.
-// Exact up to rounding; interiors count, so a region inside the other's outline has distance 0.
-bool within(const Outline& a, const Outline& b, const Reach& r);
+// Exact up to rounding; interiors count, so a region inside the other's outline has distance 0. Each vertex, edge and
+// box that is looked at adds one to `steps`, if given.
+bool within(const Outline& a, const Outline& b, const Reach& r, std::uint64_t* steps = nullptr);
 
-// The least distance between points of the regions; 0 if they share a point.
-double distance(const Outline& a, const Outline& b);
+// The least distance between points of the regions; 0 if they share a point. `steps` as for within().
+double distance(const Outline& a, const Outline& b, std::uint64_t* steps = nullptr);
 
 } // namespace filum::sequence

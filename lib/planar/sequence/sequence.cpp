@@ -22,7 +22,8 @@ void add_strokes(SequenceResult& to, const Order& order, std::span<const polygon
     }
 }
 
-Facts facts(const SequenceResult& r, const Plan& p, const Columns& c, std::size_t collisions, std::size_t brims) {
+Facts facts(const SequenceResult& r, const Plan& p, const Columns& c, std::size_t collisions, std::uint64_t assumed,
+            std::size_t brims) {
     Facts out;
     const auto add = [&](const std::string& name, double value, const char* unit) {
         out.push_back({"", name, value, unit});
@@ -31,6 +32,7 @@ Facts facts(const SequenceResult& r, const Plan& p, const Columns& c, std::size_
     add("regions", r.graph.size(), "");
     add("columns", static_cast<double>(c.member.size()), "");
     add("collisions", static_cast<double>(collisions), "");
+    if (assumed > 0) add("collisions-assumed", static_cast<double>(assumed), "");
     add("layer-floor", static_cast<double>(r.graph.size() - brims) - r.graph.node.back().layer, "strokes");
     add("path-cover", p.path_cover, "strokes");
     if (p.relaxation > 0) add("relaxation-bound", p.relaxation, "strokes");
@@ -70,10 +72,11 @@ SequenceResult sequence(std::vector<polygon::Region> regions, const Options& opt
     const std::vector<Index> first = skirts(regions);
     std::vector<Outline> outlines;
     std::vector<Pair> hits;
+    DistanceWork work;
     if (!options.by_layers) { // layer order keeps the following precedences anyway
         for (auto& r : regions) outlines.push_back(outline(std::move(r.loops)));
         add_precedence(g, below_hanging(g, outlines));
-        hits = collisions(g, c, outlines, options.heads);
+        hits = collisions(g, c, outlines, options.heads, work);
         hold_together(rims, hits);
         add_precedence(g, hits);
     }
@@ -90,7 +93,7 @@ SequenceResult sequence(std::vector<polygon::Region> regions, const Options& opt
         throw Error(Exit::failure, "internal error: fewer tool changes than the lower bound");
     add_strokes(out, p.order, regions);
     out.ends = ends(g, p.order, support, outlines, options.heads);
-    out.facts = facts(out, p, c, hits.size(), rims.size());
+    out.facts = facts(out, p, c, hits.size(), work.assumed, rims.size());
     out.bound_by = bound_by(p);
     out.order = std::move(p.order);
     return out;

@@ -25,7 +25,8 @@ struct SequenceResult {
     std::vector<Join> join;            // per place in `order`
     std::vector<End> ends;             // of the strokes
     Graph graph;                       // the graph of the job
-    // Facts: regions, columns, collisions; layer-floor (regions - layers + 1: no order by layers has fewer strokes);
+    // Facts: regions, columns, collisions; collisions-assumed (of them, those that were too costly to measure, if there
+    // are any); layer-floor (regions - layers + 1: no order by layers has fewer strokes);
     // path-cover, relaxation-bound, lower-bound: no order that the head allows has fewer strokes than any of these
     // (for path-cover not even without a head); lower-bound is the best of them, or the strokes if the search proved
     // its order optimal; planned-strokes; gap (% of the strokes between lower-bound and planned-strokes); ends-...:

@@ -46,6 +46,9 @@ void run(const Work& work, const cli::Io& given) {
     cli::Output output(io, cli::header(io, stream::Payload::regions, {&whole.header}));
     output.pass_on(whole);
     output.add(result.facts);
+    for (const Fact& fact : result.facts)
+        if (fact.name == "collisions-assumed")
+            output.add(Note{.code = NoteCode::distance_not_measured, .count = static_cast<std::uint64_t>(fact.value)});
     if (work.report) report(result, io);
     if (!work.ends.empty()) {
         stream::Sink table(work.ends, stream::Sink::Content::text);

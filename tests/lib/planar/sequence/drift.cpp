@@ -36,17 +36,41 @@ TEST(Drift, BoundsDistances) {
     std::size_t known = 0;
     for (int i = 0; i < 300; ++i) {
         const double by = i % 3 == 0 ? 0 : uniform(random, 0, 0.2);
-        const auto a = ring(random, 10, 12, by), b = ring(random, 10, 12, by);
+        const auto a = ring(random, 10, 12, by), b = ring(random, 10, i % 5 == 0 ? 13 : 12, by);
         const auto other = ring(random, uniform(random, 3, 20), 9, 0.1);
         const Movement by_both = movement(a, b);
         const double moved = geom::norm(by_both.shift) + by_both.rest;
         known += std::isfinite(moved) ? 1 : 0;
-        EXPECT_TRUE(by > 0 || moved < 1e-9);
+        EXPECT_TRUE(by > 0 || i % 5 == 0 || moved < 1e-9);
+        EXPECT_LT(moved, 1.5); // corners of 12 and 13 are up to .6 mm apart
         const double change = distance(outline(a), outline(other)) - distance(outline(b), outline(other));
         EXPECT_LE(std::abs(change), moved + 1e-9);
     }
-    EXPECT_GT(known, 250U);
-    EXPECT_EQ(movement(ring(random, 10, 12, 0), ring(random, 10, 13, 0)).rest, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(known, 300U);
+    polygon::Loops one; // the numbers of loops differ
+    one.add(ring(random, 10, 12, 0)[0]);
+    EXPECT_EQ(movement(ring(random, 10, 12, 0), one).rest, std::numeric_limits<double>::infinity());
+}
+
+// The same circle by other corners: only their number and places differ.
+TEST(Drift, CornersOfACircleDoNotMatter) {
+    for (const std::size_t n : {40U, 300U, 301U})
+        for (const double turn : {0.0, 0.01, 1.0, 3.0}) {
+            const auto circle = [](std::size_t corners, double from, double x) {
+                polygon::Loops out;
+                std::vector<geom::Vec2> loop;
+                for (std::size_t k = 0; k < corners; ++k) {
+                    const double at =
+                        from + 2 * 3.14159265358979 * static_cast<double>(k) / static_cast<double>(corners);
+                    loop.push_back({x + 10 * std::cos(at), 10 * std::sin(at)});
+                }
+                out.add(loop);
+                return out;
+            };
+            const Movement m = movement(circle(40, 0, 0), circle(n, turn, 5));
+            EXPECT_NEAR(m.shift.x, 5, 0.1) << n << ' ' << turn;
+            EXPECT_LT(m.rest, 0.2) << n << ' ' << turn; // a chord's height is .03 mm
+        }
 }
 
 polygon::Loops shifted(polygon::Loops a, geom::Vec2 by) {
@@ -81,57 +105,106 @@ TEST(Drift, ColumnsThatLeanTheSameWayKeepTheirDistance) {
     }
 }
 
-// Rings one in the other, straight, narrowing with height, leaning, or each leaning in its own way: the head touches
-// what a plain look at all pairs says.
-TEST(Drift, CollisionsOfNestedRingsAreThoseOfAllPairs) {
-    Random random(5);
-    struct Kind {
-        double narrowing, lean, own_lean; // mm per layer
-    };
-    for (const auto& [narrowing, lean, own_lean] :
-         {Kind{0, 0, 0}, Kind{0.03, 0, 0}, Kind{0.15, 0, 0}, Kind{0, 0.3, 0}, Kind{0.02, 0.1, 0.05}, Kind{0, 0, 0.1}}) {
-        constexpr Index kRings = 5, kLayers = 30;
-        Graph g;
-        Columns columns;
-        columns.member.resize(kRings);
-        std::vector<Outline> outlines;
-        std::vector<Pair> support;
-        for (Index l = 0; l < kLayers; ++l)
-            for (Index i = 0; i < kRings; ++i) {
-                const Index v = g.size();
-                g.node.push_back({l, 0.2 * (l + 1), {0, 0}});
-                const geom::Vec2 at{l * (lean + own_lean * i), l * own_lean * (i % 2)};
-                outlines.push_back(outline(shifted(ring(random, 20 - 3.0 * i - narrowing * l, 16, 0), at)));
-                columns.member[i].push_back(v);
-                columns.of.push_back(i);
-                if (l > 0) support.emplace_back(v - kRings, v);
-            }
-        g.up = g.after = arcs(g.size(), support);
-        g.down = g.before = reversed(g.after);
-        machine::Head head;
-        head.cone_height = 3;
-        head.carriage_x = head.carriage_y = 24;
-        std::vector<Pair> plain;
-        for (Index a = 0; a < kRings; ++a)
-            for (Index c = 0; c < kRings; ++c) {
-                Index least = kNone; // of column c, what the regions above wait for
-                for (Index l = kLayers; l-- > 0 && a != c;) {
-                    const Index v = columns.member[a][l];
-                    for (Index k = l + 1; k < std::min(least, kLayers); ++k) {
-                        const Index u = columns.member[c][k];
-                        if (!within(outlines[v], outlines[u], reach(head, g.node[u].z - g.node[v].z))) continue;
-                        plain.emplace_back(v, u);
-                        least = k;
-                        break;
-                    }
+struct Nest {
+    const char* name;
+    double narrowing, lean, own_lean; // mm per layer
+    double twist = 0;                 // per layer
+    std::size_t further_corners = 0;  // of every third layer
+};
+
+constexpr Nest kNests[] = {{"straight", 0, 0, 0},
+                           {"conical", 0.03, 0, 0},
+                           {"flat cones", 0.15, 0, 0},
+                           {"leaning", 0, 0.3, 0},
+                           {"leaning apart", 0.02, 0.1, 0.05},
+                           {"each leaning", 0, 0, 0.1},
+                           {"twisted", 0, 0, 0, 0.05},
+                           {"other corners", 0, 0.3, 0, 0.02, 3}};
+
+// Rings one in the other, and what a plain look at all pairs says.
+struct NestOfRings {
+    Graph g;
+    Columns columns;
+    std::vector<Outline> outlines;
+    machine::Head head;
+    std::vector<Pair> plain;
+};
+
+NestOfRings nest(const Nest& kind, Random& random) {
+    constexpr Index kRings = 5, kLayers = 30;
+    NestOfRings out;
+    Graph& g = out.g;
+    out.columns.member.resize(kRings);
+    std::vector<Pair> support;
+    for (Index l = 0; l < kLayers; ++l)
+        for (Index i = 0; i < kRings; ++i) {
+            const Index v = g.size();
+            g.node.push_back({l, 0.2 * (l + 1), {0, 0}});
+            const geom::Vec2 at{l * (kind.lean + kind.own_lean * i), l * kind.own_lean * (i % 2)};
+            auto loops =
+                ring(random, 20 - 3.0 * i - kind.narrowing * l, 16 + (l % 3 == 0 ? kind.further_corners : 0), 0);
+            const double turn = kind.twist * l, c = std::cos(turn), sine = std::sin(turn);
+            for (geom::Vec2& p : loops.points) p = {c * p.x - sine * p.y, sine * p.x + c * p.y};
+            out.outlines.push_back(outline(shifted(loops, at)));
+            out.columns.member[i].push_back(v);
+            out.columns.of.push_back(i);
+            if (l > 0) support.emplace_back(v - kRings, v);
+        }
+    g.up = g.after = arcs(g.size(), support);
+    g.down = g.before = reversed(g.after);
+    out.head.cone_height = 3;
+    out.head.carriage_x = out.head.carriage_y = 24;
+    for (Index a = 0; a < kRings; ++a)
+        for (Index c = 0; c < kRings; ++c) {
+            Index least = kNone; // of column c, what the regions above wait for
+            for (Index l = kLayers; l-- > 0 && a != c;) {
+                const Index v = out.columns.member[a][l];
+                for (Index k = l + 1; k < std::min(least, kLayers); ++k) {
+                    const Index u = out.columns.member[c][k];
+                    const Reach r = reach(out.head, g.node[u].z - g.node[v].z);
+                    if (!within(out.outlines[v], out.outlines[u], r)) continue;
+                    out.plain.emplace_back(v, u);
+                    least = k;
+                    break;
                 }
             }
-        auto found = collisions(g, columns, outlines, head);
+        }
+    std::sort(out.plain.begin(), out.plain.end());
+    return out;
+}
+
+TEST(Drift, CollisionsOfNestedRingsAreThoseOfAllPairs) {
+    Random random(5);
+    for (const Nest& kind : kNests) {
+        const NestOfRings n = nest(kind, random);
+        DistanceWork work;
+        auto found = collisions(n.g, n.columns, n.outlines, n.head, work);
         std::sort(found.begin(), found.end());
-        std::sort(plain.begin(), plain.end());
-        EXPECT_FALSE(plain.empty());
-        EXPECT_EQ(found, plain) << narrowing << ' ' << lean << ' ' << own_lean;
+        EXPECT_FALSE(n.plain.empty());
+        EXPECT_EQ(found, n.plain) << kind.name;
+        EXPECT_EQ(work.assumed, 0U);
     }
+}
+
+// With little work or none, what is not measured counts as a collision: every collision is still implied, and all
+// precedences lead upwards.
+TEST(Drift, WithoutWorkNoCollisionIsMissed) {
+    Random random(6);
+    for (const Nest& kind : kNests)
+        for (const std::uint64_t limit : {0, 3000, 30000}) {
+            const NestOfRings n = nest(kind, random);
+            DistanceWork work;
+            work.limit = limit;
+            const auto found = collisions(n.g, n.columns, n.outlines, n.head, work);
+            EXPECT_TRUE(limit > 0 || work.assumed > 0);
+            EXPECT_LE(work.steps, limit + 5000) << kind.name; // a distance that was begun is finished
+            for (const auto& [v, u] : found) EXPECT_LT(n.g.node[v].layer, n.g.node[u].layer);
+            for (const auto& [v, u] : n.plain)
+                EXPECT_TRUE(std::ranges::any_of(found, [&, v = v, u = u](const Pair& p) {
+                    return n.columns.of[p.first] == n.columns.of[v] && p.first >= v &&
+                           n.columns.of[p.second] == n.columns.of[u] && p.second <= u;
+                })) << kind.name;
+        }
 }
 
 } // namespace
