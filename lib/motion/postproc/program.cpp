@@ -16,12 +16,15 @@ namespace {
 
 constexpr std::int64_t kUnknown = std::numeric_limits<std::int64_t>::min();
 constexpr double kTold = 0.05; // least relative change of a width or height for a new comment
+// The same for a width where the program has no other word for the material, as with a valve: volumes that are read
+// back stay right to half a percent.
+constexpr double kToldAlone = 0.005;
 
 double power_of_ten(int n) { return std::pow(10.0, n); }
 
 std::int64_t units(double value, double scale) { return static_cast<std::int64_t>(std::nearbyint(value * scale)); }
 
-bool differs(double a, double b) { return std::abs(a - b) > kTold * b; }
+bool differs(double a, double b, double least = kTold) { return std::abs(a - b) > least * b; }
 
 } // namespace
 
@@ -170,7 +173,8 @@ void Program::bead_comments(const Step& step) {
                     toolpath::kFeatureNames[static_cast<std::size_t>(step.feature)]);
     }
     width_comment(step);
-    if (differs(step.height, height_)) comment("HEIGHT:" + fixed_text(height_ = step.height, 3));
+    if (differs(step.height, height_, counts() ? kTold : kToldAlone))
+        comment("HEIGHT:" + fixed_text(height_ = step.height, 3));
     role_ = step.role;
     feature_ = step.feature;
 }

@@ -33,7 +33,9 @@ filum::figures::Figures planar(const filum::metrics::planar::Options& given, con
     if (payload != stream::Payload::toolpath && payload != stream::Payload::paths)
         throw Error(Exit::bad_input, "cannot measure " + reader.name() + ": it carries " +
                                          std::string(stream::name(payload)) + ", not Toolpath or Paths");
-    filum::metrics::planar::Pace pace(profile);
+    const auto& history = reader.header().history;
+    const bool from_program = !history.empty() && history.back().program == "ingest";
+    filum::metrics::planar::Pace pace(profile, from_program);
     input.whole_program = payload == stream::Payload::toolpath;
     bool level = true; // all beads are flat, none lies on a curved surface
     while (auto f = reader.next()) {

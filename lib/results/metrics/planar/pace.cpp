@@ -13,14 +13,15 @@ namespace {
 using toolpath::Span;
 
 // The profile with all limits removed that would stop the measurement with an error.
-machine::Profile lenient(machine::Profile p) {
+machine::Profile lenient(machine::Profile p, bool as_written) {
     constexpr double endless = std::numeric_limits<double>::infinity();
     p.limits.section = endless;
     p.fibre.omit_short = true;
     p.fibre.most_path = endless;
     p.fibre.spool = 0;
     if (p.tools.change.empty()) p.tools.change = "\n";
-    machine::merge_moves(p, machine::standard_merging());
+    // A program with arcs was read as short chords; merging makes arcs of them again.
+    machine::merge_moves(p, as_written && !p.format.arcs ? machine::Merging{} : machine::standard_merging());
     for (auto& [number, one] : p.own) {
         machine::Profile copy = *one;
         copy.limits.section = endless;
@@ -31,7 +32,8 @@ machine::Profile lenient(machine::Profile p) {
 
 } // namespace
 
-Pace::Pace(const machine::Profile& profile) : profile_(lenient(profile)), surveyor_(profile_) {
+Pace::Pace(const machine::Profile& profile, bool as_written)
+    : profile_(lenient(profile, as_written)), surveyor_(profile_) {
     if (!profile_.axes.active()) walker_ = postproc::walker(profile_, {}, [this](auto steps) { surveyor_.add(steps); });
 }
 

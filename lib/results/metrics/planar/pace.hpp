@@ -29,7 +29,9 @@ struct ToolShare {
 // no time. With rotary axes the whole toolpath is kept in memory.
 class Pace {
   public:
-    explicit Pace(const machine::Profile& profile);
+    // `as_written`: the toolpath was read from a program, so its moves are those of the program and are not merged
+    // again.
+    explicit Pace(const machine::Profile& profile, bool as_written = false);
     void add(const toolpath::Span& span);
     // Ends the toolpath and returns its time; only once. Negative if the machine cannot run it: why() is postproc's
     // reason.
