@@ -61,6 +61,47 @@ void part_row(std::span<const Edge> all, const std::vector<std::uint32_t>& activ
     out.resize(out.size() / 2);
 }
 
+// The sections of all beads with one row after the other. The order of beads along a row hardly changes from row to
+// row, so it is kept, and sorting takes little more than looking at each bead once.
+class RowSweep {
+  public:
+    explicit RowSweep(std::span<const SweptBead> all) : all_(all) {}
+
+    // The united sections with the row at y, which lies above the last one.
+    void move_to(double y, std::vector<Interval>& out) {
+        std::erase_if(live_, [&](const LiveBead& l) { return all_[l.bead].hi <= y; });
+        for (LiveBead& l : live_) l.meets = section(all_[l.bead], y, l.at);
+        for (std::size_t i = 1; i < live_.size(); ++i)
+            for (std::size_t k = i; k > 0 && before(live_[k], live_[k - 1]); --k) std::swap(live_[k], live_[k - 1]);
+        const auto known = static_cast<std::ptrdiff_t>(live_.size());
+        for (; next_ < all_.size() && all_[next_].lo < y; ++next_) {
+            if (all_[next_].hi <= y) continue;
+            LiveBead l{static_cast<std::uint32_t>(next_), false, {0, 0, all_[next_].slot}};
+            l.meets = section(all_[next_], y, l.at);
+            live_.push_back(l);
+        }
+        std::sort(live_.begin() + known, live_.end(), before);
+        std::inplace_merge(live_.begin(), live_.begin() + known, live_.end(), before);
+        out.clear();
+        for (const LiveBead& l : live_)
+            if (l.meets) add_united(l.at, out);
+    }
+
+  private:
+    struct LiveBead {
+        std::uint32_t bead = 0;
+        bool meets = false;
+        Interval at;
+    };
+    static bool before(const LiveBead& p, const LiveBead& q) {
+        return p.at.slot != q.at.slot ? p.at.slot < q.at.slot : p.at.lo < q.at.lo;
+    }
+
+    std::span<const SweptBead> all_; // by ascending lo
+    std::vector<LiveBead> live_;     // by slot and position
+    std::size_t next_ = 0;           // of `all_`
+};
+
 struct Rows {
     double first = 0, spacing = 1;
     std::size_t count = 0;
@@ -101,23 +142,16 @@ LayerCover cover(std::span<const Bead> beads, std::span<const polygon::Loops* co
     const auto lane = swept_beads(beads);
     const auto edge = edges(outline);
     const Rows row = rows(lane, edge, spacing);
-    std::vector<std::uint32_t> live_lanes, live_edges;
+    RowSweep sweep(lane);
+    std::vector<std::uint32_t> live_edges;
     std::vector<Interval> part, laid;
-    std::size_t next_lane = 0, next_edge = 0;
+    std::size_t next_edge = 0;
     for (std::size_t j = 0; j < row.count; ++j) {
         const double y = row.first + static_cast<double>(j) * row.spacing;
-        for (; next_lane < lane.size() && lane[next_lane].lo < y; ++next_lane)
-            live_lanes.push_back(static_cast<std::uint32_t>(next_lane));
         for (; next_edge < edge.size() && edge[next_edge].lo.y < y; ++next_edge)
             live_edges.push_back(static_cast<std::uint32_t>(next_edge));
-        std::erase_if(live_lanes, [&](std::uint32_t i) { return lane[i].hi <= y; });
         std::erase_if(live_edges, [&](std::uint32_t i) { return edge[i].hi.y < y; });
-        laid.clear();
-        for (const auto i : live_lanes) {
-            Interval s;
-            if (section(lane[i], y, s)) laid.push_back(s);
-        }
-        unite(laid);
+        sweep.move_to(y, laid);
         part_row(edge, live_edges, y, part);
         tally(part, laid, row.spacing, out.slot);
         for (Interval& i : part) i.slot = 0;

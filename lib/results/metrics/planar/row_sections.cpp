@@ -58,14 +58,9 @@ std::vector<SweptBead> swept_beads(std::span<const Bead> beads) {
 void unite(std::vector<Interval>& v) {
     std::sort(v.begin(), v.end(),
               [](const Interval& p, const Interval& q) { return p.slot != q.slot ? p.slot < q.slot : p.lo < q.lo; });
-    std::size_t n = 0;
-    for (const Interval& i : v) {
-        if (n > 0 && v[n - 1].slot == i.slot && i.lo <= v[n - 1].hi)
-            v[n - 1].hi = std::max(v[n - 1].hi, i.hi);
-        else
-            v[n++] = i;
-    }
-    v.resize(n);
+    std::vector<Interval> out;
+    for (const Interval& i : v) add_united(i, out);
+    v = std::move(out);
 }
 
 } // namespace filum::metrics::planar

@@ -4,6 +4,7 @@
 #include "geom/vec.hpp"
 #include "metrics/planar/cover.hpp"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,14 @@ std::vector<SweptBead> swept_beads(std::span<const Bead> beads);
 
 // The section of the lane with the row at y, one interval because swept_beads are convex; false if it is empty.
 bool section(const SweptBead& lane, double y, Interval& out);
+
+// Adds an interval to united ones. It comes after all of them in the order of slots and positions.
+inline void add_united(const Interval& next, std::vector<Interval>& to) {
+    if (!to.empty() && to.back().slot == next.slot && next.lo <= to.back().hi)
+        to.back().hi = std::max(to.back().hi, next.hi);
+    else
+        to.push_back(next);
+}
 
 // Sorts by slot and position, and unites intervals of a slot that overlap.
 void unite(std::vector<Interval>& intervals);
