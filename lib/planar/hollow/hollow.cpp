@@ -58,9 +58,7 @@ void add(LooseCurves& to, const Loops& from, double width, Feature feature) {
 
 // The area inside the walls, divided.
 struct Division {
-    Loops all_sparse;
-    std::vector<Loops> sparse; // for each of `area`
-    std::vector<const Area*> area;
+    Loops sparse;
     std::vector<Loops> solid;      // connected parts
     std::vector<Loops> bridge;     // connected parts
     std::vector<double> direction; // rad, of each bridge
@@ -88,8 +86,8 @@ void take_bridges(const Region& r, double depth, double w, Loops& solid, Divisio
         if (!taken.empty()) local = polygon::subtract(local, taken);
         const Loops over = polygon::opened(polygon::intersect(local, reach), w, kTolerance);
         if (over.empty()) continue;
-        const Loops beside = polygon::opened(polygon::subtract(local, over), w / 2, kTolerance);
-        for (Loops& part : polygon::split(polygon::opened(polygon::subtract(local, beside), w, kTolerance)).part) {
+        const Loops beside = polygon::opened_difference(local, over, w / 2, kTolerance);
+        for (Loops& part : polygon::split(polygon::opened_difference(local, beside, w, kTolerance)).part) {
             if (polygon::intersect(part, a.loops).empty()) continue;
             all.add(part);
             boxes.push_back(polygon::bounds(part));
@@ -97,7 +95,7 @@ void take_bridges(const Region& r, double depth, double w, Loops& solid, Divisio
             out.direction.push_back(a.direction);
         }
     }
-    if (!all.empty()) solid = polygon::subtract(solid, all);
+    if (!all.empty()) solid = polygon::opened_difference(solid, all, w / 4, kTolerance);
 }
 
 // Adds a ring in each strip, two beads high, along the bridge: rows that turn where the bridge is carried.
@@ -124,25 +122,28 @@ void add_rows(LooseCurves& to, const Loops& bridge, double direction, double w, 
 // Divides `rest`. Solid parts narrower than a bead become sparse, then sparse parts narrower than two beads become
 // solid. So no slivers remain where the outlines of areas run along those of the walls. Solid parts nowhere as wide as
 // half a bead are left open.
+//
+// Outlines of areas run along those of the walls, and of each other. So areas are compared after both were moved apart
+// by half the width that counts: `core` are the places where a bead fits into the solid part.
 Division divided(const Loops& rest, const Region& r, double depth, double w) {
     Division out;
-    Loops solid = rest;
+    Loops areas;
     for (const Area& a : r.areas)
-        if (a.kind == AreaKind::sparse) {
-            out.area.push_back(&a);
-            solid = polygon::subtract(solid, a.loops);
-        }
-    Loops sparse = polygon::opened(polygon::subtract(rest, polygon::opened(solid, w / 2, kTolerance)), w, kTolerance);
-    solid = polygon::subtract(rest, sparse);
-    take_bridges(r, depth, w, solid, out);
-    for (const Loops& part : polygon::split(solid).part)
-        if (!polygon::offset(part, -w / 4, kTolerance).empty()) out.solid.push_back(part);
-    out.all_sparse = sparse;
-    for (std::size_t k = 0; k + 1 < out.area.size(); ++k) {
-        out.sparse.push_back(polygon::intersect(sparse, out.area[k]->loops));
-        sparse = polygon::subtract(sparse, out.sparse.back());
+        if (a.kind == AreaKind::sparse) areas.add(a.loops);
+    Loops solid;
+    if (!areas.empty()) {
+        const Loops core =
+            polygon::subtract(polygon::offset(rest, -w / 2, kTolerance), polygon::offset(areas, w / 2, kTolerance));
+        out.sparse = polygon::offset(rest, -w, kTolerance);
+        if (!core.empty()) out.sparse = polygon::subtract(out.sparse, polygon::offset(core, 3 * w / 2, kTolerance));
+        out.sparse = polygon::offset(out.sparse, w, kTolerance);
     }
-    if (!out.area.empty()) out.sparse.push_back(std::move(sparse));
+    if (!out.sparse.empty())
+        solid = polygon::opened_difference(rest, out.sparse, w / 4, kTolerance);
+    else if (!polygon::offset(rest, -w / 4, kTolerance).empty())
+        solid = rest;
+    if (!solid.empty()) take_bridges(r, depth, w, solid, out);
+    out.solid = polygon::split(solid).part;
     return out;
 }
 
@@ -153,14 +154,17 @@ bool has(const Region& r, AreaKind kind) {
 // Adds the curves inside walls that are `depth` mm wide in total, with beads w mm wide.
 void add_inside(LooseCurves& to, const Loops& rest, const Region& r, double depth, double w, double tolerance) {
     const Division parts = divided(polygon::simplify(rest, kTolerance), r, depth, w);
-    Loops rim;
-    if (!parts.sparse.empty()) rim = polygon::offset(polygon::simplify(r.loops, kTolerance), -depth, kTolerance);
     std::vector<infill::Task> tasks;
-    for (std::size_t k = 0; k < parts.sparse.size(); ++k) {
-        const Area& a = *parts.area[k];
-        tasks.push_back({&parts.sparse[k], {a.pattern, a.direction, a.spacing, w, r.z, a.gap, &rim}});
+    bool concentric = false;
+    for (const Area& a : r.areas) {
+        if (a.kind != AreaKind::sparse) continue;
+        tasks.push_back({&a.loops, {a.pattern, a.direction, a.spacing, w, r.z, a.gap}});
+        concentric = concentric || a.pattern == polygon::InfillPattern::concentric;
     }
-    add(to, infill::loops(parts.all_sparse, tasks), w, Feature::infill);
+    Loops rim;
+    if (concentric) rim = polygon::offset(polygon::simplify(r.loops, kTolerance), -depth, kTolerance);
+    for (infill::Task& t : tasks) t.lines.rim = &rim;
+    add(to, infill::loops(parts.sparse, tasks), w, Feature::infill);
     for (std::size_t k = 0; k < parts.bridge.size(); ++k)
         add_rows(to, parts.bridge[k], parts.direction[k], w, tolerance);
     for (const Loops& part : parts.solid) add(to, rings::lanes(part, {.width = w, .tolerance = tolerance}), 0);

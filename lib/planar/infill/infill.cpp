@@ -16,6 +16,8 @@ namespace {
 
 using polygon::InfillPattern;
 
+constexpr double kSeam = 1e-3; // mm: cells of different parts are made larger by this, so that rounding leaves no gap
+                               // along the border of the parts
 constexpr double kWidest = 64; // spacings of endless lines: the widest that is tried
 constexpr double kSame = 1e-3; // relative precision of the spacing
 constexpr double kNear = 5e-3; // the same, if areas are filled to find it: a quarter of the 2 % tolerance of the share
@@ -51,6 +53,17 @@ Loops loops_in(const Loops& room, const Loops& area, const Lines& o) {
     const Loops cells = cells_in(room, drawn_in(area, o));
     return o.pattern == InfillPattern::concentric ? linked(cells, room, o.bead_width)
                                                   : opened_cells(cells, o.bead_width / 2);
+}
+
+// The parts of `room` where the lines of each task hold.
+std::vector<Loops> divided(Loops room, std::span<const Task> parts) {
+    std::vector<Loops> out;
+    for (const Task& t : parts.first(parts.size() - 1)) {
+        out.push_back(polygon::intersect(room, *t.area));
+        if (!out.back().empty()) room = polygon::subtract(room, *t.area);
+    }
+    out.push_back(std::move(room));
+    return out;
 }
 
 // True if two areas have the same loops.
@@ -200,20 +213,22 @@ double nearest_by_filling(const Sample& sample, double from, double density, dou
 Loops loops(const Loops& area, const Lines& o) { return loops_in(inner(area, o.bead_width), area, o); }
 
 Loops loops(const Loops& area, std::span<const Task> parts) {
-    if (parts.empty()) return {};
-    if (parts.size() == 1) return loops(area, parts[0].lines);
+    if (parts.empty() || area.empty()) return {};
     const double w = parts[0].lines.bead_width;
-    Loops cells;
-    for (const Task& t : parts)
-        if (t.lines.spacing < kHollow)
-            cells.add(polygon::intersect(*t.area, even_cells(*t.area, drawn_in(area, t.lines))));
-    if (cells.empty()) return {};
     const Loops room = inner(area, w);
-    const Loops within = polygon::intersect(polygon::unite(cells), room);
+    const std::vector<Loops> rooms = divided(room, parts);
+    const auto filled = std::count_if(rooms.begin(), rooms.end(), [](const Loops& r) { return !r.empty(); });
+    Loops cells;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        if (filled == 1 && !rooms[k].empty()) return loops_in(room, area, parts[k].lines);
+        if (parts[k].lines.spacing < kHollow) cells.add(cells_in(rooms[k], drawn_in(area, parts[k].lines)));
+    }
+    if (cells.empty()) return {};
+    cells = polygon::offset(cells, kSeam, polygon::kBeadArc);
     if (std::any_of(parts.begin(), parts.end(),
                     [](const Task& t) { return t.lines.pattern == InfillPattern::concentric; }))
-        return linked(within, room, w);
-    return with_corridors(polygon::opened(within, w / 2, polygon::kBeadArc), room, w);
+        return linked(cells, room, w);
+    return with_corridors(opened_cells(cells, w / 2), room, w);
 }
 
 double length(const Loops& loops) {

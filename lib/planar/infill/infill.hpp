@@ -38,8 +38,9 @@ struct Task {
     Lines lines;
 };
 
-// The closed curves that fill `area`, which is divided into `parts` with lines of their own. Even cells that meet, if
-// only in a corner, continue from part to part. Without parts there are no curves.
+// The closed curves that fill `area`, which is divided into `parts` with lines of their own. Where areas of parts
+// overlap the first one counts, and the last one where no other part is. Even cells that meet, if only in a corner,
+// continue from part to part. Without parts there are no curves.
 Loops loops(const Loops& area, std::span<const Task> parts);
 
 // The total length of the loops in mm.

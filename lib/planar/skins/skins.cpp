@@ -113,9 +113,7 @@ Loops carrying(const Loops& area, const std::vector<Loops>& sparse_of, std::uint
     for (std::size_t up = 1; up <= kCarrying && !plain.empty(); ++up)
         plain = layer + up < sparse_of.size() ? common(plain, sparse_of[layer + up]) : Loops{};
     const double open = 2 * kNarrowest * o.bead_width / 2;
-    plain = polygon::opened(plain, open, kBeadArc);
-    const Loops rest = polygon::subtract(area, plain);
-    return polygon::opened(rest, open / 2, kBeadArc);
+    return polygon::opened_difference(area, polygon::opened(plain, open, kBeadArc), open / 2, kBeadArc);
 }
 
 // The part of the sparse area `all` beside its dense part, without the slivers that rounding leaves where both have the

@@ -273,6 +273,12 @@ Loops opened(const Loops& a, double radius, double arc_tolerance) {
     return offset(offset(a, -radius, arc_tolerance), radius, arc_tolerance);
 }
 
+Loops opened_difference(const Loops& a, const Loops& b, double radius, double arc_tolerance) {
+    Loops core = offset(a, -radius, arc_tolerance);
+    if (!core.empty() && !b.empty()) core = subtract(core, offset(b, radius, arc_tolerance));
+    return offset(core, radius, arc_tolerance);
+}
+
 Loops closed(const Loops& a, double radius, double arc_tolerance) {
     return offset(offset(a, radius, arc_tolerance), -radius, arc_tolerance);
 }

@@ -36,6 +36,10 @@ Loops offset(const Loops& a, double delta, double arc_tolerance = 0.002);
 // such disc fits.
 Loops opened(const Loops& a, double radius, double arc_tolerance = 0.002);
 
+// The part of `a` outside of `b` that is at least 2 `radius` wide: opened(subtract(a, b), radius), up to the tolerance
+// of arcs. Faster where outlines of both run along each other, because both are moved apart before they are compared.
+Loops opened_difference(const Loops& a, const Loops& b, double radius, double arc_tolerance = 0.002);
+
 // `a` with all gaps narrower than 2 `radius` filled: everything that no disc of that radius outside `a` reaches
 // (closing).
 Loops closed(const Loops& a, double radius, double arc_tolerance = 0.002);

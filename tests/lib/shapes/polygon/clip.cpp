@@ -167,6 +167,22 @@ TEST(Split, PartsAreDisjointConnectedAndComplete) {
     }
 }
 
+// The difference may share outlines with what it is taken from, and the result is the same up to the tolerance of arcs.
+TEST(Opened, ADifferenceIsThatOfOutlinesMovedApart) {
+    constexpr double kArcs = 0.002;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        const Loops a = unite(random_area(seed));
+        const Loops others[] = {unite(random_area(seed + 1000)), intersect(a, unite(random_area(seed + 1000))), a, {}};
+        for (const Loops& b : others)
+            for (const double radius : {0.02, 0.2}) {
+                const Loops moved = opened_difference(a, b, radius, kArcs);
+                const Loops direct = opened(subtract(a, b), radius, kArcs);
+                EXPECT_TRUE(offset(subtract(moved, direct), -4 * kArcs).empty()) << seed << " " << radius;
+                EXPECT_TRUE(offset(subtract(direct, moved), -4 * kArcs).empty()) << seed << " " << radius;
+            }
+    }
+}
+
 TEST(Split, AnIslandInAHoleHasItsRingAsParent) {
     Loops a;
     const Vec2 outer[] = {{0, 0}, {10, 0}, {10, 10}, {0, 10}}, hole[] = {{1, 1}, {1, 9}, {9, 9}, {9, 1}},
