@@ -60,6 +60,9 @@ std::vector<Option> options(Options& o) {
                           "field"}
                        .one_of({"usual", "none", "hairpin", "wide"})
                        .when("algorithm=planned|ortheo|field"),
+                   Option{"width-change", &o.plan.width_change, "SHARE",
+                          "beads may be wider or narrower by this share of the spacing, to fit the room between lines"}
+                       .within(0, 0.5),
                    Option{"cut-length", &o.plan.cut_length, "MM",
                           "length of fibre that a cut costs; field and hybrid overlap no more to avoid one"}
                        .within(0, 1e6)
@@ -79,7 +82,7 @@ cli::Spec spec(Options& o) {
             .options = options(o),
             .groups = {{"the path and its turns",
                         {"spacing", "min-radius", "strict", "max-tight", "min-length", "turns", "cut-length"}},
-                       {"the bead", {"layer-height", "ply", "offset", "lift"}},
+                       {"the bead", {"width-change", "layer-height", "ply", "offset", "lift"}},
                        {"field", {"follow", "angle", "reference", "keep", "coarsen"}},
                        {"turns beyond the rims", {"turn-outside", "trim-list", "machine"}}},
             .examples = {{"geodesic part.stl --cut 0,0,1,0.9 --source boundary | surfpath geo-fiso > part.toolpath",

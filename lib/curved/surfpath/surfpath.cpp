@@ -18,6 +18,7 @@
 #include "surfpath/plan/kinks.hpp"
 #include "surfpath/plan/refined.hpp"
 #include "surfpath/plan/voids.hpp"
+#include "surfpath/plan/widths.hpp"
 #include "surfpath/slits.hpp"
 
 #include <algorithm>
@@ -183,6 +184,7 @@ void finish(const Surface& surface, Plan& plan, const Options& o) {
     if (tight.count > 0)
         plan.notes.push_back(
             {NoteCode::bend_too_tight, tight.length, tight.count, -1, tight.at.x, tight.at.y, tight.at.z});
+    if (o.width_change > 0) plan::fit_widths(surface, plan, {o.spacing, o.width_change});
     plan::report_coverage(surface, plan, o.spacing, o.part);
 }
 

@@ -8,7 +8,6 @@ namespace filum::surfpath::plan {
 namespace {
 
 std::vector<PathSegment> listed(const Surface& s, const Plan& plan) {
-    constexpr double kApart = 1e6; // mm of arc length between strokes
     std::vector<PathSegment> out;
     std::size_t count = 0;
     for (const Stroke& stroke : plan.strokes)
@@ -20,10 +19,11 @@ std::vector<PathSegment> listed(const Surface& s, const Plan& plan) {
             for (std::size_t i = 0; i + 1 < piece.line.size(); ++i) {
                 const Vec3 &a = piece.line[i], &b = piece.line[i + 1];
                 out.push_back({a, b, surface::normal(s, piece.line.places[i].triangle), arc, piece.hairpin,
-                               static_cast<std::uint32_t>(&stroke - plan.strokes.data())});
+                               static_cast<std::uint32_t>(&stroke - plan.strokes.data()),
+                               piece.widths.empty() ? 0 : (piece.widths[i] + piece.widths[i + 1]) / 2});
                 arc += distance(a, b);
             }
-        arc += kApart;
+        arc += kStrokesApart;
     }
     return out;
 }

@@ -9,10 +9,13 @@ namespace filum::surfpath::plan {
 
 struct PathSegment {
     Vec3 a, b, normal;        // its ends; the normal of its triangle
-    double arc = 0;           // mm from the start of the first stroke; strokes are 1e6 mm apart
+    double arc = 0;           // mm from the start of the first stroke; strokes are kStrokesApart apart
     bool hairpin = false;     // part of a marked hairpin
     std::uint32_t stroke = 0; // index in the plan
+    double width = 0;         // mm; 0: the usual one
 };
+
+inline constexpr double kStrokesApart = 1e6; // mm of arc length
 
 // The place of a segment that is nearest to a point.
 struct NearestPlace {

@@ -18,11 +18,13 @@ class SpanWriter {
             if (piece.line.size() < 2) continue;
             Span now = span(piece.hairpin ? Role::hairpin : Role::bead, number);
             for (const Place& p : piece.line.places) add(now, p, o_.offset);
+            if (!piece.widths.empty()) now.width = piece.widths;
             if (first && !out.empty()) out.push_back(travel(out.back(), now, number));
             if (!first && out.back().role == now.role) {
                 auto& to = out.back();
                 to.points.insert(to.points.end(), now.points.begin() + 1, now.points.end());
                 to.normals.insert(to.normals.end(), now.normals.begin() + 1, now.normals.end());
+                if (now.width.size() > 1) to.width.insert(to.width.end(), now.width.begin() + 1, now.width.end());
             } else {
                 out.push_back(std::move(now));
             }

@@ -16,8 +16,9 @@ using surface::curve::Place;
 
 // A part of a stroke; it begins where the one before ends.
 struct Section {
-    Line line;            // open
-    bool hairpin = false; // marked as tighter than the least radius
+    Line line;                    // open
+    bool hairpin = false;         // marked as tighter than the least radius
+    std::vector<double> widths{}; // mm, per place; empty: the usual width everywhere
 };
 
 // A path that is laid without cutting the fibre.

@@ -38,7 +38,8 @@ void judge(const Sample& point, const PathSegments& lines, std::span<const PathS
     sum.surface += point.area;
     arcs.clear();
     for (const PathSegment* l : in_box)
-        if (within(*l, point.p, width / 2)) arcs.push_back(arc(*l, nearest_place(*l, point.p).t));
+        if (within(*l, point.p, (l->width > 0 ? l->width : width) / 2))
+            arcs.push_back(arc(*l, nearest_place(*l, point.p).t));
     if (!arcs.empty())
         sum.covered += point.area;
     else {
@@ -64,7 +65,15 @@ void add(const CoverageSums& part, CoverageSums& sum) {
         sum.cells.insert({cell, {0, cell_overlap.at}}).first->second.area += cell_overlap.area;
 }
 
-Vec3 widest(const std::vector<Sample>& voids, const PathSegments& lines, double width) {
+double widest_bead(const Plan& plan, double width) {
+    double out = width;
+    for (const Stroke& stroke : plan.strokes)
+        for (const Section& piece : stroke.sections)
+            for (const double w : piece.widths) out = std::max(out, w);
+    return out;
+}
+
+Vec3 widest_void(const std::vector<Sample>& voids, const PathSegments& lines, double width) {
     double worst = -1;
     Vec3 at;
     for (const Sample& b : voids) {
@@ -80,13 +89,15 @@ Vec3 widest(const std::vector<Sample>& voids, const PathSegments& lines, double 
     return at;
 }
 
-// Length in mm on the first `part` triangles. The plan must be threaded unless these are all.
-double length_on(const Plan& plan, std::uint32_t part) {
+// Area in mm2 of the beads on the first `part` triangles. The plan must be threaded unless these are all.
+double deposited_on(const Plan& plan, double width, std::uint32_t part) {
     double out = 0;
     for (const Stroke& stroke : plan.strokes)
         for (const Section& piece : stroke.sections)
             for (std::size_t i = 0; i + 1 < piece.line.size(); ++i)
-                if (piece.line.places[i].triangle < part) out += distance(piece.line[i], piece.line[i + 1]);
+                if (piece.line.places[i].triangle < part)
+                    out += distance(piece.line[i], piece.line[i + 1]) *
+                           (piece.widths.empty() ? width : (piece.widths[i] + piece.widths[i + 1]) / 2);
     return out;
 }
 
@@ -96,6 +107,7 @@ Note note(NoteCode code, double area, const Vec3& at) { return {code, area, 1, -
 
 Coverage cover(const Surface& s, const Plan& plan, double width, std::uint32_t part) {
     const PathSegments lines(s, plan);
+    const double widest = widest_bead(plan, width);
     const std::size_t count = std::min<std::size_t>(part, s.triangles.size());
     std::vector<CoverageSums> parts((count + kTriangles - 1) / kTriangles);
     parallel::for_chunks(count, kTriangles, 0, [&](std::size_t begin, std::size_t end) {
@@ -104,14 +116,14 @@ Coverage cover(const Surface& s, const Plan& plan, double width, std::uint32_t p
         std::vector<const PathSegment*> in_box;
         for (std::size_t t = begin; t < end; ++t)
             each_few(s, static_cast<std::uint32_t>(t), kPart * width, room, [&](std::span<const Sample> few) {
-                lines.in_box(geom::grown(box_of(few), width / 2), few[0].normal, in_box);
+                lines.in_box(geom::grown(box_of(few), widest / 2), few[0].normal, in_box);
                 for (const Sample& p : few) judge(p, lines, in_box, width, parts[begin / kTriangles], arcs);
             });
     });
     CoverageSums sum;
     for (const CoverageSums& one : parts) add(one, sum);
-    Coverage out{sum.surface, length_on(plan, part) * width, sum.covered, sum.missing, {}, {}};
-    out.widest = widest(sum.voids, lines, width);
+    Coverage out{sum.surface, deposited_on(plan, width, part), sum.covered, sum.missing, {}, {}};
+    out.widest = widest_void(sum.voids, lines, width);
     double most = 0;
     for (const auto& [cell, cell_overlap] : sum.cells)
         if (cell_overlap.area > most) {

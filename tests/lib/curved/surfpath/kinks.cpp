@@ -1,8 +1,8 @@
 // Kinks of a path are rounded to half a spacing, and nothing else moves.
 #include "surfpath/plan/kinks.hpp"
 
-#include "../../shapes/surface/grid.hpp"
 #include "base/mix.hpp"
+#include "plate_lines.hpp"
 #include "surface/curve/turns.hpp"
 #include "surface/curve/walk.hpp"
 
@@ -21,33 +21,9 @@ using std::numbers::pi;
 
 constexpr double kSpacing = 1;
 
-// A plate of 60 x 40 mm, or rolled up to a part of a cylinder of radius 20 mm.
-Surface sheet(bool rolled) {
-    Notes notes;
-    return surface::connect(
-        surface::grid(
-            60, 40, 60, 40,
-            [=](Vec2 p) {
-                return rolled ? Vec3{20 * std::sin(p.x / 20), p.y, 20 * std::cos(p.x / 20)} : Vec3{p.x, p.y, 0};
-            }),
-        notes);
-}
-
 // The polyline through points of the plate as a plan of one stroke.
 Plan plan_through(const Surface& s, bool rolled, const std::vector<Vec2>& way) {
-    Line line;
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-        const int n = std::max(1, static_cast<int>(std::ceil(distance(way[i], way[i + 1]) / 0.1)));
-        for (int k = 0; k < n || (k == n && i + 2 == way.size()); ++k) {
-            const Vec2 p = lerp(way[i], way[i + 1], static_cast<double>(k) / n);
-            const auto column = static_cast<std::uint32_t>(p.x), row = static_cast<std::uint32_t>(p.y);
-            const bool upper = p.y - row > p.x - column;
-            const std::uint32_t t = 2 * (60 * row + column) + (upper ? 1 : 0);
-            const Vec3 at = rolled ? Vec3{20 * std::sin(p.x / 20), p.y, 20 * std::cos(p.x / 20)} : Vec3{p.x, p.y, 0};
-            line.places.push_back({t, surface::nearest_in(s, t, at)});
-        }
-    }
-    return Plan{{Stroke{{Section{line, false}}}}, {}, {}, {}};
+    return Plan{{Stroke{{Section{line_through(s, rolled, way), false}}}}, {}, {}, {}};
 }
 
 double kink_length(const Surface& s, const Plan& plan) {
@@ -83,7 +59,7 @@ double apart(const Line& a, const Line& b) {
 }
 
 void expect_rounded(bool rolled, const std::vector<Vec2>& way) {
-    const Surface s = sheet(rolled);
+    const Surface s = plate(rolled);
     Plan plan = plan_through(s, rolled, way);
     const Line before = plan.strokes[0].sections[0].line;
     ASSERT_GT(kink_length(s, plan), 0);
@@ -124,7 +100,7 @@ TEST(Kinks, NarrowTipsBecomeBulbs) {
 }
 
 TEST(Kinks, PathsWithoutKinksStay) {
-    const Surface s = sheet(false);
+    const Surface s = plate(false);
     std::vector<Vec2> way{{20, 20}, {30, 20}};
     for (int i = 1; i < 30; ++i) {
         const double a = -pi / 2 + pi * i / 30;
