@@ -4,6 +4,7 @@
 #include "surfpath/field/rings.hpp"
 #include "surfpath/field/stripes.hpp"
 #include "surfpath/plan/nearest_order.hpp"
+#include "surfpath/plan/turns.hpp"
 #include "surfpath/rows/boustrophedon.hpp"
 #include "surfpath/rows/loops.hpp"
 
@@ -88,6 +89,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
     auto all = field::lines(s, stripes);
     const double gentle = std::max(radius, o.spacing / 2), eased = std::max(o.least_radius, gentle);
     ease(s, all, eased, o.spacing);
+    if (covers && o.width_change > 0) plan::round_turns(s, all, {o.spacing, o.least_radius, 1 - o.width_change});
     Plan out;
     if (o.turns == RowTurns::none) {
         out.strokes = separate_strokes(std::move(all));
@@ -104,7 +106,8 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         turns.staggered = o.beyond.empty();
         turns.tight = covers;
         rows::Rows found = rows::rows(s, raw, {o.spacing / 2, o.spacing / 2, gentle, kGive * o.spacing});
-        const auto joined = rows::join_loops(s, found, {o.spacing, gentle, eased, o.cut_length, turns.tight});
+        const auto joined =
+            rows::join_loops(s, found, {o.spacing, gentle, eased, o.cut_length, turns.tight, 1 - o.width_change});
         out = rows::boustrophedon(s, found, turns);
         rows::report_crossings(joined.crossed, o.spacing, out.notes);
         out.facts.push_back({"", "loops-joined", static_cast<double>(joined.crossed.size() + joined.exchanged), ""});

@@ -148,6 +148,22 @@ static Line along_ridge(const Lanes& lanes, std::uint32_t lane, double arc, doub
     return surface::curve::threaded(lanes.surface(), out);
 }
 
+// The way from an end of lane number k to that of the next lane between the rungs, which end at rung v: into the wedge
+// that the links leave, on towards later rungs (side 1) or earlier ones (-1), and back by a half turn.
+static std::vector<Vec2> half_turn(const Lanes& lanes, const Ladder& r, std::size_t k, double v, double side,
+                                   double into = 0) {
+    constexpr int kSteps = 24;
+    const double deep = 0.5 * lanes.spacing() / r.step, u = static_cast<double>(k) + 0.5;
+    std::vector<Vec2> out = straight(u - 0.5, v, v + side * into);
+    for (int i = 1; i < kSteps; ++i) {
+        const double a = std::numbers::pi * i / kSteps;
+        out.push_back({u - 0.5 * std::cos(a), v + side * (into + deep * std::sin(a))});
+    }
+    const auto back = straight(u + 0.5, v + side * into, v);
+    out.insert(out.end(), back.begin(), back.end());
+    return out;
+}
+
 void shift(LinkedLanes& linked, const Lanes& lanes, const Ladder& r, int by) {
     const std::size_t n = r.lanes(), s = static_cast<std::size_t>(by);
     std::vector<std::uint32_t> opening;
@@ -165,14 +181,21 @@ void shift(LinkedLanes& linked, const Lanes& lanes, const Ladder& r, int by) {
         return;
     }
     linked.tail(last_rung(opening[1], r.sense[1]), drawn(lanes, r, straight(1, end, 0.8 * end)));
-    std::vector<Vec2> turn;
-    const double deep = 0.5 * lanes.spacing() / r.step;
-    for (int i = 0; i <= 24; ++i) {
-        const double a = std::numbers::pi * i / 24;
-        turn.push_back({inner - 0.5 - 0.5 * std::cos(a), deep * std::sin(a)});
-    }
     linked.link(first_rung(opening[n - 2], r.sense[n - 2]), first_rung(opening[n - 1], r.sense[n - 1]),
-                drawn(lanes, r, turn));
+                drawn(lanes, r, half_turn(lanes, r, n - 2, 0, 1)));
+}
+
+void wind_loop(LinkedLanes& linked, const Lanes& lanes, const Ladder& r, double into) {
+    const std::size_t n = r.lanes();
+    std::vector<std::uint32_t> opening;
+    for (std::size_t k = 0; k < n; ++k) opening.push_back(linked.cut(window(linked, r, k)));
+    for (std::size_t k = 0; k + 2 < n; ++k)
+        linked.link(first_rung(opening[k], r.sense[k]), last_rung(opening[k + 2], r.sense[k + 2]),
+                    drawn(lanes, r, change(r, static_cast<double>(k), static_cast<double>(k + 2), 0, r.last())));
+    linked.link(last_rung(opening[0], r.sense[0]), last_rung(opening[1], r.sense[1]),
+                drawn(lanes, r, half_turn(lanes, r, 0, r.last(), -1, into * r.last())));
+    linked.link(first_rung(opening[n - 2], r.sense[n - 2]), first_rung(opening[n - 1], r.sense[n - 1]),
+                drawn(lanes, r, half_turn(lanes, r, n - 2, 0, 1, into * r.last())));
 }
 
 namespace {

@@ -15,6 +15,11 @@ Ladder spiral_ladder(const Lanes& lanes, std::uint32_t start, double least);
 // the curve lie on the first lanes.
 void shift(LinkedLanes& linked, const Lanes& lanes, const Ladder& rungs, int by);
 
+// Joins all lanes of the ladder to one closed curve: a double spiral whose two arms meet in half turns at the first
+// lanes and at the last ones. Unlike exchanges, which need two half turns for each pair of lanes, it has two in all.
+// Half turns reach into the ladder by the share `into` of its length.
+void wind_loop(LinkedLanes& linked, const Lanes& lanes, const Ladder& rungs, double into);
+
 // Joins the remaining curves where possible, two lanes at a time, by exchanges where these run side by side, with
 // turns of `radius` mm where there is room.
 void exchange_lanes(LinkedLanes& linked, const Lanes& lanes, double radius);

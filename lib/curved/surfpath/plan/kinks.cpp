@@ -14,14 +14,15 @@ namespace {
 
 namespace curve = surface::curve;
 
-constexpr double kRadius = 0.55;  // spacings: the turn to a neighbouring line has half of one; a tenth more, since the
-                                  // flow comes near its limit slowly
-constexpr double kBeside = 1.2;   // spacings of path on both sides of a kink that may move with it
-constexpr double kStep = 0.125;   // spacings between points of the flow; its time grows with the fourth power
-constexpr double kPace = 0.1;     // of the flow; it is stable below 1/8
-constexpr double kEven = 0.2;     // share of the way along the path to the middle of the neighbours, per round
-constexpr double kCorridor = 0.5; // spacings that points may move: the bead still lies on its old middle line
-constexpr int kRounds = 4000;     // most rounds of the flow
+constexpr double kRadius = 0.5; // spacings: that of the turn from a line to its neighbour
+constexpr double kBeside = 1.2; // spacings of path on both sides of a kink that may move with it
+// spacings between points of the flow: half of the reach over which kinks are measured, so that three points of such a
+// circle are five of the flow
+const double kStep = curve::turn_reach(curve::kKinkRadius, 1) / 2;
+constexpr double kPace = 0.1;       // of the flow; it is stable below 1/8
+constexpr double kEven = 0.2;       // share of the way along the path to the middle of the neighbours, per round
+constexpr double kCorridor = 0.5;   // spacings that points may move: the bead still lies on its old middle line
+constexpr int kRounds = 4000;       // most rounds of the flow
 constexpr int kRoundsBetween = 100; // and those between two looks for kinks
 constexpr double kKinkMargin =
     1.02; // factor of the radius of kinks: the plane in which the flow runs is not the surface

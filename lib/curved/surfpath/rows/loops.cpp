@@ -4,6 +4,7 @@
 #include "surface/curve/ease.hpp"
 #include "surface/curve/walk.hpp"
 #include "surfpath/lanes/spiral.hpp"
+#include "surfpath/rows/double_spirals.hpp"
 #include "surfpath/rows/exchange.hpp"
 #include "surfpath/rows/splice.hpp"
 #include "surfpath/rows/winding.hpp"
@@ -201,6 +202,23 @@ LoopJoins join(const Surface& s, std::vector<Line>& lines, const std::vector<cha
     return out;
 }
 
+// Winds chains of closed lines, which levels of rows show, into double spirals. Returns the number of lines taken in.
+std::size_t wind_chains(const Surface& s, const Rows& rows, const std::vector<char>& keep, std::vector<Line>& lines,
+                        const LoopOptions& o) {
+    std::map<double, std::size_t> by_level;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (lines[i].closed && keep[i] == 0) by_level[rows.rows[i].level] = i;
+    std::size_t out = 0;
+    std::vector<Line*> chain;
+    double last = 0;
+    for (const auto& [level, i] : by_level) {
+        if (!chain.empty() && level - last > 1.5 * o.spacing) out += wind_double(s, std::exchange(chain, {}), o);
+        chain.push_back(&lines[i]);
+        last = level;
+    }
+    return out + wind_double(s, std::move(chain), o);
+}
+
 } // namespace
 
 LoopJoins join_loops(const Surface& s, Rows& rows, const LoopOptions& o) {
@@ -212,7 +230,9 @@ LoopJoins join_loops(const Surface& s, Rows& rows, const LoopOptions& o) {
         length.push_back(surface::curve::length(row.line));
         lines.push_back(std::move(row.line));
     }
+    const std::size_t wound_double = o.tight ? wind_chains(s, rows, keep, lines, o) : 0;
     auto out = join(s, lines, keep, kTurnsTake * o.radius, o);
+    out.exchanged += wound_double;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         Row& row = rows.rows[i];
         row.line = std::move(lines[i]);

@@ -12,6 +12,7 @@ struct LoopOptions {
     double gentle = 2.4; // mm: of shifts in spirals, where there is room
     double cut = 50;     // mm of fibre that a cut costs
     bool tight = false;  // joins by turns of half a spacing come first, as they waste less; otherwise they come last
+    double nearest = 1;  // spacings: least distance of lines where they turn
 };
 
 struct LoopJoins {

@@ -1,7 +1,8 @@
 // What the tests ask of plans.
 #pragma once
 
-#include "surfpath/plan/plan.hpp"
+#include "surfpath/plan/voids.hpp"
+#include "surfpath/plan/widths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,15 @@ inline double fact(const Plan& plan, const std::string& name) {
     return -1;
 }
 
+// Share of the surface that the plan's beads cover, if they may be a fifth wider or narrower than 1 mm.
+inline double covered_with_widths(const Surface& s, Plan plan) {
+    fit_widths(s, plan, {1, 0.2});
+    const Coverage found = cover(s, plan, 1);
+    return found.covered / found.surface;
+}
+
 // The share of the surface within `reach` mm of the path, by samples.
+
 inline double covered(const Surface& s, const Plan& plan, double reach = 0.501) {
     std::vector<std::pair<Vec3, Vec3>> path;
     for (const Stroke& stroke : plan.strokes)

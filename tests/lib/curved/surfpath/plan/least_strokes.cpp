@@ -70,7 +70,7 @@ TEST(LeastStrokes, AreNoMoreThanHybridTakesAndOneLessAtLeast) {
             EXPECT_GE(cuts, fact(p, "cuts-bound")) << tooth;
             // Teeth of 20 mm might be laid twice, for less than a cut: but in 1 mm no turn of 2.4 mm leads back.
             EXPECT_LE(cuts, tooth < 50 && radius > 1 ? 3 : fact(p, "cuts-bound") + 1) << tooth;
-            EXPECT_GT(covered(sheet.surface, p), 0.97) << tooth;
+            EXPECT_GT(covered_with_widths(sheet.surface, p), 0.97) << tooth;
         }
 }
 
