@@ -56,7 +56,7 @@ Walker walker(std::span<const geom::Vec2> loop, geom::Vec2 p) {
     return {loop, edge, at};
 }
 
-// The greatest distance of two walkers round the loops, of which `a` is shifted. At each step one of them passes the
+// The greatest distance of two walkers round the loops, after `a` was shifted. At each step one of them passes the
 // next vertex, the one that stays nearer to the other; both move evenly, so the distance is greatest at the ends of
 // steps. Every such walk bounds the movement (Frechet's distance is the least of them).
 double walk(std::span<const geom::Vec2> a, geom::Vec2 shift, std::span<const geom::Vec2> b) {

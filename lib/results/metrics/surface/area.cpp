@@ -119,7 +119,7 @@ std::optional<geodesic::ExactField> rim_field(const Surface& s, double strip) {
     return geodesic::exact(s, filum::surface::rim_sources(s), strip);
 }
 
-// The least height of rows in mm, such that there are at most kMostRows.
+// The least height of rows, mm, so that there are at most kMostRows.
 double least_row(const Surface& s) {
     double heights = 0;
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
