@@ -117,7 +117,7 @@ class TravelSearch {
 
     [[nodiscard]] Travel finish(const Way& way, Kind kind, bool free) const {
         const bool ends = fan_.free({0, 0, 0}) && fan_.free({1, 0, 0});
-        Travel out{.stances = {}, .kind = kind, .length = whole(way), .free = free && ends};
+        Travel out{.stances = {}, .kind = kind, .length = whole(way) + 2 * o_.under, .free = free && ends};
         for (std::size_t i = 0; i < way.size(); ++i) {
             const ToolFrame to = fan_.at({way[i].share, way[i].aside, way[i].rise + o_.under});
             const std::size_t parts = i == 0 ? 1 : turns(out.stances.back(), to);
