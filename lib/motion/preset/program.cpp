@@ -64,6 +64,13 @@ std::string Program::code_of(std::initializer_list<const char*> names, std::uint
     return "";
 }
 
+// The printer's start or end. OrcaSlicer and Bambu Studio have "machine_" before the name.
+std::string Program::printer_code(const std::string& name, std::uint32_t tool) {
+    const std::string of_orca = "machine_" + name;
+    const char* key = orca_ || settings_.text(name).empty() ? of_orca.c_str() : name.c_str();
+    return code(key, code_of({key}), tool);
+}
+
 std::string Program::filament_code(const char* key, std::uint32_t tool) {
     const bool start = std::string_view(key).starts_with("start");
     const std::string text = code_of({key, start ? "filament_start_gcode" : "filament_end_gcode"}, tool);
@@ -114,9 +121,7 @@ std::string Program::temperatures(const std::string& start, bool wait) {
 std::string Program::start() {
     std::string out = machine_limits(settings_, flavor_);
     now_.clear();
-    std::string text = code_of({"start_gcode", "machine_start_gcode"});
-    const char* key = settings_.text("start_gcode").empty() ? "machine_start_gcode" : "start_gcode";
-    const std::string own = code(key, text, job_.first_tool);
+    const std::string own = printer_code("start_gcode", job_.first_tool);
     out += orca_ ? around_orca_start(own) : around_start(own);
     if (job_.tools.back() > 0) return out + change_tool(job_.first_tool, 0, 0);
     out += filament_code("start_filament_gcode", job_.first_tool);
@@ -236,8 +241,7 @@ std::string Program::end(std::uint32_t layer, double z) {
         out += filament_code("end_filament_gcode", tool_);
     else
         for (std::uint32_t tool = 0; tool < filaments; ++tool) out += filament_code("end_filament_gcode", tool);
-    const char* key = settings_.text("end_gcode").empty() ? "machine_end_gcode" : "end_gcode";
-    out += code(key, code_of({key}), tool_);
+    out += printer_code("end_gcode", tool_);
     if (flavor_ == Flavor::machinekit) out += "M2 ; end of program\n";
     if (orca_)
         out += chamber(settings_, job_.tools, false) +

@@ -56,6 +56,7 @@ class Program {
     std::string temperatures(const std::string& start, bool wait);
     std::string first_bed_temperature(const std::string& start);
     std::string later_temperatures();
+    std::string printer_code(const std::string& name, std::uint32_t tool);
     std::string filament_code(const char* key, std::uint32_t tool);
     std::string code(const char* key, const std::string& text, std::uint32_t tool);
     [[nodiscard]] std::string code_of(std::initializer_list<const char*> names, std::uint32_t tool = 0) const;

@@ -82,6 +82,8 @@ TEST(PresetProgram, HeatsOnlyWhereTheStartDoesNot) {
     EXPECT_NE(start_of({{"start_gcode", "; M104 S1"}}).find("M104 S212"), std::string::npos);
     const std::string cold = start_of({{"start_gcode", "G28"}, {"first_layer_bed_temperature", "0"}});
     EXPECT_TRUE(cold.find("M190") == std::string::npos && cold.find("M140") == std::string::npos) << cold;
+    EXPECT_NE(start_of({}).find(";TYPE:Custom\nG28 ; home all axes\nG1 Z5 F5000 ; lift nozzle\n"), std::string::npos);
+    EXPECT_EQ(start_of({{"start_gcode", ""}}).find("G28"), std::string::npos); // none is wanted
     const auto g10 = preset::temperature_commands("G10 P0 R0\nG10 P0 S200 R1", 104, 109, true);
     EXPECT_TRUE(g10.any);
     EXPECT_EQ(g10.celsius, 200);
