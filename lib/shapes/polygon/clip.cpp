@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "polygon/cut.hpp"
+#include "polygon/moved_outlines.hpp"
 #include "polygon/simple.hpp"
 #include "polygon/tiles.hpp"
 #include "polygon/touches.hpp"
@@ -82,26 +83,14 @@ Loops combine(cl::ClipType kind, const Loops& a, const Loops& b, Fill rule, bool
     return combine(kind, both, rule, strict);
 }
 
-Loops offset_whole(const Loops& a, double delta, double arc_tolerance) {
-    cl::ClipperOffset offsetter(2.0, arc_tolerance * kGridPerMm);
-    offsetter.AddPaths(to_clipper(a), cl::jtRound, cl::etClosedPolygon);
-    cl::Paths out;
-    offsetter.Execute(out, delta * kGridPerMm);
-    return from_clipper(out);
-}
-
-// Offsets a tile. Clipper takes the loop with the greatest y for an outer one, and reverses all loops if it is not. In
-// a tile that may be a hole, so a square beyond the tile is added and removed afterwards.
-Loops offset_tile(Loops tile, double delta, double arc_tolerance) {
+// The offset of a tile: the places around which the moved outlines wind counter-clockwise.
+Loops offset_tile(const Loops& tile, double delta, double arc_tolerance) {
     if (tile.empty()) return {};
-    const double side = 4 * std::abs(delta) + 1, near = bounds(tile).hi.y + side, far = near + side;
-    const double x = bounds(tile).lo.x;
-    tile.add(std::vector<Vec2>{{x, near}, {x + side, near}, {x + side, far}, {x, far}});
-    const Loops found = offset_whole(tile, delta, arc_tolerance);
-    Loops out;
-    for (std::size_t l = 0; l < found.size(); ++l)
-        if (found[l][0].y < near - side / 2) out.add(found[l]);
-    return out;
+    cl::Clipper clipper;
+    clipper.AddPaths(to_clipper(moved_outlines(tile, delta, arc_tolerance)), cl::ptSubject, true);
+    cl::Paths out;
+    clipper.Execute(cl::ctUnion, out, cl::pftPositive, cl::pftPositive);
+    return from_clipper(out);
 }
 
 struct Ordered {
@@ -262,7 +251,7 @@ Loops within_box(const Loops& a, const Box2& box) {
 Loops offset(const Loops& a, double delta, double arc_tolerance) {
     if (a.empty()) return {};
     try {
-        return tiled({&a, 1}, std::abs(delta),
+        return tiled({&a, 1}, std::abs(delta) + arc_tolerance,
                      [&](std::span<const Loops> tile) { return offset_tile(tile[0], delta, arc_tolerance); });
     } catch (const cl::clipperException& e) {
         throw Error(Exit::bad_input, std::string("cannot offset outlines: ") + e.what());
