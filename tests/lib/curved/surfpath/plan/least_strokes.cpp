@@ -68,8 +68,11 @@ TEST(LeastStrokes, AreNoMoreThanHybridTakesAndOneLessAtLeast) {
             EXPECT_EQ(fact(p, "cuts-bound"), tooth > 50 ? 2 : 0);
             const auto cuts = static_cast<double>(p.strokes.size()) - 1;
             EXPECT_GE(cuts, fact(p, "cuts-bound")) << tooth;
-            // Teeth of 20 mm might be laid twice, for less than a cut: but in 1 mm no turn of 2.4 mm leads back.
-            EXPECT_LE(cuts, tooth < 50 && radius > 1 ? 3 : fact(p, "cuts-bound") + 1) << tooth;
+            // Teeth of 20 mm might be filled by two passes, for less than a cut: but in 1 mm no turn of 2.4 mm leads
+            // back. One more cut than without: a turn into a tooth that is rounded to 2.4 mm ends too near to its
+            // corner.
+            const double wide = tooth < 50 ? 3 : fact(p, "cuts-bound") + 2;
+            EXPECT_LE(cuts, radius > 1 ? wide : fact(p, "cuts-bound") + 1) << tooth;
             EXPECT_GT(covered_with_widths(sheet.surface, p), 0.97) << tooth;
         }
 }
