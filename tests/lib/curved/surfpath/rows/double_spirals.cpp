@@ -64,7 +64,8 @@ TEST(DoubleSpirals, ManyLoopsBecomeOneWithTwoHalfTurns) {
             if (count <= 5) {
                 EXPECT_EQ(taken, 0U);
             }
-            if (count >= 12) {
+            // Of circles the outer ones leave larger wedges than exchanges.
+            if (count >= 12 && longer > 0) {
                 EXPECT_EQ(taken, static_cast<std::size_t>(count - 1));
             }
             if (taken == 0) continue;
