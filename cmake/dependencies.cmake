@@ -42,7 +42,7 @@ set(FILUM_USES_bgcode ZLIB::ZLIB)
 set(FILUM_USES_mesh PkgConfig::pugixml)
 set(FILUM_USES_machine PkgConfig::pugixml)
 set(FILUM_USES_sequence ${GLPK_LIBRARY})
-set(FILUM_USES_rings Boost::headers)
+set(FILUM_USES_fill_rings Boost::headers)
 set(FILUM_USES_link3d CGAL::CGAL)
 set(FILUM_HIDES_surface CGAL::CGAL) # whose flags (-frounding-math) are for its own files only
 set(FILUM_USES_sparse Eigen3::Eigen ${CHOLMOD_LIBRARY} gomp) # gomp: the OpenMP that CHOLMOD runs on, part of g++

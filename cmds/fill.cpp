@@ -4,10 +4,10 @@
 // memory: one region per thread, and outlines filled before, up to 64 MB
 #include "base/density.hpp"
 #include "cli/command.hpp"
+#include "fill/hollow/hollow.hpp"
 #include "fill/reuse.hpp"
 #include "fill/scaffold/gradient.hpp"
 #include "fill/volume.hpp"
-#include "hollow/hollow.hpp"
 #include "polygon/clip.hpp"
 #include "wire/planar.hpp"
 
@@ -114,7 +114,7 @@ fill::Options with_width(const Options& o, double width) {
 // Fills regions that have walls and areas of their own.
 fill::Reuse hollow_fill(double width) {
     return fill::Reuse([width](const polygon::Region& region,
-                               Notes& notes) { return hollow::fill(region, {.bead_width = width}, notes); },
+                               Notes& notes) { return fill::hollow::fill(region, {.bead_width = width}, notes); },
                        [](std::uint32_t) { return 0.0; });
 }
 

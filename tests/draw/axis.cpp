@@ -1,12 +1,12 @@
 // draw_axis axis|levels SLICE BEAD_WIDTH: an SVG on standard output for scripts/draw-docs, of what no stream holds.
 //   axis    the medial axis of the slice's largest region: walls thick, corners thin
 //   levels  its strips between whole lane coordinates
+#include "fill/rings/beading.hpp"
+#include "fill/rings/lanes.hpp"
+#include "fill/rings/level.hpp"
+#include "fill/rings/wall_lanes.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/sites.hpp"
-#include "rings/beading.hpp"
-#include "rings/lanes.hpp"
-#include "rings/level.hpp"
-#include "rings/wall_lanes.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -58,7 +58,7 @@ class Drawing {
         std::printf("\"/>\n");
     }
     // The pieces of the axis that are walls, or those that are not.
-    void pieces(const rings::Beading& b, bool walls, const char* colour, double width) const {
+    void pieces(const fill::rings::Beading& b, bool walls, const char* colour, double width) const {
         std::printf("<path stroke=\"%s\" stroke-width=\"%.1f\" stroke-linecap=\"round\" fill=\"none\" d=\"", colour,
                     width);
         for (std::uint32_t e = 0; e < b.wall.size(); ++e)
@@ -94,8 +94,8 @@ int main(int argc, char** argv) {
         return 3;
     }
     const double fine = w / 64;
-    const rings::Beading b =
-        rings::beading(polygon::medial_axis(region, fine, fine, rings::kWallSlope), w, rings::kLeastVoid * w * w);
+    const fill::rings::Beading b = fill::rings::beading(
+        polygon::medial_axis(region, fine, fine, fill::rings::kWallSlope), w, fill::rings::kLeastVoid * w * w);
     const Drawing out(region);
     out.area(region, "#dde6ee");
     if (what == "axis") {
@@ -103,7 +103,8 @@ int main(int argc, char** argv) {
         out.pieces(b, true, "#c03020", 2);
     } else {
         int lane = 1;
-        for (Loops rest = rings::beyond(b, lane, fine); !rest.empty(); rest = rings::beyond(b, ++lane, fine))
+        for (Loops rest = fill::rings::beyond(b, lane, fine); !rest.empty();
+             rest = fill::rings::beyond(b, ++lane, fine))
             out.area(rest, lane % 2 != 0 ? "#8fb0cc" : "#dde6ee");
         out.pieces(b, true, "#c03020", 1);
     }

@@ -1,7 +1,7 @@
 // Regions that are nearly sound, through `fill`: paths that pass their own checks, or refused.
 #include "base/error.hpp"
 #include "fill/fill.hpp"
-#include "hollow/hollow.hpp"
+#include "fill/hollow/hollow.hpp"
 #include "polygon/loops.hpp"
 #include "wire/planar.hpp"
 
@@ -58,7 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         Notes notes;
         fill::Options options;
         options.bead_width = kBead;
-        wire::paths(wire::frame(region.walls > 0 ? hollow::fill(region, {.bead_width = kBead}, notes)
+        wire::paths(wire::frame(region.walls > 0 ? fill::hollow::fill(region, {.bead_width = kBead}, notes)
                                                  : fill::fill(region, options, notes)));
     } catch (const Error& e) {
         if (e.exit() != Exit::bad_input) std::abort();

@@ -1,9 +1,9 @@
 #include "fill/finish.hpp"
 
+#include "fill/rings/fewer_points.hpp"
+#include "fill/rings/lanes.hpp"
 #include "geom/segment_grid.hpp"
 #include "polygon/segments.hpp"
-#include "rings/fewer_points.hpp"
-#include "rings/lanes.hpp"
 #include "toolpath/grid.hpp"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "fill/join/cycle.hpp"
+#include "fill/rings/rings.hpp"
 #include "fill/rounding.hpp"
 #include "polygon/loops.hpp"
-#include "rings/rings.hpp"
 #include "toolpath/path.hpp"
 
 #include <cstddef>

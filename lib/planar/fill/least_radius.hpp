@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/note.hpp"
-#include "rings/rings.hpp"
+#include "fill/rings/rings.hpp"
 #include "toolpath/path.hpp"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "fill/rounding.hpp"
 
+#include "fill/rings/wall_lanes.hpp"
 #include "geom/polyline.hpp"
-#include "rings/wall_lanes.hpp"
 
 #include <algorithm>
 #include <cmath>

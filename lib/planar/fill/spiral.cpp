@@ -5,7 +5,7 @@
 #include "fill/join/crossings.hpp"
 #include "fill/join/cycle.hpp"
 #include "fill/least_radius.hpp"
-#include "rings/lanes.hpp"
+#include "fill/rings/lanes.hpp"
 #include "toolpath/merge.hpp"
 
 #include <optional>

@@ -1,8 +1,8 @@
 // Rings with arc lengths and a grid: finds the places of rings near a point. Private to lib/planar/fill.
 #pragma once
 
+#include "fill/rings/rings.hpp"
 #include "geom/segment_grid.hpp"
-#include "rings/rings.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -1,10 +1,10 @@
 #include "fill/rows/rectilinear.hpp"
 
+#include "fill/rings/lanes.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/inset.hpp"
 #include "polygon/stretches.hpp"
 #include "polygon/strips.hpp"
-#include "rings/lanes.hpp"
 
 #include <algorithm>
 

@@ -3,10 +3,10 @@
 #include "fill/join/attempt.hpp"
 #include "fill/join/crossings.hpp"
 #include "fill/join/cycle.hpp"
+#include "fill/rings/lanes.hpp"
 #include "fill/rows/maze.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/stretches.hpp"
-#include "rings/lanes.hpp"
 
 #include <optional>
 #include <utility>

@@ -2,13 +2,13 @@
 
 #include "fill/join/cycle.hpp"
 #include "fill/join/double_spiral.hpp"
+#include "fill/rings/lanes.hpp"
+#include "fill/rings/wall_lanes.hpp"
 #include "fill/scaffold/strand_bead.hpp"
 #include "geom/segment.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/inset.hpp"
 #include "polygon/stretches.hpp"
-#include "rings/lanes.hpp"
-#include "rings/wall_lanes.hpp"
 #include "toolpath/curve_place.hpp"
 #include "toolpath/merge.hpp"
 

@@ -1,8 +1,8 @@
 #include "fill/scaffold/strand_bead.hpp"
 
 #include "fill/join/crossings.hpp"
+#include "fill/rings/wall_lanes.hpp"
 #include "polygon/clip.hpp"
-#include "rings/wall_lanes.hpp"
 #include "toolpath/curve_place.hpp"
 #include "toolpath/merge.hpp"
 

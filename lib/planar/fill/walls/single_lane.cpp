@@ -1,6 +1,6 @@
 #include "fill/walls/single_lane.hpp"
 
-#include "rings/wall_lanes.hpp"
+#include "fill/rings/wall_lanes.hpp"
 #include "toolpath/curve_place.hpp"
 #include "toolpath/grid.hpp"
 

@@ -1,7 +1,7 @@
 #include "fill/walls/thin_edges.hpp"
 
 #include "fill/join/attempt.hpp"
-#include "rings/wall_lanes.hpp"
+#include "fill/rings/wall_lanes.hpp"
 
 #include <algorithm>
 #include <queue>

@@ -1,11 +1,11 @@
 #include "fill/walls/wall_graph.hpp"
 
 #include "base/none.hpp"
+#include "fill/rings/fewer_points.hpp"
+#include "fill/rings/lanes.hpp"
 #include "fill/walls/thin_edges.hpp"
 #include "geom/polyline.hpp"
 #include "polygon/clip.hpp"
-#include "rings/fewer_points.hpp"
-#include "rings/lanes.hpp"
 
 #include <algorithm>
 #include <cmath>

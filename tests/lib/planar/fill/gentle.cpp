@@ -2,10 +2,10 @@
 #include "fill/finish.hpp"
 #include "fill/join/crossings.hpp"
 #include "fill/join/cycle.hpp"
+#include "fill/rings/lanes.hpp"
 #include "fill/rounding.hpp"
 #include "fill/spiral.hpp"
 #include "pattern_check.hpp"
-#include "rings/lanes.hpp"
 
 #include <gtest/gtest.h>
 

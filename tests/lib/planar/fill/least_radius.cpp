@@ -1,9 +1,9 @@
 // No tighter turns than asked for, and an honest account of those that are.
 #include "fill/least_radius.hpp"
 #include "fill/join/crossings.hpp"
+#include "fill/rings/lanes.hpp"
 #include "fill/spiral.hpp"
 #include "pattern_check.hpp"
-#include "rings/lanes.hpp"
 #include "toolpath/radius.hpp"
 
 #include <gtest/gtest.h>

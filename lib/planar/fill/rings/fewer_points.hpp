@@ -3,7 +3,7 @@
 
 #include "toolpath/path.hpp"
 
-namespace filum::rings {
+namespace filum::fill::rings {
 
 using geom::Vec2;
 
@@ -22,4 +22,4 @@ void add_tapered(Vec2 p, double width, double least_void, toolpath::Curve& to);
 // Not `even`: turns stay as they are, for rings that will be joined and rounded.
 toolpath::Curve with_fewer_points(const toolpath::Curve& bead, double tolerance, double least_void, bool even);
 
-} // namespace filum::rings
+} // namespace filum::fill::rings

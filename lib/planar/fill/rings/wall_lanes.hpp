@@ -3,7 +3,7 @@
 
 #include "polygon/medial_axis.hpp"
 
-namespace filum::rings {
+namespace filum::fill::rings {
 
 using polygon::MedialAxis;
 
@@ -30,4 +30,4 @@ inline constexpr double kWallSlope = 1 / kRamp;
 // per half ramp.
 WallLanes wall_lanes(const MedialAxis& axis, double width);
 
-} // namespace filum::rings
+} // namespace filum::fill::rings

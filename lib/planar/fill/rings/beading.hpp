@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace filum::rings {
+namespace filum::fill::rings {
 
 using geom::Vec2;
 using polygon::Loops;
@@ -51,4 +51,4 @@ inline constexpr double kNarrowest = 1.0 / 16;
 // where the area beyond is at most `least_void` mm2, or where they would be too narrow.
 Beading beading(const MedialAxis& axis, double width, double least_void);
 
-} // namespace filum::rings
+} // namespace filum::fill::rings

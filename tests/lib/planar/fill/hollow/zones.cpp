@@ -1,9 +1,9 @@
 // Regions with zones that have walls and beads of their own.
-#include "hollow/hollow.hpp"
+#include "fill/hollow/hollow.hpp"
 
 #include "cases.hpp"
 
-namespace filum::hollow {
+namespace filum::fill::hollow {
 namespace {
 
 using polygon::AreaKind;
@@ -148,4 +148,4 @@ TEST(HollowZones, BeadsAreAsWideAsTheZoneSays) {
     }
 }
 
-} // namespace filum::hollow
+} // namespace filum::fill::hollow

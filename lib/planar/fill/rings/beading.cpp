@@ -1,12 +1,12 @@
-#include "rings/beading.hpp"
+#include "fill/rings/beading.hpp"
 
-#include "rings/wall_lanes.hpp"
+#include "fill/rings/wall_lanes.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
-namespace filum::rings {
+namespace filum::fill::rings {
 
 namespace {
 
@@ -137,4 +137,4 @@ Beading beading(const MedialAxis& axis, double width, double least_void) {
     return ProfileBuilder(wall_lanes(axis, width), width, least_void).run();
 }
 
-} // namespace filum::rings
+} // namespace filum::fill::rings

@@ -1,10 +1,10 @@
-#include "rings/level.hpp"
+#include "fill/rings/level.hpp"
 
+#include "fill/rings/ray.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/simple.hpp"
-#include "rings/ray.hpp"
 
-namespace filum::rings {
+namespace filum::fill::rings {
 
 namespace {
 
@@ -66,4 +66,4 @@ Loops beyond(const Beading& beading, int lane, double tolerance) {
     return polygon::unite(exact, polygon::Fill::positive);
 }
 
-} // namespace filum::rings
+} // namespace filum::fill::rings

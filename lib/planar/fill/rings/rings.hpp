@@ -1,14 +1,14 @@
 // Rings: closed lines along the middle of each lane of a region.
 #pragma once
 
-#include "rings/beading.hpp"
+#include "fill/rings/beading.hpp"
 #include "toolpath/path.hpp"
 
 #include <cstdint>
 #include <functional>
 #include <vector>
 
-namespace filum::rings {
+namespace filum::fill::rings {
 
 // Ring i has the points start[i] to start[i + 1] - 1; closed, the region's material on the left, without crossings.
 struct Rings {
@@ -29,4 +29,4 @@ using RingSink = std::function<void(const toolpath::Curve& ring, int lane)>;
 // Inner rings with a bead of at most `least_void` mm2 are left out.
 void trace_rings(const Beading& beading, int most, double least_void, double tolerance, const RingSink& sink);
 
-} // namespace filum::rings
+} // namespace filum::fill::rings

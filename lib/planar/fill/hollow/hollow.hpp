@@ -5,7 +5,7 @@
 #include "polygon/region.hpp"
 #include "toolpath/path.hpp"
 
-namespace filum::hollow {
+namespace filum::fill::hollow {
 
 struct Options {
     double bead_width = 0.4; // mm, except in zones, which have their own
@@ -21,4 +21,4 @@ struct Options {
 // Error(bad_input) if an area has lines nearer than a bead, or too many of them.
 toolpath::RegionPaths fill(const polygon::Region& region, const Options& options, Notes& notes);
 
-} // namespace filum::hollow
+} // namespace filum::fill::hollow

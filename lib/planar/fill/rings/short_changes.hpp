@@ -1,11 +1,11 @@
-// Removes short changes of the number of lanes. Private to lib/planar/rings.
+// Removes short changes of the number of lanes. Private to lib/planar/fill/rings.
 #pragma once
 
 #include "polygon/medial_axis.hpp"
 
 #include <vector>
 
-namespace filum::rings {
+namespace filum::fill::rings {
 
 using polygon::MedialAxis;
 
@@ -14,4 +14,4 @@ using polygon::MedialAxis;
 std::vector<int> without_short_changes(const MedialAxis& axis, const std::vector<char>& wall, std::vector<int> lanes,
                                        double width);
 
-} // namespace filum::rings
+} // namespace filum::fill::rings

@@ -1,11 +1,11 @@
-#include "hollow/pieces.hpp"
+#include "fill/hollow/pieces.hpp"
 
+#include "fill/rings/lanes.hpp"
 #include "polygon/clip.hpp"
-#include "rings/lanes.hpp"
 
 #include <algorithm>
 
-namespace filum::hollow {
+namespace filum::fill::hollow {
 
 using polygon::AreaKind;
 using polygon::kBeadArc;
@@ -57,4 +57,4 @@ Widths widths(const polygon::Region& region, double bead_width) {
     return out;
 }
 
-} // namespace filum::hollow
+} // namespace filum::fill::hollow

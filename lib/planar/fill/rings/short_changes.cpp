@@ -1,10 +1,10 @@
-#include "rings/short_changes.hpp"
+#include "fill/rings/short_changes.hpp"
 
-#include "rings/wall_lanes.hpp"
+#include "fill/rings/wall_lanes.hpp"
 
 #include <algorithm>
 
-namespace filum::rings {
+namespace filum::fill::rings {
 
 namespace {
 
@@ -86,4 +86,4 @@ std::vector<int> without_short_changes(const MedialAxis& axis, const std::vector
     return lanes;
 }
 
-} // namespace filum::rings
+} // namespace filum::fill::rings

@@ -1,12 +1,12 @@
 // The rings of a region: the interface of this folder for fills.
 #pragma once
 
-#include "rings/rings.hpp"
+#include "fill/rings/rings.hpp"
 #include "toolpath/path.hpp"
 
 #include <numbers>
 
-namespace filum::rings {
+namespace filum::fill::rings {
 
 // Widths squared: the void that the round end of a bead leaves in a right-angled corner; smaller voids are not worth a
 // detour.
@@ -48,4 +48,4 @@ std::vector<toolpath::Curve> curves_of(const Rings& rings);
 double laid_area(const toolpath::Curve& bead);
 double laid_area(const Rings& rings);
 
-} // namespace filum::rings
+} // namespace filum::fill::rings

@@ -1,27 +1,27 @@
-#include "hollow/hollow.hpp"
+#include "fill/hollow/hollow.hpp"
 
 #include "base/density.hpp"
 #include "fill/finish.hpp"
+#include "fill/hollow/pieces.hpp"
 #include "fill/join/attempt.hpp"
 #include "fill/join/crossings.hpp"
 #include "fill/join/cycle.hpp"
+#include "fill/rings/lanes.hpp"
 #include "fill/spiral.hpp"
 #include "geom/segment_grid.hpp"
-#include "hollow/pieces.hpp"
 #include "infill/infill.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/inside_test.hpp"
 #include "polygon/segments.hpp"
 #include "polygon/stretches.hpp"
 #include "polygon/strips.hpp"
-#include "rings/lanes.hpp"
 #include "toolpath/identify.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace filum::hollow {
+namespace filum::fill::hollow {
 
 namespace {
 
@@ -321,4 +321,4 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
     return out;
 }
 
-} // namespace filum::hollow
+} // namespace filum::fill::hollow

@@ -1,15 +1,15 @@
-#include "rings/lanes.hpp"
+#include "fill/rings/lanes.hpp"
 
+#include "fill/rings/fewer_points.hpp"
+#include "fill/rings/level.hpp"
+#include "fill/rings/wall_lanes.hpp"
 #include "polygon/clip.hpp"
-#include "rings/fewer_points.hpp"
-#include "rings/level.hpp"
-#include "rings/wall_lanes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 
-namespace filum::rings {
+namespace filum::fill::rings {
 
 namespace {
 
@@ -69,4 +69,4 @@ double laid_area(const Rings& rings) {
     return out;
 }
 
-} // namespace filum::rings
+} // namespace filum::fill::rings

@@ -1,13 +1,13 @@
-#include "rings/fewer_points.hpp"
+#include "fill/rings/fewer_points.hpp"
 
-#include "rings/wall_lanes.hpp"
+#include "fill/rings/wall_lanes.hpp"
 #include "toolpath/merge.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace filum::rings {
+namespace filum::fill::rings {
 
 namespace {
 
@@ -188,4 +188,4 @@ toolpath::Curve with_fewer_points(const toolpath::Curve& bead, double tolerance,
     return BeadSimplifier(bead, tolerance, least_void, even).run();
 }
 
-} // namespace filum::rings
+} // namespace filum::fill::rings

@@ -1,12 +1,12 @@
-// Rays from the outline to the medial axis, and their points by lane coordinate. Private to lib/planar/rings.
+// Rays from the outline to the medial axis, and their points by lane coordinate. Private to lib/planar/fill/rings.
 #pragma once
 
-#include "rings/beading.hpp"
+#include "fill/rings/beading.hpp"
 
 #include <cmath>
 #include <optional>
 
-namespace filum::rings {
+namespace filum::fill::rings {
 
 // The ray to the point with parameter `t` of half-edge h (0 at its first node), within h's part of the outline.
 struct Ray {
@@ -57,4 +57,4 @@ void each_on_arc(const MedialAxis& axis, std::uint32_t h, Vec2 p, Vec2 q, double
     }
 }
 
-} // namespace filum::rings
+} // namespace filum::fill::rings

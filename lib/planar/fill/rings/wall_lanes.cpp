@@ -1,14 +1,14 @@
-#include "rings/wall_lanes.hpp"
+#include "fill/rings/wall_lanes.hpp"
 
-#include "rings/beading.hpp"
-#include "rings/short_changes.hpp"
+#include "fill/rings/beading.hpp"
+#include "fill/rings/short_changes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <queue>
 
-namespace filum::rings {
+namespace filum::fill::rings {
 
 namespace {
 
@@ -218,4 +218,4 @@ WallLanes wall_lanes(const MedialAxis& axis, double width) {
     return with_ramps(p, envelopes(p, width), width);
 }
 
-} // namespace filum::rings
+} // namespace filum::fill::rings

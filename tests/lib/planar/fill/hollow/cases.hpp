@@ -1,17 +1,17 @@
 // Random regions for tests of hollow parts, and what must hold of every fill.
 #pragma once
 
-#include "../../trials.hpp"
-#include "../fill/pattern_check.hpp"
+#include "../../../trials.hpp"
+#include "../../fill/pattern_check.hpp"
+#include "fill/hollow/hollow.hpp"
 #include "fill/join/crossings.hpp"
-#include "hollow/hollow.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
 #include <vector>
 
-namespace filum::hollow {
+namespace filum::fill::hollow {
 
 inline constexpr double kBead = 0.4; // mm
 
@@ -51,4 +51,4 @@ inline std::size_t sound_curves(const Case& c) {
     return paths.curves.size();
 }
 
-} // namespace filum::hollow
+} // namespace filum::fill::hollow

@@ -1,10 +1,10 @@
-#include "rings/rings.hpp"
-#include "rings/ray.hpp"
+#include "fill/rings/rings.hpp"
+#include "fill/rings/ray.hpp"
 
 #include <cmath>
 #include <optional>
 
-namespace filum::rings {
+namespace filum::fill::rings {
 
 namespace {
 
@@ -147,4 +147,4 @@ void trace_rings(const Beading& beading, int most, double least_void, double tol
     RingTracer(beading, least_void, tolerance, sink).run(most);
 }
 
-} // namespace filum::rings
+} // namespace filum::fill::rings

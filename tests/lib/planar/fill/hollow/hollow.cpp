@@ -1,11 +1,11 @@
-#include "hollow/hollow.hpp"
+#include "fill/hollow/hollow.hpp"
 
 #include "cases.hpp"
 #include "fill/spiral.hpp"
 
 #include <numbers>
 
-namespace filum::hollow {
+namespace filum::fill::hollow {
 namespace {
 
 using polygon::AreaKind;
@@ -140,4 +140,4 @@ TEST(Hollow, RowsOfABridgeRunAlongItAndTurnWhereItIsCarried) {
 }
 
 } // namespace
-} // namespace filum::hollow
+} // namespace filum::fill::hollow

@@ -1,9 +1,9 @@
-// Divides a region into pieces that have walls and bead widths of their own. Private to lib/planar/hollow.
+// Divides a region into pieces that have walls and bead widths of their own. Private to lib/planar/fill/hollow.
 #pragma once
 
 #include "polygon/region.hpp"
 
-namespace filum::hollow {
+namespace filum::fill::hollow {
 
 // One piece of the area inside the walls of the region.
 struct RegionPiece {
@@ -29,4 +29,4 @@ struct Widths {
 };
 Widths widths(const polygon::Region& region, double bead_width);
 
-} // namespace filum::hollow
+} // namespace filum::fill::hollow

@@ -1,15 +1,15 @@
-#include "rings/lanes.hpp"
+#include "fill/rings/lanes.hpp"
 
-#include "../../trials.hpp"
-#include "../fill/pattern_check.hpp"
+#include "../../../trials.hpp"
+#include "../../fill/pattern_check.hpp"
+#include "fill/rings/fewer_points.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/simple.hpp"
-#include "rings/fewer_points.hpp"
 
 #include <numbers>
 #include <random>
 
-namespace filum::rings {
+namespace filum::fill::rings {
 namespace {
 
 using test::Loops;
@@ -298,4 +298,4 @@ TEST(FewerPoints, DivideALongChangeOfWidth) {
 }
 
 } // namespace
-} // namespace filum::rings
+} // namespace filum::fill::rings
