@@ -24,7 +24,7 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 struct Fibre {
     std::vector<Vec3> points, normals;
     std::vector<char> hairpin; // per stretch
-    std::vector<double> way;
+    std::vector<double> way, widths;
 };
 
 std::vector<Fibre> chains(const std::vector<Span>& spans, double& jump) {
@@ -47,6 +47,7 @@ std::vector<Fibre> chains(const std::vector<Span>& spans, double& jump) {
             c.way.push_back(c.points.empty() ? 0 : c.way.back() + distance(c.points.back(), s.points[i]));
             c.points.push_back(s.points[i]);
             c.normals.push_back(s.normals[i]);
+            c.widths.push_back(s.width_at(i));
         }
     }
     std::erase_if(out, [](const Fibre& c) { return c.points.size() < 2; });
@@ -90,7 +91,7 @@ void measure_turns(const Fibre& c, const Asked& asked, Judged& out) {
 struct FibreSegment {
     Vec3 a, b, normal;
     std::size_t chain;
-    double way, along;
+    double way, along, width; // mm
 };
 
 geom::Box3 box(const Vec3& a, const Vec3& b, double by) {
@@ -122,7 +123,7 @@ class FibreSegments {
             for (std::size_t i = 0; i + 1 < chains[c].points.size(); ++i) {
                 const Fibre& k = chains[c];
                 out.push_back({k.points[i], k.points[i + 1], k.normals[i] + k.normals[i + 1], c, k.way[i],
-                               k.way[i + 1] - k.way[i]});
+                               k.way[i + 1] - k.way[i], (k.widths[i] + k.widths[i + 1]) / 2});
             }
         return out;
     }
@@ -135,8 +136,14 @@ class FibreSegments {
     geom::Bvh tree_;
 };
 
-void measure_area(const Surface& s, const FibreSegments& path, double width, Judged& out) {
+// Covered is what lies under a bead in the width that its span states.
+void measure_area(const Surface& s, const FibreSegments& path, double spacing, Judged& out) {
     std::vector<double> sum;
+    double widest = spacing, deposited = 0;
+    for (const FibreSegment& g : path.all()) {
+        widest = std::max(widest, g.width);
+        deposited += g.along * g.width;
+    }
     for (const auto& [a, b, c] : s.triangles)
         sum.push_back((sum.empty() ? 0 : sum.back()) +
                       norm(cross(s.vertices[b] - s.vertices[a], s.vertices[c] - s.vertices[a])) / 2);
@@ -154,14 +161,18 @@ void measure_area(const Surface& s, const FibreSegments& path, double width, Jud
         const auto& [a, b, c] = s.triangles[t];
         const Vec3 p = s.vertices[a] + u * (s.vertices[b] - s.vertices[a]) + v * (s.vertices[c] - s.vertices[a]);
         double least = kFar;
-        path.near(p, surface::normal(s, t), width,
-                  [&](const FibreSegment&, double far, double) { least = std::min(least, far); });
-        covered += least <= width / 2 ? 1 : 0;
-        bare += least > width ? 1 : 0;
+        bool under = false;
+        path.near(p, surface::normal(s, t), std::max(spacing, widest / 2),
+                  [&](const FibreSegment& g, double far, double) {
+                      least = std::min(least, far);
+                      under = under || far <= g.width / 2;
+                  });
+        covered += under ? 1 : 0;
+        bare += least > spacing ? 1 : 0;
     }
     out.covered = static_cast<double>(covered) / kPlaces;
     out.bare = static_cast<double>(bare) / kPlaces;
-    out.overlap = out.length * width / out.area - out.covered;
+    out.overlap = deposited / out.area - out.covered;
 }
 
 // Where rings come from, and how far from there they are.
