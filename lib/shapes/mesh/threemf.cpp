@@ -321,7 +321,7 @@ class Archive {
         // Printed parts come first, as modifiers have precedence over their settings.
         std::vector<std::size_t> order(project_.bodies.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
-        std::ranges::stable_partition(order, [&](std::size_t b) { return project_.bodies[b].printed; });
+        std::stable_partition(order.begin(), order.end(), [&](std::size_t b) { return project_.bodies[b].printed; });
         for (const std::size_t b : order) {
             const Body& body = project_.bodies[b];
             std::vector<Triangle> all;

@@ -54,7 +54,7 @@ bool give(const Word& word, const std::vector<Stage>& stages, std::vector<StageA
         if (!word.stage.empty() && stages[s].name != word.stage) continue;
         const StageOption* option = find(stages[s], word.name);
         if (option == nullptr || word.name == "output") continue;
-        if (word.stage.empty() && stages[s].name == kOwnMeaning.stage && word.name == kOwnMeaning.option) continue;
+        if (word.stage.empty() && has_own_meaning(stages[s].name, word.name)) continue;
         if (option->takes_value && !value) value = value_behind(words, at);
         auto& list = word.stage.empty() ? to[s].all : to[s].own;
         list.push_back("--" + word.name + (value ? "=" + *value : ""));

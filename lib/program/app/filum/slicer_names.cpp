@@ -32,7 +32,8 @@ std::string option_of(const std::string& name, const std::string& value) {
 
 bool has(const std::vector<Stage>& stages, std::string_view name) {
     return std::any_of(stages.begin(), stages.end(), [&](const Stage& s) {
-        return std::any_of(s.options.begin(), s.options.end(), [&](const StageOption& o) { return o.name == name; });
+        return std::any_of(s.options.begin(), s.options.end(),
+                           [&](const StageOption& o) { return o.name == name && !has_own_meaning(s.name, name); });
     });
 }
 

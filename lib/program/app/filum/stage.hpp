@@ -1,7 +1,9 @@
 // The stages as programs: finds them and reads their contracts.
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace filum::app::filum {
@@ -43,7 +45,11 @@ inline constexpr const char* kByWish[] = {"vase", "skins", "supports", "route"};
 struct OwnMeaning {
     const char *stage, *option;
 };
-inline constexpr OwnMeaning kOwnMeaning{"route", "lift"};
+inline constexpr OwnMeaning kOwnMeanings[] = {{"route", "lift"}, {"route", "bed"}};
+inline bool has_own_meaning(std::string_view stage, std::string_view option) {
+    return std::ranges::any_of(kOwnMeanings,
+                               [&](const OwnMeaning& own) { return stage == own.stage && option == own.option; });
+}
 
 // Names of all stages, in alphabetical order.
 std::vector<std::string> stage_names();
