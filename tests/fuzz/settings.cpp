@@ -1,5 +1,6 @@
 // Any bytes as a file of a slicer's settings, in lines, JSON, a program or a project: settings, or refused.
 #include "app/filum/slicer_file.hpp"
+#include "app/filum/slicer_project.hpp"
 #include "base/error.hpp"
 
 #include <sys/mman.h>
@@ -23,6 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         for (const auto& s : app::filum::slicer_file(name).settings)
             if (s.key.empty()) std::abort();
         app::filum::project_bodies(name);
+        app::filum::project_codes(name, 1, 0.2);
     } catch (const Error& e) {
         if (e.exit() != Exit::bad_input && e.exit() != Exit::truncated) std::abort();
     }
