@@ -72,7 +72,6 @@ cli::Spec spec(Options& o) {
 
 void run(const Options& o, const cli::Io& io) {
     app::surfpath::Options path = o.path;
-    path.plan.width_change = 0; // the paper has beads of one width
     path.planner = [&](const surface::Sheet& sheet, const surfpath::Options& asked) {
         baselines::kipping2022::Options paper = o.paper;
         paper.algorithm = asked.algorithm;

@@ -112,7 +112,6 @@ surfpath::Options planned(const LaminateJob& job, std::size_t k) {
     how.strict = o.strict;
     how.max_tight = o.max_tight;
     how.min_length = o.min_length;
-    how.width_change = 0; // the stack counts beads of one width
     how.follow.angle = 1;
     how.follow.turn = geom::radians(ply.under ? -ply.angle : ply.angle); // the back is seen mirrored
     how.follow.reference = o.reference;

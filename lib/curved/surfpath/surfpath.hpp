@@ -43,8 +43,8 @@ struct Options {
     std::vector<Vec3> births_apart{}; // places where no line of field should begin, if another place is almost as good
     // mm of fibre that a cut costs; field and hybrid run no farther along other lines to avoid one
     double cut_length = 50;
-    bool strict = false;     // fail if more than this share of the length turns tighter than least_radius
-    double max_tight = 0.01; //
+    bool strict = false;     // fail if more than max_tight of the length turns tighter than least_radius
+    double max_tight = 0.01; // a share
     double width_change = 0; // share by which beads may be wider or narrower than the spacing (plan/widths.hpp)
     double turn_outside = 0; // mm outside the rims in which rows may turn (outside.hpp); 0: none
     // On a sheet with a flange (outside.hpp), per triangle: it lies so far outside the part that lines on it cover

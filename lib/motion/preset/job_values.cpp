@@ -152,20 +152,14 @@ void set_other_names(const Job& job, Settings& to) {
 
 // Sets the values that newer versions of Bambu Studio compute (GCode.cpp of version 2).
 void set_bambu(const Job& job, Settings& to) {
-    const auto all = [&](const char* key, const std::string& value) {
-        return std::ranges::all_of(job.tools, [&](std::uint32_t tool) {
+    const auto has = [&](const char* key, const char* value) {
+        return [&to, key, value](std::uint32_t tool) {
             const auto texts = to.texts(key);
             return tool < texts.size() && texts[tool] == value;
-        });
+        };
     };
-    const auto any = [&](const char* key, const std::string& value) {
-        return std::ranges::any_of(job.tools, [&](std::uint32_t tool) {
-            const auto texts = to.texts(key);
-            return tool < texts.size() && texts[tool] == value;
-        });
-    };
-    to.set("is_all_bbl_filament", Variable::one(all("filament_vendor", "Bambu Lab")));
-    to.set("has_tpu_in_first_layer", Variable::one(any("filament_type", "TPU")));
+    to.set("is_all_bbl_filament", Variable::one(std::ranges::all_of(job.tools, has("filament_vendor", "Bambu Lab"))));
+    to.set("has_tpu_in_first_layer", Variable::one(std::ranges::any_of(job.tools, has("filament_type", "TPU"))));
     double glass = std::numeric_limits<int>::max();
     for (const std::uint32_t tool : job.tools) glass = std::min(glass, to.number("temperature_vitrification", tool));
     to.set("min_vitrification_temperature", Variable::one(whole_value(glass)));

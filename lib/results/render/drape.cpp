@@ -48,7 +48,7 @@ std::vector<End> ends(const Scene& scene) {
 }
 
 // A picture under construction: the page, and what the middle of each pixel shows.
-struct Draped {
+struct MapPicture {
     Canvas& page;
     const Scene& scene;
     const DrapeView& view;
@@ -58,7 +58,7 @@ struct Draped {
     Image image;
     std::vector<Sight> sight;
 
-    Draped(Canvas& c, const Scene& s, const DrapeView& v, const Plan& p)
+    MapPicture(Canvas& c, const Scene& s, const DrapeView& v, const Plan& p)
         : page(c), scene(s), view(v), plan(p),
           fine(std::clamp(static_cast<int>(std::ceil(std::sqrt(v.samples))), 1, 16)), raster(s.sheet->surface, p, fine),
           image(p.width, p.height), sight(static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height)) {}
@@ -73,7 +73,7 @@ struct Draped {
     }
 };
 
-void paint_band(Draped& c, const Paint& paint, int band) {
+void paint_band(MapPicture& c, const Paint& paint, int band) {
     const Sights sights = c.raster.band(band);
     const int top = band * c.raster.rows(), f = c.fine;
     for (int y = 0; y < sights.rows / f; ++y) {
@@ -91,7 +91,7 @@ void paint_band(Draped& c, const Paint& paint, int band) {
 }
 
 // Draws lines along the vectors, one in the middle of each square of pixels. The longest vector fills its square.
-void draw_arrows(Draped& c, const surface::Field& field) {
+void draw_arrows(MapPicture& c, const surface::Field& field) {
     const int step = std::max(8, c.plan.height / 60);
     double longest = 0;
     for (std::size_t v = 0; v < field.values.size() / 3; ++v)
@@ -117,7 +117,7 @@ void draw_arrows(Draped& c, const surface::Field& field) {
 }
 
 // Draws the line from a to b, mm, where the surface does not hide it.
-void draw_in_space(Draped& c, Vec3 a, Vec3 b, double width, Rgb colour) {
+void draw_in_space(MapPicture& c, Vec3 a, Vec3 b, double width, Rgb colour) {
     const double slack = 2 / c.plan.scale;
     a = c.plan.place(a);
     b = c.plan.place(b);
@@ -134,7 +134,7 @@ void draw_in_space(Draped& c, Vec3 a, Vec3 b, double width, Rgb colour) {
 constexpr double kLoose = 0.3; // share of the bead width that loose beads are drawn with, so that they look different
 
 // Draws what does not lie on the surface: turns beyond its rims, beads away from it, and moves without material.
-void draw_loose(Draped& c, const SurfaceBeads& laid) {
+void draw_loose(MapPicture& c, const SurfaceBeads& laid) {
     const double thread = std::clamp(c.plan.height / 700.0, 1.0, 4.0);
     for (const Stroke& s : laid.loose)
         draw_in_space(c, s.a, s.b, std::max(thread, kLoose * c.plan.scale * (s.half_a + s.half_b)),
@@ -144,7 +144,7 @@ void draw_loose(Draped& c, const SurfaceBeads& laid) {
             draw_in_space(c, s.points[i], s.points[i + 1], thread, role_colour(toolpath::Role::travel));
 }
 
-void draw_ends(Draped& c, double width) {
+void draw_ends(MapPicture& c, double width) {
     const auto all = ends(c.scene);
     const double most = 0.008 * c.plan.height + 4; // pixels; dots are smaller if many of them would hide the path
     const double crowd = std::sqrt(0.01 * c.plan.width * c.plan.height / static_cast<double>(all.size() + 1));
@@ -160,7 +160,7 @@ void draw_ends(Draped& c, double width) {
     }
 }
 
-void draw_key(Draped& c, const Tint& tint, const Show& show, const SurfaceBeads& laid, double bare) {
+void draw_key(MapPicture& c, const Tint& tint, const Show& show, const SurfaceBeads& laid, double bare) {
     Key key(c.page);
     if (!show.around.empty()) key.clear(kPaper);
     key.ruler(c.plan.scale);
@@ -180,7 +180,7 @@ void draw_key(Draped& c, const Tint& tint, const Show& show, const SurfaceBeads&
 
 // Writes the names of several surfaces, each at its pixel nearest to the middle of its visible part. A name is left out
 // if the visible part is too small for it.
-void draw_names(Draped& c) {
+void draw_names(MapPicture& c) {
     struct VisiblePatch {
         double x = 0, y = 0, count = 0, least = std::numeric_limits<double>::infinity();
         Vec2 at;
@@ -271,7 +271,7 @@ void draw_draped(Canvas& page, const Scene& scene, const Tint& tint, const Drape
         if (toolpath::extrudes(s.role)) width = std::max(width, s.width_at(0));
     const std::vector<Vec3> points = shown_points(scene, view.show);
     contact_sheet(page, view.looks, [&](Canvas& cell, const ViewDirection& look) {
-        Draped c(cell, scene, view, plan_of(scene, look, points, cell.width(), cell.height()));
+        MapPicture c(cell, scene, view, plan_of(scene, look, points, cell.width(), cell.height()));
         const Paint paint(scene, laid, view.show, c.plan);
         parallel::for_chunks(static_cast<std::size_t>(c.raster.bands()), 1, threads,
                              [&](std::size_t b, std::size_t) { paint_band(c, paint, static_cast<int>(b)); });

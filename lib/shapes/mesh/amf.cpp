@@ -2,6 +2,7 @@
 // constellations: objects and other constellations that are turned and moved. PrusaSlicer and SuperSlicer write the
 // places of parts as constellations, and mark volumes that are not printed by metadata.
 #include "base/error.hpp"
+#include "base/length_unit.hpp"
 #include "geom/affine.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/items.hpp"
@@ -24,15 +25,6 @@ namespace {
 
 constexpr std::string_view kSlicer = "slic3r."; // of metadata in PrusaSlicer's and SuperSlicer's files
 
-std::optional<double> unit_mm(std::string_view name) {
-    constexpr std::pair<std::string_view, double> kUnits[] = {{"", 1},         {"millimeter", 1}, {"millimeters", 1},
-                                                              {"mm", 1},       {"inch", 25.4},    {"feet", 304.8},
-                                                              {"foot", 304.8}, {"meter", 1000},   {"micron", 0.001}};
-    for (const auto& [word, mm] : kUnits)
-        if (word == name) return mm;
-    return std::nullopt;
-}
-
 // The map that turns by `degrees` in the plane of axes i and j.
 Affine turn(double degrees, int i, int j) {
     const double a = degrees * std::numbers::pi / 180;
@@ -54,8 +46,9 @@ class Amf {
 
     void read() {
         const auto amf = xml_.child("amf");
-        const auto mm = unit_mm(amf.attribute("unit").value());
-        if (!mm) bad("its unit '" + std::string(amf.attribute("unit").value()).substr(0, 20) + "' is unknown");
+        const std::string_view unit(amf.attribute("unit").value());
+        const auto mm = unit.empty() ? std::optional(1.0) : length_of_name(unit);
+        if (!mm) bad("its unit '" + std::string(unit.substr(0, 20)) + "' is unknown");
         unit_ = *mm;
         collect(amf, "object", objects_);
         collect(amf, "constellation", constellations_);

@@ -237,7 +237,7 @@ TEST(Hybrid, RingsOfASmallDiscAreJoined) {
     }));
     const Plan p = plan_paths(sheet, {.algorithm = Algorithm::hybrid});
     EXPECT_EQ(p.strokes.size(), 1U);
-    EXPECT_GT(covered_with_widths(sheet.surface, p), 0.97);
+    EXPECT_GT(covered(sheet.surface, p), 0.97);
 }
 
 // A line that cuts off a corner, as far from the other rows as from the others along the rim: the way there would lay

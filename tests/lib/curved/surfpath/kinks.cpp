@@ -101,14 +101,7 @@ TEST(Kinks, NarrowTipsBecomeBulbs) {
 
 TEST(Kinks, PathsWithoutKinksStay) {
     const Surface s = plate(false);
-    std::vector<Vec2> way{{20, 20}, {30, 20}};
-    for (int i = 1; i < 30; ++i) {
-        const double a = -pi / 2 + pi * i / 30;
-        way.push_back({30 + 0.5 * std::cos(a), 20.5 + 0.5 * std::sin(a)});
-    }
-    way.push_back({30, 21});
-    way.push_back({20, 21});
-    Plan plan = plan_through(s, false, way);
+    Plan plan = plan_through(s, false, half_turn_way());
     const Line before = plan.strokes[0].sections[0].line;
     round_kinks(s, plan, kSpacing);
     const Line& after = plan.strokes[0].sections[0].line;

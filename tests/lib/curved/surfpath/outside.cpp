@@ -71,9 +71,7 @@ TEST(Outside, ALineOverTheRimIsTrimmedWhereItCrosses) {
 
 TEST(Outside, APlateIsCoveredWithoutATurnOnIt) {
     for (const double angle : {0.0, 30.0, 45.0}) {
-        Options rows = rows_at(angle);
-        rows.width_change = 0;
-        const Plan on = planned(flat_plate(), rows, 6);
+        const Plan on = planned(flat_plate(), rows_at(angle), 6);
         EXPECT_EQ(fact(on, "cuts"), 0);
         EXPECT_LT(fact(on, "uncovered"), 0.005 * 600) << angle;
         EXPECT_LT(fact(on, "laid-twice"), 0.01 * 600) << angle;

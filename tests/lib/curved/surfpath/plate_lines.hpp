@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace filum::surfpath {
@@ -20,6 +21,18 @@ inline surface::Surface plate(bool rolled) {
                                                             : geom::Vec3{p.x, p.y, 0};
                                           }),
                             notes);
+}
+
+// The way of two lines 1 mm apart that a half turn joins.
+inline std::vector<geom::Vec2> half_turn_way() {
+    std::vector<geom::Vec2> way{{20, 20}, {30, 20}};
+    for (int i = 1; i < 30; ++i) {
+        const double a = -std::numbers::pi / 2 + std::numbers::pi * i / 30;
+        way.push_back({30 + 0.5 * std::cos(a), 20.5 + 0.5 * std::sin(a)});
+    }
+    way.push_back({30, 21});
+    way.push_back({20, 21});
+    return way;
 }
 
 // The open polyline through points of the plate, with places a tenth of a millimetre apart.

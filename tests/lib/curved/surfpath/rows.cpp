@@ -163,7 +163,7 @@ TEST(Fina, ClosedRowsBecomeAHelix) {
     expect_sound(s.surface, plan);
     const Line& l = plan.strokes[0].sections[0].line;
     EXPECT_NEAR(surface::curve::length(l), 20 * 60 * 2 * 10 * std::sin(pi / 60),
-                40); // area by spacing, but for its ends
+                40); // area by spacing; the ends are not counted
     double turned = 0;
     for (std::size_t i = 1; i < l.size(); ++i)
         turned += std::atan2(l[i - 1].x * l[i].y - l[i - 1].y * l[i].x, l[i - 1].x * l[i].x + l[i - 1].y * l[i].y);

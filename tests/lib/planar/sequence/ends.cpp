@@ -60,7 +60,7 @@ TEST(Ends, OfStrokesThatMeetOrRestOnTwo) {
     rest[2].below[1].link = false; // the second leg must be waited for, and leads nowhere
     const SequenceResult r = sequence(rest, none);
     EXPECT_EQ(ended(r, Cause::top), 2);
-    // by hand: the first leg, the second, the bar; the first could go on but for the second
+    // by hand: the first leg, the second, the bar; only the second keeps the first from going on
     const Graph g = support_graph(rest);
     const std::vector<Index> order{0, 1, 2};
     const auto by_hand = ends(g, order, g.after, {}, none.heads);

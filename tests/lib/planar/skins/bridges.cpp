@@ -70,7 +70,7 @@ TEST(Skins, BridgesRunTheShortestWayFromMaterialToMaterial) {
         }
 }
 
-// Of any convex hole: the way that was found is as short as any other, but for a bead.
+// Of any convex hole: no other way is shorter than the one that was found by more than a bead.
 TEST(Skins, NoDirectionOfABridgeIsShorter) {
     std::mt19937 random(1);
     const auto uniform = [&](double lo, double hi) { return lo + (hi - lo) * (random() / 4294967296.0); };

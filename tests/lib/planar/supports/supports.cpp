@@ -240,7 +240,7 @@ TEST(Supports, KeepClearOfThePart) {
         for (const Region& r : all) {
             if (r.is != RegionClass::support) continue;
             const auto meets = [&](const Loops& other) {
-                // but for what round corners are off
+                // except for the deviation of round corners
                 return polygon::signed_area(polygon::intersect(polygon::offset(r.loops, -0.05), other)) > 0.02;
             };
             EXPECT_FALSE(meets(polygon::offset(layers[r.layer], o.beside - 0.05))) << seed << " layer " << r.layer;

@@ -46,7 +46,7 @@ TEST(Exact, ReachesVerticesOnTheBordersOfWindows) {
 }
 
 TEST(Exact, RaysAlongSidesMakeNoWindowWithoutNumbers) {
-    for (unsigned seed = 0; seed < 60; ++seed) { // plane grids, turned: their sides lie in lines but for rounding
+    for (unsigned seed = 0; seed < 60; ++seed) { // plane grids, turned: their sides lie in lines, up to rounding
         const double angle = 0.1 * seed, c = std::cos(angle), d = std::sin(angle);
         std::vector<Vec3> v;
         std::vector<mesh::Triangle> t;

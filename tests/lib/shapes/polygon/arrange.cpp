@@ -66,7 +66,7 @@ double taken_length(const Loops& loops, double y, Fill rule) {
     return sum;
 }
 
-// Simple but for points where loops touch.
+// Simple, except at points where loops touch.
 bool crosses_nowhere(const Loops& loops) {
     const auto all = walls(loops);
     for (std::size_t i = 0; i < all.size(); ++i)

@@ -32,7 +32,8 @@ double way_to(const Loops& a, Vec2 p) {
     return best;
 }
 
-// The offset holds exactly the points whose distance says so, but for the tolerance of arcs.
+// A point lies in the offset if its distance from the area is at most the offset. Points nearer to its outline than the
+// tolerance of arcs may lie on either side.
 TEST(MovedOutlines, TheOffsetHoldsWhatTheDistanceSays) {
     constexpr double kArcs = 0.01;
     std::mt19937 random(5);

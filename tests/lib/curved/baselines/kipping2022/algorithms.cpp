@@ -116,7 +116,7 @@ TEST(Ortheo, NotesWhatLiesBesideItsLines) {
     EXPECT_NEAR(bare, 9 * (20 - 10), 9 * 0.5); // the last line is at 9, and counts for 1 more
 }
 
-// Across a ring: the number of lines follows its circumference, but for what halves or doubles at once.
+// Across a ring: the number of lines follows its circumference, except where it halves or doubles at once.
 TEST(Ortheo, InsertsWhereLinesPartAndEndsWhereTheyMeet) {
     const auto lines = [](double from, double to, const char* rim) {
         return plan(measured(zone(5, from, to), rim), options(Algorithm::ortheo, 0.5));

@@ -69,14 +69,7 @@ TEST(RoundTurns, RidgesOfManyAnglesKeepTheRadius) {
 // The half turn of a pair would leave a large void.
 TEST(RoundTurns, HalfTurnsStay) {
     const Surface s = plate(false);
-    std::vector<Vec2> way{{20, 20}, {30, 20}};
-    for (int i = 1; i < 30; ++i) {
-        const double a = -pi / 2 + pi * i / 30;
-        way.push_back({30 + 0.5 * std::cos(a), 20.5 + 0.5 * std::sin(a)});
-    }
-    way.push_back({30, 21});
-    way.push_back({20, 21});
-    std::vector<Line> lines{line_through(s, false, way)};
+    std::vector<Line> lines{line_through(s, false, half_turn_way())};
     const Line before = lines[0];
     round_turns(s, lines, {1, kRadius, kNearest});
     ASSERT_EQ(lines[0].size(), before.size());

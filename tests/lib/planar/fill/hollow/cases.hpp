@@ -20,6 +20,14 @@ struct Case {
     unsigned seed;
 };
 
+// The area of a region without its sparse areas.
+inline polygon::Loops solid_part(const polygon::Region& region) {
+    polygon::Loops out = region.loops;
+    for (const auto& a : region.areas)
+        if (a.kind == polygon::AreaKind::sparse) out = polygon::subtract(out, a.loops);
+    return out;
+}
+
 // Regions of many shapes, with one wall and no areas.
 inline std::vector<Case> random_cases(unsigned seeds) {
     std::vector<Case> out;

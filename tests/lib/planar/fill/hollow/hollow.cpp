@@ -66,9 +66,7 @@ TEST(Hollow, WallsAndSkinsAreCovered) {
     for (const Case& c : sparse_cases(30)) {
         Notes notes;
         const auto paths = fill(c.region, {.bead_width = kBead}, notes);
-        Loops solid = c.region.loops;
-        for (const auto& a : c.region.areas)
-            if (a.kind == AreaKind::sparse) solid = polygon::subtract(solid, a.loops);
+        const Loops solid = solid_part(c.region);
         const double area = polygon::signed_area(solid);
         uncovered += area * (1 - test::coverage(solid, paths.curves));
         all += area;
@@ -113,7 +111,7 @@ TEST(Hollow, RowsOfABridgeRunAlongItAndTurnWhereItIsCarried) {
         r.walls = 2;
         r.loops = plate;
         r.area = 600;
-        const Loops inside = polygon::offset(air, -3 * kBead); // but for turns two beads deep, and what rounds them
+        const Loops inside = polygon::offset(air, -3 * kBead); // turns are two beads deep, and are rounded
         r.areas.push_back({AreaKind::bridge, air, direction, 0, {}});
         Notes notes;
         const auto paths = fill(r, {.bead_width = kBead}, notes);

@@ -64,9 +64,7 @@ TEST(HollowZones, WhatIsSolidIsCovered) {
     for (const Case& c : zoned_cases(20)) {
         Notes notes;
         const auto paths = fill(c.region, {.bead_width = kBead}, notes);
-        Loops solid = c.region.loops;
-        for (const auto& a : c.region.areas)
-            if (a.kind == AreaKind::sparse) solid = polygon::subtract(solid, a.loops);
+        const Loops solid = solid_part(c.region);
         const double area = polygon::signed_area(solid);
         uncovered += area * (1 - test::coverage(solid, paths.curves));
         all += area;

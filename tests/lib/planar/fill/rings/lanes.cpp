@@ -184,7 +184,7 @@ TEST(Lanes, OfANoisyOutlineAreSoundAndFew) {
     EXPECT_NEAR(test::laid(all) / (std::numbers::pi * 900), 1, 0.01);
 }
 
-// With fewer lanes than there is room for: what they lay and what they leave is the region, but for corners and hairs.
+// With fewer lanes than there is room for: their beads and the rest are the region, except corners and hairs.
 TEST(FirstLanes, LeaveTheRestOfTheRegion) {
     for (const Loops& region : many_regions())
         for (const int n : {1, 2, 5}) {
