@@ -10,7 +10,7 @@ namespace filum::link3d {
 
 namespace {
 
-constexpr std::uint32_t kFan = 16;
+constexpr std::uint32_t kFan = 4;
 
 constexpr double kOnSegment = 1e-6; // mm; a point closer than this lies on the segment
 

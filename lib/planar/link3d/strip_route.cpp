@@ -28,17 +28,28 @@ using Structure = CGAL::Triangulation_data_structure_2<CGAL::Triangulation_verte
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
 using Face = Triangulation::Face_handle;
 
-constexpr int kNone = -1, kClosed = -2;
+constexpr int kNone = -1;
 
 // A side of a triangle that a path may pass through: its middle, and the shortest way to it.
 struct Door {
     Vec2 middle;
     Face face; // one of the two at the side
     int side = 0;
+    double half = 0;      // mm, from the middle to the ends of the side, which lie on lines
+    double clear = -1;    // mm, from the middle to the nearest line; negative: not measured yet
+    double beyond_bead{}; // mm, from the middle to the bead of that line; negative: within it
     double length = std::numeric_limits<double>::infinity();
     int before = kNone;
     bool done = false;
+
+    void forget_ways() {
+        length = std::numeric_limits<double>::infinity();
+        before = kNone;
+        done = false;
+    }
 };
+
+constexpr double kPointRounding = 1e-9; // mm; more than the rounding of a point on a line
 
 constexpr double kMostPieces = 1e6; // of a region's lines: 0.1 m2 of beads 0.4 mm wide; beyond, pieces are longer
 
@@ -91,15 +102,23 @@ Triangulation triangulate(const Pieces& lines) {
     return t;
 }
 
-// Searches from door to door, nearest first (Dijkstra).
+// Searches from door to door, nearest first (Dijkstra). The distances from doors to lines stay for further searches.
 class Search {
   public:
-    Search(Triangulation& t, std::span<const toolpath::Curve> curves, const SegmentIndex& index, double narrow,
-           double beyond)
-        : t_(t), curves_(curves), index_(index), narrow_(narrow), beyond_(beyond) {}
+    Search(Triangulation& t, std::span<const toolpath::Curve> curves, const SegmentIndex& index, Vec2 from)
+        : t_(t), curves_(curves), index_(index), from_(from),
+          begin_(t.insert(Point(from.x, from.y))) { // a vertex already, if `from` is a point of a line
+        for (Face f : t_.all_face_handles()) f->info() = {kNone, kNone, kNone};
+    }
 
-    std::optional<std::vector<Vec2>> run(Vec2 from, int best, const std::function<int(Vec2, int)>& rank) {
-        start(from);
+    // `narrow` and `beyond` as in Strips, in mm.
+    std::optional<std::vector<Vec2>> run(double narrow, double beyond, int best,
+                                         const std::function<int(Vec2, int)>& rank) {
+        narrow_ = narrow;
+        beyond_ = beyond;
+        open_ = {};
+        for (Door& door : doors_) door.forget_ways();
+        start();
         int reached = 0, end = kNone;
         while (!open_.empty() && reached < best) {
             const auto [length, at] = open_.top();
@@ -118,17 +137,15 @@ class Search {
                 if (!t_.is_infinite(f)) spread(f, at, middle, length);
         }
         if (end == kNone) return std::nullopt;
-        return trace(from, end);
+        return trace(end);
     }
 
   private:
-    void start(Vec2 from) {
-        const auto v = t_.insert(Point(from.x, from.y)); // a vertex already, if `from` is a point of a line
-        for (Face f : t_.all_face_handles()) f->info() = {kNone, kNone, kNone};
-        auto f = t_.incident_faces(v), end = f;
+    void start() {
+        auto f = t_.incident_faces(begin_), end = f;
         if (f == nullptr) return;
         do {
-            if (!t_.is_infinite(f)) spread(f, kNone, from, 0);
+            if (!t_.is_infinite(f)) spread(f, kNone, from_, 0);
         } while (++f != end);
     }
 
@@ -146,34 +163,36 @@ class Search {
         }
     }
 
-    [[nodiscard]] bool in_strip(Vec2 p) const {
-        const auto near = index_.nearest(p);
-        return near && near->distance > narrow_ &&
-               near->distance <= curves_[near->curve].width_at(near->segment) / 2 + beyond_;
+    // Whether the middle of a door is in a strip that the path may use.
+    [[nodiscard]] bool in_strip(Door& door) const {
+        if (door.half <= narrow_) return false;
+        if (door.clear < 0) {
+            const auto near = index_.nearest(door.middle, door.half + kPointRounding);
+            door.clear = near ? near->distance : 0;
+            door.beyond_bead = near ? door.clear - curves_[near->curve].width_at(near->segment) / 2 : 0;
+        }
+        return door.clear > narrow_ && door.beyond_bead <= beyond_;
     }
 
     // The number of the door at this side of f; kNone if a path may not pass there.
     int door(Face f, int side) {
         if (f->is_constrained(side)) return kNone;
         const Face g = f->neighbor(side);
-        const int mirror = t_.mirror_index(f, side);
-        if (f->info()[static_cast<std::size_t>(side)] == kNone &&
-            g->info()[static_cast<std::size_t>(mirror)] == kNone) {
-            const Vec2 m = geom::lerp(vec(f->vertex(t_.cw(side))->point()), vec(f->vertex(t_.ccw(side))->point()), 0.5);
-            const int number = in_strip(m) ? static_cast<int>(doors_.size()) : kClosed;
-            if (number != kClosed) doors_.push_back({m, f, side});
-            f->info()[static_cast<std::size_t>(side)] = number;
+        int& here = f->info()[static_cast<std::size_t>(side)];
+        int& there = g->info()[static_cast<std::size_t>(t_.mirror_index(f, side))];
+        if (here == kNone) {
+            const Vec2 a = vec(f->vertex(t_.cw(side))->point()), b = vec(f->vertex(t_.ccw(side))->point());
+            here = there = static_cast<int>(doors_.size());
+            doors_.push_back({geom::lerp(a, b, 0.5), f, side, geom::distance(a, b) / 2});
         }
-        const int number =
-            std::max(f->info()[static_cast<std::size_t>(side)], g->info()[static_cast<std::size_t>(mirror)]);
-        return number >= 0 ? number : kNone;
+        return in_strip(doors_[static_cast<std::size_t>(here)]) ? here : kNone;
     }
 
-    std::vector<Vec2> trace(Vec2 from, int at) const {
+    [[nodiscard]] std::vector<Vec2> trace(int at) const {
         std::vector<Vec2> out;
         for (; at != kNone; at = doors_[static_cast<std::size_t>(at)].before)
             out.push_back(doors_[static_cast<std::size_t>(at)].middle);
-        out.push_back(from);
+        out.push_back(from_);
         std::reverse(out.begin(), out.end());
         return out;
     }
@@ -181,7 +200,9 @@ class Search {
     Triangulation& t_;
     std::span<const toolpath::Curve> curves_;
     const SegmentIndex& index_;
-    double narrow_, beyond_; // mm
+    Vec2 from_;
+    Triangulation::Vertex_handle begin_;
+    double narrow_ = 0, beyond_ = 0; // mm
     std::vector<Door> doors_;
     std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> open_;
 };
@@ -215,8 +236,9 @@ std::optional<std::vector<Vec2>> strip_route(std::span<const std::vector<Vec2>> 
     for (const auto& line : lines) length += geom::length(line);
     Triangulation t = triangulate(pieces(lines, std::max(width, length / kMostPieces)));
     if (t.dimension() < 2) return std::nullopt;
+    Search search(t, curves, index, from);
     for (const auto& [narrow, beyond] : strips)
-        if (const auto way = Search(t, curves, index, narrow * width, beyond * width).run(from, best, rank))
+        if (const auto way = search.run(narrow * width, beyond * width, best, rank))
             return straighten(*way, index, narrow * width, width / 20);
     return std::nullopt;
 }
