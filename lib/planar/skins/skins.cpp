@@ -5,6 +5,7 @@
 #include "infill/squares.hpp"
 #include "parallel/parallel.hpp"
 #include "polygon/clip.hpp"
+#include "polygon/loop_index.hpp"
 #include "skins/bridges.hpp"
 #include "skins/zones.hpp"
 
@@ -17,6 +18,7 @@ namespace filum::skins {
 namespace {
 
 using polygon::kBeadArc;
+using polygon::LoopIndex;
 using polygon::Loops;
 using polygon::Region;
 
@@ -31,6 +33,12 @@ std::vector<Loops> coarse(std::vector<Loops> layers) {
     parallel::for_chunks(layers.size(), 1, 0,
                          [&](std::size_t i, std::size_t) { layers[i] = polygon::simplify(layers[i], kBeadArc); });
     return layers;
+}
+
+std::vector<LoopIndex> indexed(const std::vector<Loops>& layers) {
+    std::vector<LoopIndex> out(layers.size());
+    parallel::for_chunks(layers.size(), 1, 0, [&](std::size_t i, std::size_t) { out[i] = LoopIndex(layers[i]); });
+    return out;
 }
 
 Loops common(const Loops& a, const Loops& b) {
@@ -92,10 +100,11 @@ Loops within_walls(const Region& r, double depth) {
 }
 
 // The sparse part of a region, inside walls of `depth` mm: the area far enough from skins. A skin counts if it extends
-// beyond the walls by more than a hairline. `inner` is the area with enough material above and below. `zone` restricts
-// an area to the part where these options hold.
+// beyond the walls by more than a hairline. `covered` is the area of the layer with enough material above and below.
+// `zone` restricts an area to the part where these options hold.
 template <class Zone>
-Loops sparse(const Region& r, const Loops& inner, const Options& o, double depth, const Zone& zone) {
+Loops sparse(const Region& r, const LoopIndex& covered, const Options& o, double depth, const Zone& zone) {
+    const Loops inner = covered.near(polygon::bounds(r.loops));
     if (inner.empty()) return {};
     const double w = o.bead_width, hair = kHairline * w / 2, open = kNarrowest * w / 2;
     const Loops within = within_walls(r, depth);
@@ -108,10 +117,11 @@ Loops sparse(const Region& r, const Loops& inner, const Options& o, double depth
 }
 
 // The part of `area`, the sparse part of a region, that carries a skin on one of the next layers.
-Loops carrying(const Loops& area, const std::vector<Loops>& sparse_of, std::uint32_t layer, const Options& o) {
+Loops carrying(const Loops& area, const std::vector<LoopIndex>& sparse_of, std::uint32_t layer, const Options& o) {
+    const geom::Box2 box = polygon::bounds(area);
     Loops plain = area;
     for (std::size_t up = 1; up <= kCarrying && !plain.empty(); ++up)
-        plain = layer + up < sparse_of.size() ? common(plain, sparse_of[layer + up]) : Loops{};
+        plain = layer + up < sparse_of.size() ? common(plain, sparse_of[layer + up].near(box)) : Loops{};
     const double open = 2 * kNarrowest * o.bead_width / 2;
     return polygon::opened_difference(area, polygon::opened(plain, open, kBeadArc), open / 2, kBeadArc);
 }
@@ -161,7 +171,7 @@ Notes ignored(const std::vector<Region>& regions, const std::vector<RegionZones>
 
 // Sets walls, zones, top and bottom surfaces and bridges of a region. If nothing is sparse and all bead widths are
 // equal, zones have no effect and are left out.
-void tell_solid(Region& r, const std::vector<Loops>& layers, const Options& o, RegionZones& cut, bool any_sparse) {
+void tell_solid(Region& r, const std::vector<LoopIndex>& layers, const Options& o, RegionZones& cut, bool any_sparse) {
     if (r.is != polygon::RegionClass::part) return;
     const bool zones = any_sparse || cut.mixed;
     r.walls = zones ? cut.walls : static_cast<std::uint32_t>(o.walls);
@@ -170,11 +180,14 @@ void tell_solid(Region& r, const std::vector<Loops>& layers, const Options& o, R
         if (!loops.empty()) r.areas.push_back({kind, std::move(loops), 0, 0, {}});
     };
     const Loops outline = polygon::simplify(r.loops, kBeadArc);
-    put(polygon::AreaKind::skin_top, seen(outline, r.layer + 1 < layers.size() ? layers[r.layer + 1] : Loops{}, o));
-    const Loops nothing, &below = r.layer > 0 ? layers[r.layer - 1] : nothing;
-    Loops free = seen(outline, below, o);
+    const geom::Box2 box = polygon::bounds(outline);
+    put(polygon::AreaKind::skin_top,
+        seen(outline, r.layer + 1 < layers.size() ? layers[r.layer + 1].near(box) : Loops{}, o));
+    Loops free = seen(outline, r.layer > 0 ? layers[r.layer - 1].near(box) : Loops{}, o);
     if (r.layer > 0 && o.bottom > 0 && !free.empty()) {
         const Loops within = within_walls(r, depth(o, o.bead_width));
+        const geom::Vec2 bead{o.bead_width, o.bead_width}; // the ends of a bridge lie on beads beside it
+        const Loops below = layers[r.layer - 1].near({box.lo - bead, box.hi + bead});
         for (auto& bridge : bridges(within, below, o)) r.areas.push_back(std::move(bridge));
     }
     put(polygon::AreaKind::skin_bottom, std::move(free));
@@ -231,10 +244,11 @@ void part_dense(std::vector<Sparse>& settings, const std::vector<Region>& region
     std::vector<Loops> of_layer(layers);
     for (const Sparse& s : settings)
         for (std::size_t i = 0; i < regions.size(); ++i) of_layer[regions[i].layer].add(s.plain[i]);
+    const auto sparse_of = indexed(of_layer);
     for (Sparse& s : settings)
         parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
             if (s.plain[i].empty() || s.how.infill == 0) return;
-            s.dense[i] = carrying(s.plain[i], of_layer, regions[i].layer, s.how);
+            s.dense[i] = carrying(s.plain[i], sparse_of, regions[i].layer, s.how);
             s.plain[i] = beside(s.plain[i], s.dense[i], s.how);
         });
 }
@@ -294,7 +308,7 @@ Notes skins(std::vector<Region>& regions, const Options& o, std::span<const Modi
         s.plain.resize(regions.size());
         s.dense.resize(regions.size());
         if (solid(s)) continue;
-        const auto inner = inner_of(layers, s.how);
+        const auto inner = indexed(inner_of(layers, s.how));
         parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
             const Region& r = regions[i];
             s.plain[i] = sparse(r, inner[r.layer], s.how, s.depth,
@@ -307,8 +321,9 @@ Notes skins(std::vector<Region>& regions, const Options& o, std::span<const Modi
         any_sparse[i] = static_cast<char>(
             std::ranges::any_of(settings, [&](const Sparse& s) { return !s.plain[i].empty() || !s.dense[i].empty(); }));
     Notes notes = ignored(regions, cuts, o.bead_width, any_sparse);
+    const auto all = indexed(layers);
     parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
-        tell_solid(regions[i], layers, o, cuts[i], any_sparse[i] != 0);
+        tell_solid(regions[i], all, o, cuts[i], any_sparse[i] != 0);
     });
     for (std::size_t k = 0; k < settings.size(); ++k)
         put_sparse(settings[k], regions, k == 0 ? "" : "modifier-" + std::to_string(k) + "-", facts);

@@ -288,6 +288,35 @@ TEST(Skins, MoreRowsBeginOnRows) {
     EXPECT_GT(inside, kSanitized ? 0U : 50U);
 }
 
+// The areas of a part do not depend on what stands beside it.
+TEST(Skins, PartsOfAPlateAreAsEachAlone) {
+    constexpr double kApart = 40;
+    std::vector<Region> plate;
+    std::vector<std::vector<Region>> alone;
+    const Options o{.infill = 0.2};
+    Facts facts;
+    for (unsigned k = 0; k < 6; ++k) {
+        auto part = random_part(k % 2, 14);
+        for (Region& r : part)
+            for (auto& p : r.loops.points) p.x += kApart * k;
+        plate.insert(plate.end(), part.begin(), part.end());
+        skins(part, o, {}, facts);
+        alone.push_back(std::move(part));
+    }
+    skins(plate, o, {}, facts);
+    std::size_t at = 0;
+    for (const auto& part : alone)
+        for (const Region& r : part) {
+            const Region& same = plate[at++];
+            ASSERT_EQ(same.areas.size(), r.areas.size()) << "layer " << r.layer;
+            for (std::size_t i = 0; i < r.areas.size(); ++i) {
+                EXPECT_EQ(same.areas[i].kind, r.areas[i].kind);
+                EXPECT_NEAR(polygon::signed_area(same.areas[i].loops), polygon::signed_area(r.areas[i].loops), 1e-2);
+            }
+        }
+    EXPECT_EQ(at, plate.size());
+}
+
 TEST(Skins, SmallSparsePartsAreSolid) {
     for (const double least : {0.0, 40.0, 120.0, 1e4}) {
         auto part = random_part(5, 30);
