@@ -48,22 +48,6 @@ std::vector<Bead> carriers(const Track& below, double half) {
     return out;
 }
 
-// The union of the lanes at a row.
-struct Sweep {
-    const std::vector<SweptBead>& lane;
-    std::size_t next = 0;
-    std::vector<std::uint32_t> live;
-
-    void row(double y, std::vector<Interval>& out) {
-        for (; next < lane.size() && lane[next].lo < y; ++next) live.push_back(static_cast<std::uint32_t>(next));
-        std::erase_if(live, [&](std::uint32_t i) { return lane[i].hi <= y; });
-        out.clear();
-        for (const auto i : live)
-            if (Interval s; section(lane[i], y, s)) out.push_back(s);
-        unite(out);
-    }
-};
-
 double shared_length(const std::vector<Interval>& a, const std::vector<Interval>& b) {
     double sum = 0;
     for (std::size_t i = 0, j = 0; i < a.size() && j < b.size(); ++(a[i].hi < b[j].hi ? i : j))
@@ -76,14 +60,14 @@ double uncovered(std::span<const Bead> beads, std::span<const Bead> below, doubl
     const auto upper = swept_beads(beads), lower = swept_beads(below);
     double top = upper.front().hi, sum = 0;
     for (const SweptBead& l : upper) top = std::max(top, l.hi);
-    Sweep laid{upper, 0, {}}, under{lower, 0, {}};
+    RowSweep printed(upper), under(lower);
     std::vector<Interval> up, low;
     spacing = std::max(spacing, (top - upper.front().lo) / kMostRows);
     const double rows = std::ceil((top - upper.front().lo) / spacing);
     for (double k = 0; k < rows; ++k) {
         const double y = upper.front().lo + (k + 0.5) * spacing;
-        laid.row(y, up);
-        under.row(y, low);
+        printed.move_to(y, up);
+        under.move_to(y, low);
         for (const Interval& i : up) sum += (i.hi - i.lo) * spacing;
         sum -= shared_length(up, low) * spacing;
     }
@@ -106,8 +90,7 @@ class CarrierBeads {
             if (all) return;
             const Bead& c = carrier_[i];
             const auto turned = [&](Vec2 p) { return Vec2{geom::dot(p - a, u), geom::cross(u, p - a)}; };
-            SweptBead lane{turned(c.a), turned(c.b), {1, 0}, c.width / 2, geom::distance(c.a, c.b), 0, 0, 0};
-            if (lane.length > 0) lane.u = (1 / lane.length) * (lane.b - lane.a);
+            const SweptBead lane = swept_bead({turned(c.a), turned(c.b), c.width});
             Interval s;
             if (!section(lane, 0, s) || s.hi <= 0 || s.lo >= l) return;
             all = s.lo <= 0 && s.hi >= l;

@@ -61,47 +61,6 @@ void part_row(std::span<const Edge> all, const std::vector<std::uint32_t>& activ
     out.resize(out.size() / 2);
 }
 
-// The sections of all beads with one row after the other. The order of beads along a row hardly changes from row to
-// row, so it is kept, and sorting takes little more than looking at each bead once.
-class RowSweep {
-  public:
-    explicit RowSweep(std::span<const SweptBead> all) : all_(all) {}
-
-    // The united sections with the row at y, which lies above the last one.
-    void move_to(double y, std::vector<Interval>& out) {
-        std::erase_if(live_, [&](const LiveBead& l) { return all_[l.bead].hi <= y; });
-        for (LiveBead& l : live_) l.meets = section(all_[l.bead], y, l.at);
-        for (std::size_t i = 1; i < live_.size(); ++i)
-            for (std::size_t k = i; k > 0 && before(live_[k], live_[k - 1]); --k) std::swap(live_[k], live_[k - 1]);
-        const auto known = static_cast<std::ptrdiff_t>(live_.size());
-        for (; next_ < all_.size() && all_[next_].lo < y; ++next_) {
-            if (all_[next_].hi <= y) continue;
-            LiveBead l{static_cast<std::uint32_t>(next_), false, {0, 0, all_[next_].slot}};
-            l.meets = section(all_[next_], y, l.at);
-            live_.push_back(l);
-        }
-        std::sort(live_.begin() + known, live_.end(), before);
-        std::inplace_merge(live_.begin(), live_.begin() + known, live_.end(), before);
-        out.clear();
-        for (const LiveBead& l : live_)
-            if (l.meets) add_united(l.at, out);
-    }
-
-  private:
-    struct LiveBead {
-        std::uint32_t bead = 0;
-        bool meets = false;
-        Interval at;
-    };
-    static bool before(const LiveBead& p, const LiveBead& q) {
-        return p.at.slot != q.at.slot ? p.at.slot < q.at.slot : p.at.lo < q.at.lo;
-    }
-
-    std::span<const SweptBead> all_; // by ascending lo
-    std::vector<LiveBead> live_;     // by slot and position
-    std::size_t next_ = 0;           // of `all_`
-};
-
 struct Rows {
     double first = 0, spacing = 1;
     std::size_t count = 0;
@@ -154,12 +113,14 @@ LayerCover cover(std::span<const Bead> beads, std::span<const polygon::Loops* co
         sweep.move_to(y, laid);
         part_row(edge, live_edges, y, part);
         tally(part, laid, row.spacing, out.slot);
+        if (outline.size() == 1) continue; // the whole is that slot
         for (Interval& i : part) i.slot = 0;
         for (Interval& i : laid) i.slot = 0;
         unite(part);
         unite(laid);
         tally(part, laid, row.spacing, {&out.whole, 1});
     }
+    if (outline.size() == 1) out.whole = out.slot.front();
     return out;
 }
 

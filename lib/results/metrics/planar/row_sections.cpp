@@ -7,60 +7,80 @@ namespace filum::metrics::planar {
 
 namespace {
 
-// Restricts [lo, hi] to the x with from <= x * slope + offset <= to.
-void clip(double& lo, double& hi, double slope, double offset, double from, double to) {
-    if (slope == 0) {
-        if (offset < from || offset > to) hi = lo - 1;
-        return;
-    }
-    const double p = (from - offset) / slope, q = (to - offset) / slope;
-    lo = std::max(lo, std::min(p, q));
-    hi = std::min(hi, std::max(p, q));
+SweptBead::Side side(Vec2 from, Vec2 to) {
+    return {from.y, to.y, from.x, to.y > from.y ? (to.x - from.x) / (to.y - from.y) : 0};
 }
+
+// The distance along x from the middle of an end circle to its edge, on the row `dy` above or below the middle.
+double half_chord(double half, double dy) { return std::sqrt(std::max(0.0, half * half - dy * dy)); }
 
 } // namespace
 
+SweptBead swept_bead(const Bead& bead) {
+    SweptBead out;
+    const bool up = bead.a.y <= bead.b.y;
+    out.lower = up ? bead.a : bead.b;
+    out.upper = up ? bead.b : bead.a;
+    out.half = bead.width / 2;
+    out.slot = bead.slot;
+    out.lo = out.lower.y - out.half;
+    out.hi = out.upper.y + out.half;
+    const double length = geom::distance(bead.a, bead.b);
+    const Vec2 along = length > 0 ? (1 / length) * (out.upper - out.lower) : Vec2{1, 0};
+    const Vec2 across = out.half * geom::left_of(along); // towards small x, because `along` points upwards
+    out.left = side(out.lower + across, out.upper + across);
+    out.right = side(out.lower - across, out.upper - across);
+    return out;
+}
+
 bool section(const SweptBead& l, double y, Interval& out) {
-    double lo = INFINITY, hi = -INFINITY;
-    for (const Vec2 c : {l.a, l.b}) {
-        const double d2 = l.half * l.half - (y - c.y) * (y - c.y);
-        if (d2 < 0) continue;
-        const double d = std::sqrt(d2);
-        lo = std::min(lo, c.x - d);
-        hi = std::max(hi, c.x + d);
-    }
-    const double dy = y - l.a.y;
-    double from = -l.length - l.half, to = l.length + l.half; // x - a.x on the straight part
-    clip(from, to, -l.u.y, dy * l.u.x, -l.half, l.half);
-    clip(from, to, l.u.x, dy * l.u.y, 0, l.length);
-    if (from <= to) {
-        lo = std::min(lo, l.a.x + from);
-        hi = std::max(hi, l.a.x + to);
-    }
-    out = {lo, hi, l.slot};
-    return lo < hi;
+    out = {0, 0, l.slot};
+    if (y <= l.lo || y >= l.hi) return false;
+    const auto edge = [&](const SweptBead::Side& s, double outwards) {
+        if (y < s.from) return l.lower.x + outwards * half_chord(l.half, y - l.lower.y);
+        if (y > s.to) return l.upper.x + outwards * half_chord(l.half, y - l.upper.y);
+        return s.x + s.slope * (y - s.from);
+    };
+    out.lo = edge(l.left, -1);
+    out.hi = edge(l.right, 1);
+    return out.lo < out.hi;
 }
 
 std::vector<SweptBead> swept_beads(std::span<const Bead> beads) {
     std::vector<SweptBead> out;
     out.reserve(beads.size());
-    for (const Bead& b : beads) {
-        SweptBead l{b.a, b.b, {1, 0}, b.width / 2, geom::distance(b.a, b.b), 0, 0, b.slot};
-        if (l.length > 0) l.u = (1 / l.length) * (b.b - b.a);
-        l.lo = std::min(b.a.y, b.b.y) - l.half;
-        l.hi = std::max(b.a.y, b.b.y) + l.half;
-        out.push_back(l);
-    }
+    for (const Bead& b : beads) out.push_back(swept_bead(b));
     std::sort(out.begin(), out.end(), [](const SweptBead& p, const SweptBead& q) { return p.lo < q.lo; });
     return out;
 }
 
 void unite(std::vector<Interval>& v) {
-    std::sort(v.begin(), v.end(),
-              [](const Interval& p, const Interval& q) { return p.slot != q.slot ? p.slot < q.slot : p.lo < q.lo; });
+    const auto before = [](const Interval& p, const Interval& q) {
+        return p.slot != q.slot ? p.slot < q.slot : p.lo < q.lo;
+    };
+    if (!std::is_sorted(v.begin(), v.end(), before)) std::sort(v.begin(), v.end(), before);
     std::vector<Interval> out;
     for (const Interval& i : v) add_united(i, out);
     v = std::move(out);
+}
+
+void RowSweep::move_to(double y, std::vector<Interval>& out) {
+    std::erase_if(live_, [&](const LiveBead& l) { return all_[l.bead].hi <= y; });
+    for (LiveBead& l : live_) l.meets = section(all_[l.bead], y, l.at);
+    for (std::size_t i = 1; i < live_.size(); ++i)
+        for (std::size_t k = i; k > 0 && before(live_[k], live_[k - 1]); --k) std::swap(live_[k], live_[k - 1]);
+    const auto known = static_cast<std::ptrdiff_t>(live_.size());
+    for (; next_ < all_.size() && all_[next_].lo < y; ++next_) {
+        if (all_[next_].hi <= y) continue;
+        LiveBead l{static_cast<std::uint32_t>(next_), false, {0, 0, all_[next_].slot}};
+        l.meets = section(all_[next_], y, l.at);
+        live_.push_back(l);
+    }
+    std::sort(live_.begin() + known, live_.end(), before);
+    std::inplace_merge(live_.begin(), live_.begin() + known, live_.end(), before);
+    out.clear();
+    for (const LiveBead& l : live_)
+        if (l.meets) add_united(l.at, out);
 }
 
 } // namespace filum::metrics::planar

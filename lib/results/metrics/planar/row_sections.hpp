@@ -5,6 +5,7 @@
 #include "metrics/planar/cover.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -20,18 +21,27 @@ struct Interval {
     std::uint32_t slot = 0;
 };
 
-// A bead prepared for sections. Its y coordinates are in [lo, hi].
+// A bead prepared for sections. Its outline is two half circles and two straight sides; on each side of the bead, the
+// straight part is between the rows at `from` and `to`, and the circles are below and above it.
 struct SweptBead {
-    Vec2 a, b, u; // ends, direction
-    double half = 0, length = 0, lo = 0, hi = 0;
+    struct Side {
+        double from = 0, to = 0; // y of the ends of the straight part
+        double x = 0, slope = 0; // x of its lower end, and its change by y
+    };
+    Vec2 lower, upper;     // the ends of the bead
+    double half = 0;       // mm, half the width
+    double lo = 0, hi = 0; // y of the lowest and of the highest point
+    Side left, right;      // towards small and large x
     std::uint32_t slot = 0;
 };
+
+[[nodiscard]] SweptBead swept_bead(const Bead& bead);
 
 // By ascending lo.
 std::vector<SweptBead> swept_beads(std::span<const Bead> beads);
 
-// The section of the lane with the row at y, one interval because swept_beads are convex; false if it is empty.
-bool section(const SweptBead& lane, double y, Interval& out);
+// The section of the bead with the row at y, one interval because swept beads are convex; false if it is empty.
+bool section(const SweptBead& bead, double y, Interval& out);
 
 // Adds an interval to united ones. It comes after all of them in the order of slots and positions.
 inline void add_united(const Interval& next, std::vector<Interval>& to) {
@@ -43,5 +53,30 @@ inline void add_united(const Interval& next, std::vector<Interval>& to) {
 
 // Sorts by slot and position, and unites intervals of a slot that overlap.
 void unite(std::vector<Interval>& intervals);
+
+// The sections of beads with one row after the other, upwards. The order of beads along a row hardly changes from row
+// to row, so it is kept, and sorting takes little more than looking at each bead once.
+class RowSweep {
+  public:
+    // `all` is as from swept_beads(), and outlives the sweep.
+    explicit RowSweep(std::span<const SweptBead> all) : all_(all) {}
+
+    // The united sections with the row at y, which lies above the last one.
+    void move_to(double y, std::vector<Interval>& out);
+
+  private:
+    struct LiveBead {
+        std::uint32_t bead = 0;
+        bool meets = false;
+        Interval at;
+    };
+    static bool before(const LiveBead& p, const LiveBead& q) {
+        return p.at.slot != q.at.slot ? p.at.slot < q.at.slot : p.at.lo < q.at.lo;
+    }
+
+    std::span<const SweptBead> all_; // by ascending lo
+    std::vector<LiveBead> live_;     // by slot and position
+    std::size_t next_ = 0;           // of `all_`
+};
 
 } // namespace filum::metrics::planar
