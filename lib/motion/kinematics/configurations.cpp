@@ -110,9 +110,17 @@ class ConfigurationSearch {
         return angle(axis, half) <= lean_ + angle(a, b) + kUpright;
     }
 
+    // Whether the radius of a polar machine can change its sign on the way to pose i: only on the turn axis, or in the
+    // air. Elsewhere the tip would leave its line, because the turn axis turns by half a turn.
+    [[nodiscard]] bool changes_radius(std::size_t i, const PoseStates& stand) const {
+        if (c_.carrier != Carrier::polar || i == 0 || stand.free || stands_.back().free) return true;
+        return !lifting_.empty() && lifting_[i] == Lifting::air && lifting_[i - 1] == Lifting::air;
+    }
+
     void reach(std::size_t i, const PoseStates& stand, std::size_t s, const State& from, std::vector<State>& now) {
         for (std::size_t k = 0; k < 2; ++k) {
             if (!stand.able[k] || (stand.free && i > 0 && k != s % 2)) continue;
+            if (k != s % 2 && !changes_radius(i, stand)) continue;
             const double turn = stand.free ? from.turn : geom::unwrapped(stand.turn[k], from.turn);
             if (!within(turn) || !passes(i, from, turn, stand.tilt[k])) continue;
             relax(i, index(k, turn, stand),

@@ -41,7 +41,8 @@ struct Configurations {
 // rotary axes counts last. Ties: the first configuration, the lowest turn, the earliest lift.
 //
 // A tilt may exceed its limits by `lean` rad. Between two poses the tool axis may swing off the poses' axes by at most
-// `lean` and the angle between these; in the air it may swing farther.
+// `lean` and the angle between these; in the air it may swing farther. The radius of a polar machine changes its sign
+// on the turn axis and in the air only.
 //
 // `lifting` has an entry per pose. If it is empty, the tool never lifts and comes from the air. A stroke that comes
 // from the air may begin with any number of whole turns.

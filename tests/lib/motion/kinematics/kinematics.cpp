@@ -285,5 +285,37 @@ TEST(Chain, PolarHasNoY) {
         }
 }
 
+// Random lines past the turn axis, some through it: the axes keep the tip on its line up to both ends of every move.
+TEST(Track, PolarMovesBeginAndEndWhereTheirLinesDo) {
+    const Chain c = machine(Carrier::polar, {0, 1, 0});
+    Random random;
+    const Vec3 centre{c.turn_point.x, c.turn_point.y, 0};
+    for (int trial = 0; trial < 200; ++trial) {
+        std::vector<Pose> poses;
+        for (int k = 0; k < 30; ++k) {
+            const double far = k % 3 == 0 ? 0.5 : 10;
+            poses.push_back({centre + Vec3{random(-far, far), random(-far, far), 0}});
+            if (k % 7 == 0) { // the tip turns on the spot
+                poses.push_back({centre});
+                poses.push_back({centre});
+            }
+        }
+        const Track t = track(c, poses, {}, 0.5);
+        ASSERT_EQ(t.stuck, poses.size());
+        const auto& joints = t.pieces[0].joints;
+        for (std::size_t i = 1; i < joints.size(); ++i) {
+            if (distance(poses[i - 1].tip, poses[i].tip) == 0) continue;
+            const auto at = [&](double f) {
+                return between(c, poses[i - 1].tip, joints[i - 1], poses[i].tip, joints[i], f);
+            };
+            for (const double f : {1e-7, 1 - 1e-7}) {
+                const Joints& end = joints[f < 0.5 ? i - 1 : i];
+                EXPECT_NEAR(at(f).turn, end.turn, 1e-3) << trial << ' ' << i;
+                EXPECT_NEAR(at(f).xyz.x, end.xyz.x, 1e-3) << trial << ' ' << i;
+            }
+        }
+    }
+}
+
 } // namespace
 } // namespace filum::kinematics
