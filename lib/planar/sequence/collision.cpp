@@ -39,6 +39,7 @@ struct PairSearch {
     std::vector<std::vector<Box2>> block; // per column, one per kBlock regions
     std::vector<Box2> box;                // per column
     std::vector<Drift> drifts;            // per column
+    std::vector<Drift> drifts_over;       // per column, of the shifted outlines
     std::optional<geom::Bvh> tree;        // over the columns' boxes
     double top = 0;                       // mm, of all regions
     std::vector<std::size_t> limit;       // per column: places from there on wait for the current column
@@ -63,6 +64,7 @@ struct PairSearch {
             for (const auto& b : block.back()) add(box.back(), b);
             limit.push_back(member.size());
             drifts.push_back(drift(member, outlines));
+            drifts_over.push_back(shifted(drifts.back(), shift.xy()));
             top = std::max(top, g.node[member.back()].z);
         }
         std::vector<geom::Box3> flat;
@@ -70,30 +72,24 @@ struct PairSearch {
         tree.emplace(std::move(flat));
     }
 
-    // How much nearer two regions may be than the measured distance: place i of column a, place k of column c.
-    [[nodiscard]] double slack(Index a, Index c, const RegionDistance& m, std::size_t i, std::size_t k) const {
-        return relative(drifts[a], m.i, i, drifts[c], m.k, k);
-    }
-
-    // Whether the measured box is that of `r`, and valid for regions displaced by `most`.
-    [[nodiscard]] static bool knows_box(const RegionDistance& m, const Reach& r, double most) {
-        return r.half_x == m.half_x && r.half_y == m.half_y && (most == 0 || (m.sure && most < kBoxMargin));
-    }
-
     // Whether the measured distance proves that the head over v, place i of column a, touches none of the places first
     // to last of column c.
     [[nodiscard]] bool clear(Index v, Index a, Index c, const RegionDistance& m, std::size_t first,
                              std::size_t last) const {
-        if (!m.known) return false;
         const std::size_t i = place(v, a);
-        const double within =
-            drifts[a].between(m.i, i) + std::max(drifts[c].between(m.k, first), drifts[c].between(m.k, last));
-        const double most = std::min(within, slack(a, c, m, i, first) + drifts[c].between(first, last));
-        if (!(most < m.distance)) return false;
+        const Drift& of_c = drifts[c];
+        const double to_last = of_c.between(first, last);
+        const double way = drifts_over[a].between(m.i, i) + std::max(of_c.between(m.k, first), of_c.between(m.k, last));
+        const auto least = [&](double measured) {
+            return std::max(measured - way,
+                            relative(drifts_over[a], m.i, i, of_c, m.k, first, measured).least - to_last);
+        };
+        const double apart = least(m.distance);
+        if (!(apart > 0)) return false;
         const Reach r = reach_of(v, columns.member[c][last]);
-        if (r.everywhere || m.distance - most < r.radius) return false;
-        if (std::hypot(r.half_x, r.half_y) <= m.distance - most) return true;
-        return !m.in_box && knows_box(m, r, most);
+        if (r.everywhere || apart < r.radius) return false;
+        if (std::hypot(r.half_x, r.half_y) <= apart) return true;
+        return m.carriage >= 0 && least(m.carriage) >= std::min(r.half_x, r.half_y);
     }
 
     // The first place in [first, limit) for which the measured distance does not prove that the head over v is clear.
@@ -108,30 +104,50 @@ struct PairSearch {
         return proven + 1;
     }
 
+    // The first place in [first, limit) for which no measured distance proves that the head over v is clear.
+    [[nodiscard]] std::size_t skip(Index v, Index a, Index c, const RegionDistances& measured, std::size_t first,
+                                   std::size_t limit) const {
+        for (std::size_t from = limit; from != first && first < limit;) { // a stretch may end where the next one begins
+            from = first;
+            measured.near(place(v, a), first, [&](const RegionDistance& m) {
+                if (first < limit) first = skip(v, a, c, m, first, limit);
+            });
+        }
+        return first;
+    }
+
+    // Whether a measured distance proves that the head over v touches place k of column c.
+    [[nodiscard]] bool surely_touches(Index v, Index a, Index c, const Reach& r, const RegionDistances& measured,
+                                      std::size_t k) const {
+        const double half = std::min(r.half_x, r.half_y);
+        bool sure = false;
+        measured.near(place(v, a), k, [&](const RegionDistance& m) {
+            const auto most = [&](double d) {
+                return relative(drifts_over[a], m.i, place(v, a), drifts[c], m.k, k, d).most;
+            };
+            sure = sure || most(m.distance) < std::max(r.radius, half) ||
+                   (m.carriage >= 0 && half > 0 && most(m.carriage) < half);
+        });
+        return sure;
+    }
+
     // Whether the head over v touches place k of column c; also if it may touch, and the work is used up.
-    bool touches(Index v, Index a, Index c, std::size_t k, RegionDistance& m) {
+    bool touches(Index v, Index a, Index c, std::size_t k, RegionDistances& measured) {
         const Index u = columns.member[c][k];
         const Reach r = reach_of(v, u);
         if (r.radius < 0) return false;
-        if (r.everywhere) return true;
-        const std::size_t i = place(v, a);
-        const double most = m.known ? slack(a, c, m, i, k) : 0;
-        if (m.known && m.distance + most < std::max(r.radius, std::min(r.half_x, r.half_y))) return true;
-        if (m.known && m.in_box && knows_box(m, r, most)) return true;
+        if (r.everywhere || surely_touches(v, a, c, r, measured, k)) return true;
         if (!work.may_measure()) {
             ++work.assumed;
             return true;
         }
-        if (drifts[a].alone(i) || drifts[c].alone(k)) return within(over[v], outlines[u], r, &work.steps);
-        m = {true, i, k, distance(over[v], outlines[u], &work.steps), r.half_x, r.half_y, false, false};
-        if (r.half_x > 0 && r.half_y > 0) {
-            const auto in_box = [&](double more) {
-                return within(over[v], outlines[u], {0, r.half_x + more, r.half_y + more, false}, &work.steps);
-            };
-            m.in_box = in_box(0);
-            m.sure = m.in_box == in_box(m.in_box ? -kBoxMargin : kBoxMargin);
-        }
-        return m.distance < r.radius || m.in_box;
+        const std::size_t i = place(v, a);
+        if (drifts_over[a].alone(i) || drifts[c].alone(k)) return within(over[v], outlines[u], r, &work.steps);
+        RegionDistance m{i, k, distance(over[v], outlines[u], &work.steps)};
+        if (r.half_x > 0 && r.half_y > 0)
+            m.carriage = carriage_distance(over[v], outlines[u], r.half_x, r.half_y, &work.steps);
+        measured.add(m);
+        return m.distance < r.radius || (m.carriage >= 0 && m.carriage < std::min(r.half_x, r.half_y));
     }
 
     [[nodiscard]] std::size_t place(Index v, Index a) const {
@@ -140,7 +156,7 @@ struct PairSearch {
 
     // The first place of column c below `limit` whose region is in the way of v, of column a; `limit` if there is
     // none.
-    [[nodiscard]] std::size_t first(Index v, Index a, Index c, std::size_t limit, RegionDistance& m) {
+    [[nodiscard]] std::size_t first(Index v, Index a, Index c, std::size_t limit, RegionDistances& measured) {
         const auto& member = columns.member[c];
         const Index layer = g.node[v].layer, lowest = g.node[member[0]].layer;
         std::size_t i = layer + 1 > lowest ? layer + 1 - lowest : 0;
@@ -151,10 +167,7 @@ struct PairSearch {
                                                           member.begin() + static_cast<long>(limit), out_of_reach) -
                                      member.begin());
         for (; i < limit; ++i) {
-            for (std::size_t from = limit; from != i && i < limit;) { // a stretch may end where the next one begins
-                from = i;
-                i = skip(v, a, c, m, i, limit);
-            }
+            i = skip(v, a, c, measured, i, limit);
             if (i == limit) break;
             if (i % kBlock == 0) {
                 const std::size_t last = std::min(member.size(), i + kBlock) - 1;
@@ -163,7 +176,8 @@ struct PairSearch {
                     continue;
                 }
             }
-            if (may_collide(box_over(v), box_of(member[i]), reach_of(v, member[i])) && touches(v, a, c, i, m)) return i;
+            if (may_collide(box_over(v), box_of(member[i]), reach_of(v, member[i])) && touches(v, a, c, i, measured))
+                return i;
         }
         return std::min(i, limit);
     }
@@ -200,7 +214,7 @@ struct PairSearch {
     void column(Index a) {
         const auto& own = columns.member[a];
         const auto near = others(a);
-        std::vector<RegionDistance> measured_of(near.size());
+        std::vector<RegionDistances> measured_of(near.size());
         for (std::size_t i = own.size(); i-- > 0;) {
             const Index v = own[i];
             ++work.done;
@@ -231,7 +245,8 @@ void add_collisions(const Graph& g, const Columns& columns, const std::vector<Ou
     std::vector<Outline> over;
     if (shift.xy() != geom::Vec2{})
         for (const Outline& o : outlines) over.push_back(shifted(o, shift.xy()));
-    PairSearch s{g, columns, outlines, head, work, shift, over.empty() ? outlines : over, {}, {}, {}, {}, 0, {}, {}};
+    PairSearch s{g,  columns, outlines, head, work, shift, over.empty() ? outlines : over, {}, {},
+                 {}, {},      {},       0,    {},   {}};
     s.boxes();
     for (Index a = 0; a < columns.member.size(); ++a)
         if (g.node[columns.member[a][0]].tool == tool) s.column(a);

@@ -13,9 +13,27 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 bool same_loops(const polygon::Loops& a, const polygon::Loops& b) { return a.start == b.start && a.points == b.points; }
 
-geom::Vec2 centre(std::span<const geom::Vec2> loop) {
-    const geom::Box2 b = polygon::bounds(loop);
-    return 0.5 * (b.lo + b.hi);
+// The middle of the area inside a loop, and the square root of this area. Neither depends on how the loop is turned or
+// where its vertices are. Without an area, the middle of its box.
+struct Size {
+    geom::Vec2 middle;
+    double side = 0; // mm
+};
+
+Size size(std::span<const geom::Vec2> loop) {
+    geom::Vec2 sum;
+    double area = 0;
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+        const geom::Vec2 p = loop[k] - loop[0], q = loop[k + 1 < loop.size() ? k + 1 : 0] - loop[0];
+        const double twice = geom::cross(p, q);
+        area += twice / 2;
+        sum = sum + twice / 6 * (p + q);
+    }
+    const geom::Box2 box = polygon::bounds(loop);
+    const geom::Vec2 middle = loop[0] + 1 / area * sum;
+    const bool inside = middle.x >= box.lo.x && middle.x <= box.hi.x && middle.y >= box.lo.y && middle.y <= box.hi.y;
+    if (!(area > 0) || !inside) return {0.5 * (box.lo + box.hi), 0};
+    return {middle, std::sqrt(area)};
 }
 
 // A point that walks once round a loop, from a point of one of its edges, always ahead on the edge up to `next`.
@@ -56,16 +74,18 @@ Walker walker(std::span<const geom::Vec2> loop, geom::Vec2 p) {
     return {loop, edge, at};
 }
 
-// The greatest distance of two walkers round the loops, after `a` was shifted. At each step one of them passes the
-// next vertex, the one that stays nearer to the other; both move evenly, so the distance is greatest at the ends of
-// steps. Every such walk bounds the movement (Frechet's distance is the least of them).
-double walk(std::span<const geom::Vec2> a, geom::Vec2 shift, std::span<const geom::Vec2> b) {
-    Walker of_a(a, 0, a[0]), of_b = walker(b, a[0] + shift);
-    double worst = geom::norm2(a[0] + shift - of_b.at());
+// The greatest distance of two walkers round the loops, after `a` was scaled and shifted. At each step one of them
+// passes the next vertex, the one that stays nearer to the other; both move evenly, so the distance is greatest at the
+// ends of steps. Every such walk bounds the movement (Frechet's distance is the least of them).
+double walk(std::span<const geom::Vec2> original, const Movement& by, std::span<const geom::Vec2> b) {
+    std::vector<geom::Vec2> a(original.size());
+    for (std::size_t k = 0; k < a.size(); ++k) a[k] = by.scale * original[k] + by.shift;
+    Walker of_a(a, 0, a[0]), of_b = walker(b, a[0]);
+    double worst = geom::norm2(a[0] - of_b.at());
     while (!of_a.arrived() || !of_b.arrived()) {
-        const geom::Vec2 pa = of_a.next() + shift, near_a = of_b.nearest(pa);
-        const geom::Vec2 pb = of_b.next(), near_b = of_a.nearest(pb - shift);
-        const double by_a = geom::norm2(pa - near_a), by_b = geom::norm2(near_b + shift - pb);
+        const geom::Vec2 pa = of_a.next(), near_a = of_b.nearest(pa);
+        const geom::Vec2 pb = of_b.next(), near_b = of_a.nearest(pb);
+        const double by_a = geom::norm2(pa - near_a), by_b = geom::norm2(near_b - pb);
         if (of_b.arrived() || (!of_a.arrived() && by_a <= by_b)) {
             of_a.pass();
             of_b.move(near_a);
@@ -79,34 +99,64 @@ double walk(std::span<const geom::Vec2> a, geom::Vec2 shift, std::span<const geo
     return std::sqrt(worst);
 }
 
+// The movement over `first`, then `second`; its rest is that of `first` alone.
+Movement then(const Movement& first, const Movement& second) {
+    return {second.scale * first.scale, second.scale * first.shift + second.shift, first.rest};
+}
+
+// The movement from where `from` leads to where `to` leads, both from the same foot.
+Movement across(const Movement& from, const Movement& to, double rest) {
+    const double scale = to.scale / from.scale;
+    return {scale, to.shift - scale * from.shift, rest};
+}
+
+// The way of a point of the box under the movement, mm, at most.
+double way(const Movement& m, geom::Vec2 middle, double radius) {
+    return geom::norm((m.scale - 1) * middle + m.shift) + std::abs(m.scale - 1) * radius;
+}
+
 } // namespace
 
-// The shift is that of the middle of the outer loop's box, so that the rest is small.
+// The scale is that of the outer loops' areas, the shift that of their middles, so that the rest is small. Holes need
+// not grow with it: a cone's wall keeps its thickness.
 Movement movement(const polygon::Loops& a, const polygon::Loops& b) {
     if (same_loops(a, b)) return {};
-    if (a.size() != b.size() || a.size() == 0) return {{}, kUnknown};
-    Movement out{centre(b[0]) - centre(a[0]), 0};
-    for (std::size_t l = 0; l < a.size(); ++l) {
-        if (a[l].empty() || b[l].empty()) return {{}, kUnknown};
-        out.rest = std::max(out.rest, walk(a[l], out.shift, b[l]));
-    }
+    if (a.size() != b.size() || a.size() == 0) return {1, {}, kUnknown};
+    for (std::size_t l = 0; l < a.size(); ++l)
+        if (a[l].empty() || b[l].empty()) return {1, {}, kUnknown};
+    const Size before = size(a[0]), after = size(b[0]);
+    Movement out;
+    if (before.side > 0 && after.side > 0) out.scale = after.side / before.side;
+    out.shift = after.middle - out.scale * before.middle;
+    for (std::size_t l = 0; l < a.size(); ++l) out.rest = std::max(out.rest, walk(a[l], out, b[l]));
     return out;
 }
 
 Movement Drift::movement(std::size_t i, std::size_t k) const {
-    if (!known(i, k)) return {{}, kUnknown};
-    const Movement by_sum{shift[k] - shift[i], std::abs(rest[k] - rest[i])};
-    const Movement by_foot{from_foot[k].shift - from_foot[i].shift, from_foot[i].rest + from_foot[k].rest};
-    return by_foot.rest < by_sum.rest ? by_foot : by_sum;
+    if (!known(i, k)) return {1, {}, kUnknown};
+    const double by_sum = summed[k].scale * std::abs(summed[k].rest - summed[i].rest);
+    const double by_foot = i == k ? 0 : from_foot[k].rest + from_foot[k].scale / from_foot[i].scale * from_foot[i].rest;
+    if (by_foot < by_sum) return across(from_foot[i], from_foot[k], by_foot);
+    return across(summed[i], summed[k], by_sum);
 }
 
 double Drift::between(std::size_t i, std::size_t k) const {
     return known(i, k) ? std::abs(length[k] - length[i]) : kUnknown;
 }
 
-double relative(const Drift& a, std::size_t i, std::size_t k, const Drift& c, std::size_t m, std::size_t n) {
-    const Movement of_a = a.movement(i, k), of_c = c.movement(m, n);
-    return geom::norm(of_a.shift - of_c.shift) + of_a.rest + of_c.rest;
+// Let P be the movement of a, Q that of c, without their rests. The distance between P(A) and Q(C) differs from that
+// between Q(A) and Q(C), which is that of A and C times Q's scale, by at most the distance between P(x) and Q(x) for a
+// point x of A. The same holds with A and C exchanged.
+Bounds relative(const Drift& a, std::size_t i, std::size_t k, const Drift& c, std::size_t m, std::size_t n, double d) {
+    const Movement p = a.movement(i, k), q = c.movement(m, n);
+    const double rest = p.rest + q.rest;
+    if (!(rest < kUnknown)) return {-kUnknown, kUnknown};
+    const geom::Vec2 shift = p.shift - q.shift;
+    const double scale = p.scale - q.scale;
+    const double at_a = geom::norm(scale * a.middle[i] + shift) + std::abs(scale) * a.radius[i];
+    const double at_c = geom::norm(scale * c.middle[m] + shift) + std::abs(scale) * c.radius[m];
+    return {std::max(q.scale * d - at_a, p.scale * d - at_c) - rest,
+            std::min(q.scale * d + at_a, p.scale * d + at_c) + rest};
 }
 
 bool Drift::alone(std::size_t i) const {
@@ -114,25 +164,52 @@ bool Drift::alone(std::size_t i) const {
 }
 
 Drift drift(std::span<const Index> column, const std::vector<Outline>& outlines) {
-    Drift out{{{}}, {0}, {0}, {{}}, {0}};
-    if (column.empty()) return out;
+    Drift out;
     std::size_t foot = 0; // of the stretch
-    for (std::size_t i = 1; i < column.size(); ++i) {
+    for (std::size_t i = 0; i < column.size(); ++i) {
+        const geom::Box2& box = outlines[column[i]].box[0];
+        out.middle.push_back(0.5 * (box.lo + box.hi));
+        out.radius.push_back(0.5 * geom::norm(box.hi - box.lo));
         const auto loops = [&](std::size_t place) -> const polygon::Loops& { return outlines[column[place]].loops; };
-        Movement by = movement(loops(i - 1), loops(i));
-        const bool known = by.rest < kUnknown;
-        if (!known) {
-            by = {};
+        Movement by{1, {}, kUnknown};
+        if (i > 0) by = movement(loops(i - 1), loops(i));
+        if (!(by.rest < kUnknown)) { // a new stretch
             foot = i;
+            out.summed.emplace_back();
+            out.from_foot.emplace_back();
+            out.length.push_back(i > 0 ? out.length.back() : 0);
+            out.stretch.push_back(i > 0 ? out.stretch.back() + 1 : 0);
+            continue;
         }
-        out.shift.push_back(out.shift.back() + by.shift);
-        out.rest.push_back(out.rest.back() + by.rest);
-        out.length.push_back(out.length.back() + geom::norm(by.shift) + by.rest);
+        out.summed.push_back(then(out.summed.back(), by));
+        out.summed.back().rest += by.rest / out.summed.back().scale;
+        out.length.push_back(out.length.back() + way(by, out.middle[i - 1], out.radius[i - 1]) + by.rest);
         out.from_foot.push_back(same_loops(loops(i - 1), loops(i)) ? out.from_foot.back()
                                                                    : movement(loops(foot), loops(i)));
-        out.stretch.push_back(out.stretch.back() + (known ? 0 : 1));
+        out.stretch.push_back(out.stretch.back());
     }
     return out;
+}
+
+Drift shifted(Drift d, geom::Vec2 way) {
+    for (auto* movements : {&d.summed, &d.from_foot})
+        for (Movement& m : *movements) m.shift = m.shift + (1 - m.scale) * way;
+    for (geom::Vec2& p : d.middle) p = p + way;
+    return d;
+}
+
+std::size_t RegionDistances::at(long d) const {
+    const auto less = [](const RegionDistance& x, long wanted) { return difference(x.i, x.k) < wanted; };
+    return static_cast<std::size_t>(std::lower_bound(all_.begin(), all_.end(), d, less) - all_.begin());
+}
+
+void RegionDistances::add(const RegionDistance& d) {
+    latest_ = at(difference(d.i, d.k));
+    const auto place = all_.begin() + static_cast<long>(latest_);
+    if (place != all_.end() && difference(place->i, place->k) == difference(d.i, d.k))
+        *place = d;
+    else
+        all_.insert(place, d);
 }
 
 } // namespace filum::sequence

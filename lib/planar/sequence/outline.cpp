@@ -43,6 +43,32 @@ bool box_reaches(Vec2 a, Vec2 b, Vec2 c, Vec2 d, double half_x, double half_y) {
            (v == Vec2{} || !apart(geom::left_of(v)));
 }
 
+double largest(Vec2 p) { return std::max(std::abs(p.x), std::abs(p.y)); }
+
+// The least larger coordinate of a point of the segment a-b, as absolute value: at an end, or where a coordinate is 0,
+// or where both are equal.
+double largest_of_segment(Vec2 a, Vec2 b) {
+    double best = std::min(largest(a), largest(b));
+    const Vec2 d = b - a;
+    const auto ask = [&](double from, double slope) { // where from + t * slope is 0
+        const double t = -from / slope;
+        if (slope != 0 && t > 0 && t < 1) best = std::min(best, largest(a + t * d));
+    };
+    ask(a.x, d.x);
+    ask(a.y, d.y);
+    ask(a.x - a.y, d.x - d.y);
+    ask(a.x + a.y, d.x + d.y);
+    return best;
+}
+
+// The least larger coordinate of the difference between points of the segments a-b and c-d, as absolute value. All
+// differences are a parallelogram, whose sides have an end of one of the segments.
+double largest_difference(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    if (geom::cross_properly(a, b, c, d)) return 0;
+    return std::min({largest_of_segment(c - a, d - a), largest_of_segment(c - b, d - b),
+                     largest_of_segment(c - a, c - b), largest_of_segment(d - a, d - b)});
+}
+
 // Edge k of the loops, counted through all of them: from point k to the next of its loop.
 struct EdgeCursor {
     const polygon::Loops& loops;
@@ -185,6 +211,22 @@ double distance(const Outline& a, const Outline& b, std::uint64_t* steps) {
         [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) {
             best = std::min(best, geom::segment_distance(p, q, s, t));
             squared = best * best;
+            return best == 0;
+        });
+    return best;
+}
+
+double carriage_distance(const Outline& a, const Outline& b, double half_x, double half_y, std::uint64_t* steps) {
+    if (holds(a, b.loops.points[0], steps) || holds(b, a.loops.points[0], steps)) return 0;
+    const double shorter = std::min(half_x, half_y);
+    const Vec2 share{shorter / half_x, shorter / half_y};
+    const auto seen = [&](Vec2 p) { return Vec2{share.x * p.x, share.y * p.y}; };
+    double best = std::numeric_limits<double>::infinity();
+    any_pair(
+        a, b, steps,
+        [&](const Box2& x, const Box2& y) { return std::max(share.x * gap_x(x, y), share.y * gap_y(x, y)) < best; },
+        [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) {
+            best = std::min(best, largest_difference(seen(p), seen(q), seen(s), seen(t)));
             return best == 0;
         });
     return best;

@@ -39,4 +39,10 @@ bool within(const Outline& a, const Outline& b, const Reach& r, std::uint64_t* s
 // The least distance between points of the regions; 0 if they share a point. `steps` as for within().
 double distance(const Outline& a, const Outline& b, std::uint64_t* steps = nullptr);
 
+// How far a point of one region is from a point of the other as a carriage sees it, mm: the carriage with these half
+// sides touches if this is less than its shorter half side. Differences along the longer side count in proportion, so
+// no point is farther away than its distance. `steps` as for within().
+double carriage_distance(const Outline& a, const Outline& b, double half_x, double half_y,
+                         std::uint64_t* steps = nullptr);
+
 } // namespace filum::sequence

@@ -31,6 +31,12 @@ polygon::Loops ring(Random& random, double radius, std::size_t n, double by) {
     return out;
 }
 
+double reach_of(const polygon::Loops& a) {
+    double most = 0;
+    for (const auto p : a.points) most = std::max(most, geom::norm(p));
+    return most;
+}
+
 TEST(Drift, BoundsDistances) {
     Random random(3);
     std::size_t known = 0;
@@ -39,7 +45,7 @@ TEST(Drift, BoundsDistances) {
         const auto a = ring(random, 10, 12, by), b = ring(random, 10, i % 5 == 0 ? 13 : 12, by);
         const auto other = ring(random, uniform(random, 3, 20), 9, 0.1);
         const Movement by_both = movement(a, b);
-        const double moved = geom::norm(by_both.shift) + by_both.rest;
+        const double moved = geom::norm(by_both.shift) + std::abs(by_both.scale - 1) * reach_of(a) + by_both.rest;
         known += std::isfinite(moved) ? 1 : 0;
         EXPECT_TRUE(by > 0 || i % 5 == 0 || moved < 1e-9);
         EXPECT_LT(moved, 1.5); // corners of 12 and 13 are up to .6 mm apart
@@ -95,12 +101,59 @@ TEST(Drift, ColumnsThatLeanTheSameWayKeepTheirDistance) {
         for (int trial = 0; trial < 20; ++trial) {
             const auto place = [&] { return static_cast<std::size_t>(random() % 6); };
             const std::size_t from = place(), to = place(), m = place(), n = place();
-            const double change =
-                distance(outlines[inner[to]], outlines[outer[n]]) - distance(outlines[inner[from]], outlines[outer[m]]);
-            EXPECT_LE(std::abs(change), relative(a, from, to, c, m, n) + 1e-9);
+            const Bounds bounds = relative(a, from, to, c, m, n, distance(outlines[inner[from]], outlines[outer[m]]));
+            const double after = distance(outlines[inner[to]], outlines[outer[n]]);
+            EXPECT_LE(bounds.least, after + 1e-9);
+            EXPECT_GE(bounds.most, after - 1e-9);
         }
         if (by == 0) {
-            EXPECT_LT(relative(a, 0, 5, c, 0, 5), 0.01);
+            const Bounds same = relative(a, 0, 5, c, 0, 5, 3);
+            EXPECT_NEAR(same.least, 3, 0.01);
+            EXPECT_NEAR(same.most, 3, 0.01);
+        }
+    }
+}
+
+// Cones and pyramids with one tip, turned and moved between: distances grow with the scale, as do those that the
+// carriage sees.
+TEST(Drift, ColumnsThatGrowTheSameWayKeepTheirProportions) {
+    Random random(9);
+    for (int i = 0; i < 100; ++i) {
+        const geom::Vec2 lean{uniform(random, -1, 1), uniform(random, -1, 1)};
+        const double growth = uniform(random, 0.9, 1.1), by = i % 2 == 0 ? 0 : 0.05;
+        std::vector<Outline> outlines;
+        std::vector<Index> inner, outer;
+        const auto add = [&](std::vector<Index>& column, double radius, Index l) {
+            auto loops = ring(random, radius, 12, by);
+            for (geom::Vec2& p : loops.points) p = std::pow(growth, l) * p + static_cast<double>(l) * lean;
+            column.push_back(static_cast<Index>(outlines.size()));
+            outlines.push_back(outline(loops));
+        };
+        for (Index l = 0; l < 6; ++l) {
+            add(inner, 6, l);
+            add(outer, 15, l);
+        }
+        const geom::Vec2 idle = i % 3 == 0 ? geom::Vec2{} : geom::Vec2{30, -4};
+        const Drift a = shifted(drift(inner, outlines), idle), c = drift(outer, outlines);
+        for (int trial = 0; trial < 20; ++trial) {
+            const auto place = [&] { return static_cast<std::size_t>(random() % 6); };
+            const std::size_t from = place(), to = place(), m = place(), n = place();
+            const auto over = [&](std::size_t at) { return shifted(outlines[inner[at]], idle); };
+            for (const bool carriage : {false, true}) {
+                const auto measured = [&](const Outline& p, const Outline& q) {
+                    return carriage ? carriage_distance(p, q, 8, 5) : distance(p, q);
+                };
+                const Bounds bounds = relative(a, from, to, c, m, n, measured(over(from), outlines[outer[m]]));
+                const double after = measured(over(to), outlines[outer[n]]);
+                EXPECT_LE(bounds.least, after + 1e-9);
+                EXPECT_GE(bounds.most, after - 1e-9);
+            }
+        }
+        if (by == 0 && idle == geom::Vec2{}) {
+            const double scale = std::pow(growth, 5);
+            const Bounds same = relative(a, 0, 5, c, 0, 5, 3);
+            EXPECT_NEAR(same.least, 3 * scale, 0.02);
+            EXPECT_NEAR(same.most, 3 * scale, 0.02);
         }
     }
 }
@@ -110,6 +163,7 @@ struct Nest {
     double narrowing, lean, own_lean; // mm per layer
     double twist = 0;                 // per layer
     std::size_t further_corners = 0;  // of every third layer
+    double shrinking = 0;             // share of the size, per layer
 };
 
 constexpr Nest kNests[] = {{"straight", 0, 0, 0},
@@ -119,7 +173,9 @@ constexpr Nest kNests[] = {{"straight", 0, 0, 0},
                            {"leaning apart", 0.02, 0.1, 0.05},
                            {"each leaning", 0, 0, 0.1},
                            {"twisted", 0, 0, 0, 0.05},
-                           {"other corners", 0, 0.3, 0, 0.02, 3}};
+                           {"other corners", 0, 0.3, 0, 0.02, 3},
+                           {"pyramids", 0, 0, 0, 0, 0, 0.01},
+                           {"leaning pyramids", 0, 0.2, 0.01, 0, 3, 0.02}};
 
 // Rings one in the other, and what a plain look at all pairs says.
 struct NestOfRings {
@@ -144,7 +200,8 @@ NestOfRings nest(const Nest& kind, Random& random) {
             auto loops =
                 ring(random, 20 - 3.0 * i - kind.narrowing * l, 16 + (l % 3 == 0 ? kind.further_corners : 0), 0);
             const double turn = kind.twist * l, c = std::cos(turn), sine = std::sin(turn);
-            for (geom::Vec2& p : loops.points) p = {c * p.x - sine * p.y, sine * p.x + c * p.y};
+            for (geom::Vec2& p : loops.points)
+                p = (1 - kind.shrinking * l) * geom::Vec2{c * p.x - sine * p.y, sine * p.x + c * p.y};
             out.outlines.push_back(outline(shifted(loops, at)));
             out.columns.member[i].push_back(v);
             out.columns.of.push_back(i);

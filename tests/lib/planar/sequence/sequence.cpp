@@ -70,6 +70,11 @@ TEST(Outline, DistancesAgreeWithEveryPairOfEdges) {
         const bool meets = overlap(polygon::unite(grown), b); // ragged outlines are no larger than the box: corners do
         EXPECT_EQ(within(oa, ob, {0, 3, 2, false}), meets) << trial;
         boxed += meets ? 1 : 0;
+        const double seen = carriage_distance(oa, ob, 3, 2);
+        EXPECT_EQ(seen < 2, meets) << trial;
+        EXPECT_LE(seen, d + 1e-9);
+        EXPECT_TRUE(within(oa, ob, {0, 1.5 * seen + 1e-6, seen + 1e-6, false}));
+        EXPECT_TRUE(seen == 0 || !within(oa, ob, {0, 1.5 * seen - 1e-6, seen - 1e-6, false}));
     }
     EXPECT_GT(touching, 5);
     EXPECT_GT(boxed, 40);
