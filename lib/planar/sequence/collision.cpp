@@ -45,8 +45,8 @@ struct PairSearch {
     std::vector<std::size_t> limit;       // per column: places from there on wait for the current column
     std::vector<Pair> found;
 
-    [[nodiscard]] const Box2& box_of(Index v) const { return outlines[v].box[0]; }
-    [[nodiscard]] const Box2& box_over(Index v) const { return over[v].box[0]; }
+    [[nodiscard]] const Box2& box_of(Index v) const { return outlines[v].box; }
+    [[nodiscard]] const Box2& box_over(Index v) const { return over[v].box; }
     [[nodiscard]] Box2 column_over(Index a) const { return {box[a].lo + shift.xy(), box[a].hi + shift.xy()}; }
     // How far u rises above the tip of this head while v is printed, mm.
     [[nodiscard]] double rise(Index v, Index u) const { return g.node[u].z - g.node[v].z - shift.z; }

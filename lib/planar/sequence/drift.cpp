@@ -167,7 +167,7 @@ Drift drift(std::span<const Index> column, const std::vector<Outline>& outlines)
     Drift out;
     std::size_t foot = 0; // of the stretch
     for (std::size_t i = 0; i < column.size(); ++i) {
-        const geom::Box2& box = outlines[column[i]].box[0];
+        const geom::Box2& box = outlines[column[i]].box;
         out.middle.push_back(0.5 * (box.lo + box.hi));
         out.radius.push_back(0.5 * geom::norm(box.hi - box.lo));
         const auto loops = [&](std::size_t place) -> const polygon::Loops& { return outlines[column[place]].loops; };

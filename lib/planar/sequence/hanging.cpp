@@ -43,7 +43,7 @@ struct SupportedParts {
 
     // Distance between the boxes of two regions, a lower bound for that of their outlines.
     [[nodiscard]] double box_distance(Index v, Index u) const {
-        return geom::distance(outlines[v].box[0], outlines[u].box[0]);
+        return geom::distance(outlines[v].box, outlines[u].box);
     }
 
     // The region of the next lower layer nearest to v, and those equally near.

@@ -13,17 +13,13 @@ namespace {
 using geom::Box2;
 using geom::Vec2;
 
-constexpr std::size_t kRun = 2;  // edges per leaf
-constexpr double kNeedle = 1e-3; // mm: without a head, regions this near are touched, as they are above or below
-constexpr double kLevel = 1e-6;  // mm: heights this near are equal, since sums of layers are not exact
+constexpr std::size_t kRun = 2;    // edges per leaf
+constexpr double kNeedle = 1e-3;   // mm: without a head, regions this near are touched, as they are above or below
+constexpr double kRounding = 1e-9; // mm, by which chords are thicker than their edges need
+constexpr double kLevel = 1e-6;    // mm: heights this near are equal, since sums of layers are not exact
 
 inline double gap_x(const Box2& a, const Box2& b) { return std::max(0.0, std::max(a.lo.x - b.hi.x, b.lo.x - a.hi.x)); }
 inline double gap_y(const Box2& a, const Box2& b) { return std::max(0.0, std::max(a.lo.y - b.hi.y, b.lo.y - a.hi.y)); }
-
-inline double squared_gap(const Box2& a, const Box2& b) {
-    const double x = gap_x(a, b), y = gap_y(a, b);
-    return x * x + y * y;
-}
 
 bool may_reach(const Box2& a, const Box2& b, const Reach& r) {
     const double x = gap_x(a, b), y = gap_y(a, b);
@@ -87,22 +83,45 @@ std::pair<std::size_t, std::size_t> run(const Outline& o, std::size_t node) {
     return {std::min(n, leaf * kRun), std::min(n, (leaf + 1) * kRun)};
 }
 
-Box2 span(Vec2 p, Vec2 q) {
-    return {{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}};
+// Both are lower bounds on the distance between edges of both runs, mm.
+double gap(const Chord& a, const Chord& b) {
+    if (a.radius < 0 || b.radius < 0) return std::numeric_limits<double>::infinity();
+    return geom::segment_distance(a.from, a.to, b.from, b.to) - a.radius - b.radius;
+}
+double carriage_gap(const Chord& a, const Chord& b, Vec2 share) {
+    if (a.radius < 0 || b.radius < 0) return std::numeric_limits<double>::infinity();
+    const auto seen = [&](Vec2 p) { return Vec2{share.x * p.x, share.y * p.y}; };
+    return largest_difference(seen(a.from), seen(a.to), seen(b.from), seen(b.to)) - a.radius - b.radius;
 }
 
-// Calls near(a, b, c, d) for pairs of edges whose boxes pass `open`; stops when it returns true. Adds the pairs of
-// boxes and edges to `steps`.
-template <class Open, class Near>
-bool any_pair(const Outline& a, const Outline& b, std::uint64_t* steps, Open&& open, Near&& near) {
-    std::vector<std::pair<std::size_t, std::size_t>> pending{{0, 0}};
+// A chord for the edges of both.
+Chord joined(const Chord& a, const Chord& b) {
+    if (b.radius < 0) return a;
+    Chord out{a.from, b.to, 0};
+    for (const Chord& c : {a, b}) // the distance to a segment is convex: it is greatest at an end
+        for (const Vec2 p : {c.from, c.to})
+            out.radius = std::max(out.radius, geom::point_segment_distance(out.from, out.to, p) + c.radius);
+    return out;
+}
+
+double size(const Chord& c) { return geom::distance(c.from, c.to) + 2 * c.radius; }
+
+// Calls near(a, b, c, d) for pairs of edges whose runs are nearer by `measure`, a lower bound of their distance, than
+// open() asks for; stops when it returns true. The nearer runs come first. Adds the pairs of chords and edges to
+// `steps`.
+template <class Measure, class Open, class Near>
+bool any_pair(const Outline& a, const Outline& b, std::uint64_t* steps, Measure&& measure, Open&& open, Near&& near) {
+    struct Runs {
+        std::size_t i, j;
+        double gap;
+    };
+    std::vector<Runs> pending{{0, 0, measure(a.chord[0], b.chord[0])}};
     std::uint64_t none = 0;
     std::uint64_t& count = steps != nullptr ? *steps : none;
     while (!pending.empty()) {
-        const auto [i, j] = pending.back();
+        const auto [i, j, least] = pending.back();
         pending.pop_back();
-        ++count;
-        if (!open(a.box[i], b.box[j])) continue;
+        if (!open(least)) continue;
         const bool leaf_a = i + 1 >= a.leaves, leaf_b = j + 1 >= b.leaves;
         if (leaf_a && leaf_b) {
             const auto [a0, a1] = run(a, i);
@@ -114,31 +133,25 @@ bool any_pair(const Outline& a, const Outline& b, std::uint64_t* steps, Open&& o
                 EdgeCursor eb(b.loops, b0);
                 for (std::size_t l = b0; l < b1; ++l) {
                     const auto [s, t] = eb.at(l);
-                    if (open(span(p, q), span(s, t)) && near(p, q, s, t)) return true;
+                    if (near(p, q, s, t)) return true;
                 }
             }
             continue;
         }
-        const auto size = [](const Box2& x) { return x.hi.x - x.lo.x + x.hi.y - x.lo.y; };
-        const bool halve_a = leaf_b || (!leaf_a && size(a.box[i]) >= size(b.box[j]));
-        std::pair<std::size_t, std::size_t> first{i, j}, second{i, j}; // the pairs of halves
-        if (halve_a) {
-            first.first = 2 * i + 1;
-            second.first = 2 * i + 2;
-        } else {
-            first.second = 2 * j + 1;
-            second.second = 2 * j + 2;
-        }
-        const auto gap = [&](const auto& pair) { return squared_gap(a.box[pair.first], b.box[pair.second]); };
-        if (gap(first) < gap(second)) std::swap(first, second);
-        pending.push_back(first);
-        pending.push_back(second); // the nearer one comes next
+        const bool halve_a = leaf_b || (!leaf_a && size(a.chord[i]) >= size(b.chord[j]));
+        Runs first{halve_a ? 2 * i + 1 : i, halve_a ? j : 2 * j + 1, 0};
+        Runs second{halve_a ? 2 * i + 2 : i, halve_a ? j : 2 * j + 2, 0};
+        count += 2;
+        for (Runs* r : {&first, &second}) r->gap = measure(a.chord[r->i], b.chord[r->j]);
+        if (first.gap < second.gap) std::swap(first, second);
+        if (open(first.gap)) pending.push_back(first);
+        if (open(second.gap)) pending.push_back(second); // the nearer one comes next
     }
     return false;
 }
 
 bool holds(const Outline& a, Vec2 p, std::uint64_t* steps) {
-    const Box2& b = a.box[0];
+    const Box2& b = a.box;
     if (p.x < b.lo.x || p.x > b.hi.x || p.y < b.lo.y || p.y > b.hi.y) return false;
     if (steps != nullptr) *steps += a.loops.points.size();
     return polygon::contains(a.loops, p);
@@ -163,54 +176,53 @@ Reach reach(const machine::Head& head, double dz) {
 
 Outline shifted(Outline o, geom::Vec2 way) {
     for (geom::Vec2& p : o.loops.points) p = p + way;
-    for (Box2& b : o.box)
-        if (!b.empty()) b = {b.lo + way, b.hi + way};
+    for (Chord& c : o.chord) c = {c.from + way, c.to + way, c.radius};
+    if (!o.box.empty()) o.box = {o.box.lo + way, o.box.hi + way};
     return o;
 }
 
 Outline outline(polygon::Loops loops) {
     Outline o;
     o.loops = std::move(loops);
+    o.box = polygon::bounds(o.loops);
     const std::size_t n = o.loops.points.size();
     o.leaves = std::bit_ceil(std::max<std::size_t>(1, (n + kRun - 1) / kRun));
-    o.box.resize(2 * o.leaves - 1);
+    o.chord.resize(2 * o.leaves - 1, {{}, {}, -1});
     EdgeCursor edges(o.loops, 0);
     for (std::size_t k = 0; k < n; ++k) {
         const auto [p, q] = edges.at(k);
-        Box2& b = o.box[o.leaves - 1 + k / kRun];
-        b.add(p);
-        b.add(q);
+        Chord& c = o.chord[o.leaves - 1 + k / kRun];
+        const Chord edge{p, q, kRounding};
+        c = c.radius < 0 ? edge : joined(c, edge);
     }
-    for (std::size_t i = o.leaves - 1; i-- > 0;)
-        for (const std::size_t c : {2 * i + 1, 2 * i + 2})
-            if (!o.box[c].empty()) {
-                o.box[i].add(o.box[c].lo);
-                o.box[i].add(o.box[c].hi);
-            }
+    for (std::size_t i = o.leaves - 1; i-- > 0;) o.chord[i] = joined(o.chord[2 * i + 1], o.chord[2 * i + 2]);
     return o;
 }
 
 bool within(const Outline& a, const Outline& b, const Reach& r, std::uint64_t* steps) {
     if (r.everywhere) return true;
-    if (!may_reach(a.box[0], b.box[0], r)) return false;
+    if (!may_reach(a.box, b.box, r)) return false;
     if (holds(a, b.loops.points[0], steps) || holds(b, a.loops.points[0], steps)) return true;
-    const bool box = r.half_x > 0 && r.half_y > 0;
+    if (any_pair(
+            a, b, steps, gap, [&](double least) { return least < r.radius; },
+            [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) { return geom::segment_distance(p, q, s, t) < r.radius; }))
+        return true;
+    if (!(r.half_x > 0 && r.half_y > 0)) return false;
+    const double half = std::min(r.half_x, r.half_y);
+    const Vec2 share{half / r.half_x, half / r.half_y};
     return any_pair(
-        a, b, steps, [&](const Box2& x, const Box2& y) { return may_reach(x, y, r); },
-        [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) {
-            return geom::segment_distance(p, q, s, t) < r.radius ||
-                   (box && box_reaches(p, q, s, t, r.half_x, r.half_y));
-        });
+        a, b, steps, [&](const Chord& x, const Chord& y) { return carriage_gap(x, y, share); },
+        [&](double least) { return least < half; },
+        [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) { return box_reaches(p, q, s, t, r.half_x, r.half_y); });
 }
 
 double distance(const Outline& a, const Outline& b, std::uint64_t* steps) {
     if (holds(a, b.loops.points[0], steps) || holds(b, a.loops.points[0], steps)) return 0;
-    double best = std::numeric_limits<double>::infinity(), squared = best;
+    double best = std::numeric_limits<double>::infinity();
     any_pair(
-        a, b, steps, [&](const Box2& x, const Box2& y) { return squared_gap(x, y) < squared; },
+        a, b, steps, gap, [&](double least) { return least < best; },
         [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) {
             best = std::min(best, geom::segment_distance(p, q, s, t));
-            squared = best * best;
             return best == 0;
         });
     return best;
@@ -223,8 +235,8 @@ double carriage_distance(const Outline& a, const Outline& b, double half_x, doub
     const auto seen = [&](Vec2 p) { return Vec2{share.x * p.x, share.y * p.y}; };
     double best = std::numeric_limits<double>::infinity();
     any_pair(
-        a, b, steps,
-        [&](const Box2& x, const Box2& y) { return std::max(share.x * gap_x(x, y), share.y * gap_y(x, y)) < best; },
+        a, b, steps, [&](const Chord& x, const Chord& y) { return carriage_gap(x, y, share); },
+        [&](double least) { return least < best; },
         [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) {
             best = std::min(best, largest_difference(seen(p), seen(q), seen(s), seen(t)));
             return best == 0;

@@ -21,19 +21,26 @@ struct Reach {
 // The extent of `head` from its tip up to `dz` mm above it; without a head, a needle.
 Reach reach(const machine::Head& head, double dz);
 
-// The edges of a region's loops in a tree of boxes.
+// The segment from the first to the last point of a run of edges. No point of them is farther from it than `radius`.
+struct Chord {
+    geom::Vec2 from, to;
+    double radius = 0; // mm; negative: no edges
+};
+
+// The edges of a region's loops in a tree of chords. Along smooth outlines a chord is much tighter than a box.
 struct Outline {
     polygon::Loops loops;
-    std::vector<geom::Box2> box; // implicit binary tree over runs of edges: the children of i are 2i + 1 and 2i + 2
-    std::size_t leaves = 0;      // a power of two
+    geom::Box2 box;
+    std::vector<Chord> chord; // implicit binary tree over runs of edges: the children of i are 2i + 1 and 2i + 2
+    std::size_t leaves = 0;   // a power of two
 };
 Outline outline(polygon::Loops loops);
 // The outline, moved by `way`.
 Outline shifted(Outline outline, geom::Vec2 way);
 
 // Whether a point of region a and a point of region b are within `r`, so that the head over one touches the other.
-// Exact up to rounding; interiors count, so a region inside the other's outline has distance 0. Each vertex, edge and
-// box that is looked at adds one to `steps`, if given.
+// Exact up to rounding; interiors count, so a region inside the other's outline has distance 0. Each vertex, pair of
+// edges and pair of chords that is looked at adds one to `steps`, if given.
 bool within(const Outline& a, const Outline& b, const Reach& r, std::uint64_t* steps = nullptr);
 
 // The least distance between points of the regions; 0 if they share a point. `steps` as for within().
