@@ -17,11 +17,14 @@ constexpr double kDrift = 0.5; // bead widths per layer that an entry is expecte
 // How many of the next regions are in reach of p, including the drift of entries until then; 0 if fewer than `least`.
 int rank_above(const State& state, Vec2 p, int least, double reach) {
     const int all = static_cast<int>(climbing(state));
-    int k = 0;
-    for (; k < all; ++k) {
+    const auto in_reach = [&](int k) {
         const auto& next = state.window[static_cast<std::size_t>(k) + 1];
-        if (!nearest_entry(next, p, (reach + kDrift * k) * (state.window[0].width + next.width) / 2)) break;
-    }
+        return nearest_entry(next, p, (reach + kDrift * k) * (state.window[0].width + next.width) / 2).has_value();
+    };
+    if (least > all || !in_reach(least - 1))
+        return 0; // the last one that must be in reach first: most places fail there
+    int k = 0;
+    while (k < all && (k == least - 1 || in_reach(k))) ++k;
     return k < least ? 0 : k;
 }
 
