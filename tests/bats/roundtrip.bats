@@ -3,5 +3,5 @@
 # All profiles and kinds: tests/roundtrip/compare-programs.
 
 @test "a program that is read back has the time, lengths and volume of its toolpath" {
-    "$FILUM_SOURCE/tests/roundtrip/compare-programs" --profiles marlin,cellink-inkredible,klipper-xyzac --kinds solid,hollow
+    "$FILUM_SOURCE/tests/roundtrip/compare-programs" --profiles marlin,cellink-inkredible,klipper-xyzac,polar-xzbc --kinds solid,hollow
 }

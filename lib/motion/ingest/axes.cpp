@@ -2,6 +2,7 @@
 
 #include "geom/angle.hpp"
 #include "kinematics/chain.hpp"
+#include "machine/reading.hpp"
 
 namespace filum::ingest {
 
@@ -10,8 +11,8 @@ namespace {
 using geom::kDegree;
 using machine::AxisNumbers;
 
-constexpr double kChordOff = 0.002, kLeanOff = 0.2 * kDegree; // mm, rad: most deviation of a piece that turns
-constexpr int kMostHalvings = 16;                             // halvings of such a move
+constexpr double kLeanOff = 0.2 * kDegree; // rad: most deviation of a piece that turns
+constexpr int kMostHalvings = 16;          // halvings of such a move
 
 } // namespace
 
@@ -52,7 +53,7 @@ void Axes::part(const AxisNumbers& to, double share, int depth, const PieceVisit
         for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = (at[k] + to[k]) / 2;
         const Place m = place(middle);
         const Vec3 axis = a.axis + b.axis;
-        const bool near = distance(m.tip, 0.5 * (a.tip + b.tip)) <= kChordOff &&
+        const bool near = distance(m.tip, 0.5 * (a.tip + b.tip)) <= machine::kReadChord &&
                           geom::angle(m.axis, axis) <= kLeanOff && geom::angle(a.axis, b.axis) <= 10 * kLeanOff;
         if (!near) {
             part(middle, share / 2, depth + 1, piece);

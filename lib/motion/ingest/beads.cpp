@@ -119,7 +119,7 @@ void Beads::close_gap(const DepositedBead& next) {
     Span span = span_of(gap_, leans_);
     span.layer = next.layer;
     span.tool = next.tool;
-    const bool lifts = gap_way_ <= kStanding && !taken_ && up > 0 && up <= limit;
+    const bool lifts = gap_way_ <= kStopWay && !taken_ && up > 0 && up <= limit;
     span.role = lifts ? Role::lift : Role::travel;
     if (lifts)
         span.width = {bead_.volume / length_ / bead_.height}, span.height = {next.height};

@@ -39,8 +39,8 @@ struct Counts {
 };
 
 // Joins moves to spans, and emits a span when it is complete. Neighbouring moves share a span if their cross-sections
-// are equal, as far as the program's decimals can tell. So the volume of a span is the sum of theirs. A gap straight up
-// by at most two layers, without a retraction, is a lift.
+// are equal, as far as the program's decimals can tell. So the volume of a span is the sum of theirs. A gap that is no
+// stop and leads up by at most two layers is a lift.
 class Beads {
   public:
     using Emit = std::function<void(const toolpath::Span&)>;

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "geom/polyline.hpp"
+#include "machine/reading.hpp"
 #include "postproc/measure.hpp"
 
 #include <limits>
@@ -12,6 +13,16 @@ namespace {
 
 using toolpath::Span;
 
+// How moves are merged for the measurement. Those of a program are merged already. But arcs and moves of rotary axes
+// were read as several chords, which are joined again. Half of a tolerance is kept for rounding.
+machine::Merging merging(const machine::Profile& p, bool as_written) {
+    machine::Merging out = machine::standard_merging();
+    if (!as_written) return out;
+    if (!p.axes.active()) return p.format.arcs ? out : machine::Merging{};
+    out.planar = out.surface = 2 * machine::kReadChord;
+    return out;
+}
+
 // The profile with all limits removed that would stop the measurement with an error.
 machine::Profile lenient(machine::Profile p, bool as_written) {
     constexpr double endless = std::numeric_limits<double>::infinity();
@@ -20,11 +31,12 @@ machine::Profile lenient(machine::Profile p, bool as_written) {
     p.fibre.most_path = endless;
     p.fibre.spool = 0;
     if (p.tools.change.empty()) p.tools.change = "\n";
-    // A program with arcs was read as short chords; merging makes arcs of them again.
-    machine::merge_moves(p, as_written && !p.format.arcs ? machine::Merging{} : machine::standard_merging());
+    if (as_written) p.axes.chord = endless; // the program has all poses between which the axes move straight
+    machine::merge_moves(p, merging(p, as_written));
     for (auto& [number, one] : p.own) {
         machine::Profile copy = *one;
         copy.limits.section = endless;
+        copy.axes.chord = p.axes.chord;
         one = std::make_shared<const machine::Profile>(std::move(copy));
     }
     return p;
@@ -33,7 +45,7 @@ machine::Profile lenient(machine::Profile p, bool as_written) {
 } // namespace
 
 Pace::Pace(const machine::Profile& profile, bool as_written)
-    : profile_(lenient(profile, as_written)), surveyor_(profile_) {
+    : profile_(lenient(profile, as_written)), as_written_(as_written), surveyor_(profile_) {
     if (!profile_.axes.active()) walker_ = postproc::walker(profile_, {}, [this](auto steps) { surveyor_.add(steps); });
 }
 
@@ -85,7 +97,18 @@ postproc::FirstPass Pace::first_pass() {
         walker_->end();
         return surveyor_.end();
     }
-    postproc::Measure measure(profile_, postproc::Place::center);
+    // How far rotary axes turn depends on the place, and a program has its own.
+    if (as_written_) {
+        try {
+            return first_pass(postproc::Place::as_is);
+        } catch (const Error&) { // it was written for a machine of another size
+        }
+    }
+    return first_pass(postproc::Place::center);
+}
+
+postproc::FirstPass Pace::first_pass(postproc::Place place) {
+    postproc::Measure measure(profile_, place);
     do
         for (const Span& span : kept_) measure.add(span);
     while (measure.again());

@@ -30,7 +30,7 @@ struct ToolShare {
 class Pace {
   public:
     // `as_written`: the toolpath was read from a program, so its moves are those of the program and are not merged
-    // again.
+    // again. With rotary axes it stays where it is; otherwise it is measured in the middle of the machine.
     explicit Pace(const machine::Profile& profile, bool as_written = false);
     void add(const toolpath::Span& span);
     // Ends the toolpath and returns its time; only once. Negative if the machine cannot run it: why() is postproc's
@@ -44,8 +44,10 @@ class Pace {
   private:
     void count(const toolpath::Span& span);
     [[nodiscard]] postproc::FirstPass first_pass();
+    [[nodiscard]] postproc::FirstPass first_pass(postproc::Place place);
 
     machine::Profile profile_;
+    bool as_written_;
     postproc::Surveyor surveyor_;
     std::unique_ptr<postproc::Walker> walker_; // with three axes
     std::vector<toolpath::Span> kept_;         // with more
