@@ -3,7 +3,7 @@
 
 namespace filum::machine {
 
-// mm: largest distance of the lines that `ingest` reads from the tip's way on a move of rotary axes.
+// mm: largest distance of the lines that `ingest` reads from the tip's way on an arc or a move of rotary axes.
 inline constexpr double kReadChord = 0.002;
 
 } // namespace filum::machine

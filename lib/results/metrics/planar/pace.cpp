@@ -5,6 +5,7 @@
 #include "machine/reading.hpp"
 #include "postproc/measure.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace filum::metrics::planar {
@@ -14,12 +15,13 @@ namespace {
 using toolpath::Span;
 
 // How moves are merged for the measurement. Those of a program are merged already. But arcs and moves of rotary axes
-// were read as several chords, which are joined again. Half of a tolerance is kept for rounding.
+// were read as several chords, which are joined again. They are off by the reader's tolerance and the program's
+// decimals. Half of a tolerance is kept for rounding.
 machine::Merging merging(const machine::Profile& p, bool as_written) {
     machine::Merging out = machine::standard_merging();
     if (!as_written) return out;
-    if (!p.axes.active()) return p.format.arcs ? out : machine::Merging{};
-    out.planar = out.surface = 2 * machine::kReadChord;
+    if (!p.axes.active() && !p.format.arcs) return {};
+    out.planar = out.surface = 2 * (machine::kReadChord + std::pow(10.0, -p.format.xyz_decimals));
     return out;
 }
 
