@@ -80,16 +80,14 @@ struct PairSearch {
         const Drift& of_c = drifts[c];
         const double to_last = of_c.between(first, last);
         const double way = drifts_over[a].between(m.i, i) + std::max(of_c.between(m.k, first), of_c.between(m.k, last));
-        const auto least = [&](double measured) {
-            return std::max(measured - way,
-                            relative(drifts_over[a], m.i, i, of_c, m.k, first, measured).least - to_last);
+        const auto least = [&](Bounds d) {
+            return std::max(d.least - way, relative(drifts_over[a], m.i, i, of_c, m.k, first, d).least - to_last);
         };
         const double apart = least(m.distance);
         if (!(apart > 0)) return false;
         const Reach r = reach_of(v, columns.member[c][last]);
         if (r.everywhere || apart < r.radius) return false;
-        if (std::hypot(r.half_x, r.half_y) <= apart) return true;
-        return m.carriage >= 0 && least(m.carriage) >= std::min(r.half_x, r.half_y);
+        return std::hypot(r.half_x, r.half_y) <= apart || least(m.carriage) >= std::min(r.half_x, r.half_y);
     }
 
     // The first place in [first, limit) for which the measured distance does not prove that the head over v is clear.
@@ -116,19 +114,19 @@ struct PairSearch {
         return first;
     }
 
-    // Whether a measured distance proves that the head over v touches place k of column c.
-    [[nodiscard]] bool surely_touches(Index v, Index a, Index c, const Reach& r, const RegionDistances& measured,
-                                      std::size_t k) const {
-        const double half = std::min(r.half_x, r.half_y);
-        bool sure = false;
-        measured.near(place(v, a), k, [&](const RegionDistance& m) {
-            const auto most = [&](double d) {
-                return relative(drifts_over[a], m.i, place(v, a), drifts[c], m.k, k, d).most;
+    // What measured distances say about the one between v and place k of column c.
+    [[nodiscard]] RegionDistance known(Index v, Index a, Index c, const RegionDistances& measured,
+                                       std::size_t k) const {
+        RegionDistance out{place(v, a), k, {}, {}};
+        measured.near(out.i, k, [&](const RegionDistance& m) {
+            const auto add = [&](Bounds& to, Bounds before) {
+                const Bounds now = relative(drifts_over[a], m.i, out.i, drifts[c], m.k, k, before);
+                to = {std::max(to.least, now.least), std::min(to.most, now.most)};
             };
-            sure = sure || most(m.distance) < std::max(r.radius, half) ||
-                   (m.carriage >= 0 && half > 0 && most(m.carriage) < half);
+            add(out.distance, m.distance);
+            add(out.carriage, m.carriage);
         });
-        return sure;
+        return out;
     }
 
     // Whether the head over v touches place k of column c; also if it may touch, and the work is used up.
@@ -136,18 +134,25 @@ struct PairSearch {
         const Index u = columns.member[c][k];
         const Reach r = reach_of(v, u);
         if (r.radius < 0) return false;
-        if (r.everywhere || surely_touches(v, a, c, r, measured, k)) return true;
+        if (r.everywhere) return true;
+        const double half = std::min(r.half_x, r.half_y);
+        const auto near = [&](const RegionDistance& d) {
+            return d.distance.most < std::max(r.radius, half) || d.carriage.most < half;
+        };
+        RegionDistance m = known(v, a, c, measured, k);
+        if (near(m)) return true;
         if (!work.may_measure()) {
             ++work.assumed;
             return true;
         }
-        const std::size_t i = place(v, a);
-        if (drifts_over[a].alone(i) || drifts[c].alone(k)) return within(over[v], outlines[u], r, &work.steps);
-        RegionDistance m{i, k, distance(over[v], outlines[u], &work.steps)};
-        if (r.half_x > 0 && r.half_y > 0)
-            m.carriage = carriage_distance(over[v], outlines[u], r.half_x, r.half_y, &work.steps);
+        if (drifts_over[a].alone(m.i) || drifts[c].alone(k)) return within(over[v], outlines[u], r, &work.steps);
+        if (half > 0) m.carriage = carriage_bounds(over[v], outlines[u], r.half_x, r.half_y, m.carriage, &work.steps);
+        if (r.radius > half) m.distance = distance_bounds(over[v], outlines[u], r.radius, m.distance, &work.steps);
+        // No point is farther away for the carriage than it is.
+        m.distance.least = std::max(m.distance.least, m.carriage.least);
+        m.carriage.most = std::min(m.carriage.most, m.distance.most);
         measured.add(m);
-        return m.distance < r.radius || (m.carriage >= 0 && m.carriage < std::min(r.half_x, r.half_y));
+        return near(m);
     }
 
     [[nodiscard]] std::size_t place(Index v, Index a) const {

@@ -7,12 +7,12 @@
 
 namespace filum::sequence {
 
-// The work of measuring distances between regions, in steps of within() and distance(). Half of the limit may be used
-// at any time; the rest in the share of the regions that are done. Beyond it, a distance that bounds do not decide
+// The work of measuring distances between regions, in steps of within() and distance_bounds(). Half of the limit may be
+// used at any time; the rest in the share of the regions that are done. Beyond it, a distance that bounds do not decide
 // counts as a collision: this adds precedences, and all of them lead upwards, so it can cost strokes but never a
 // collision.
 struct DistanceWork {
-    std::uint64_t limit = 100'000'000;
+    std::uint64_t limit = 40'000'000;
     std::uint64_t steps = 0;           // used
     std::uint64_t assumed = 0;         // collisions that were not measured
     std::size_t done = 0, regions = 0; // regions that were looked at, and all of them

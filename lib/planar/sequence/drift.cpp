@@ -147,7 +147,7 @@ double Drift::between(std::size_t i, std::size_t k) const {
 // Let P be the movement of a, Q that of c, without their rests. The distance between P(A) and Q(C) differs from that
 // between Q(A) and Q(C), which is that of A and C times Q's scale, by at most the distance between P(x) and Q(x) for a
 // point x of A. The same holds with A and C exchanged.
-Bounds relative(const Drift& a, std::size_t i, std::size_t k, const Drift& c, std::size_t m, std::size_t n, double d) {
+Bounds relative(const Drift& a, std::size_t i, std::size_t k, const Drift& c, std::size_t m, std::size_t n, Bounds d) {
     const Movement p = a.movement(i, k), q = c.movement(m, n);
     const double rest = p.rest + q.rest;
     if (!(rest < kUnknown)) return {-kUnknown, kUnknown};
@@ -155,8 +155,8 @@ Bounds relative(const Drift& a, std::size_t i, std::size_t k, const Drift& c, st
     const double scale = p.scale - q.scale;
     const double at_a = geom::norm(scale * a.middle[i] + shift) + std::abs(scale) * a.radius[i];
     const double at_c = geom::norm(scale * c.middle[m] + shift) + std::abs(scale) * c.radius[m];
-    return {std::max(q.scale * d - at_a, p.scale * d - at_c) - rest,
-            std::min(q.scale * d + at_a, p.scale * d + at_c) + rest};
+    return {std::max(q.scale * d.least - at_a, p.scale * d.least - at_c) - rest,
+            std::min(q.scale * d.most + at_a, p.scale * d.most + at_c) + rest};
 }
 
 bool Drift::alone(std::size_t i) const {

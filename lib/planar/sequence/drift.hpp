@@ -36,21 +36,15 @@ Drift drift(std::span<const Index> column, const std::vector<Outline>& outlines)
 // The drift of the same outlines, all moved by `way`.
 Drift shifted(Drift drift, geom::Vec2 way);
 
-// Lower and upper bound of a distance, mm.
-struct Bounds {
-    double least = 0, most = 0;
-};
-
-// What the distance `d` between place i of column a and place m of column c can become if the one moves to place k and
-// the other to place n. Columns that lean or grow the same way keep their distance, but for the common scale: only the
-// difference of their movements counts. Also valid for carriage_distance().
-Bounds relative(const Drift& a, std::size_t i, std::size_t k, const Drift& c, std::size_t m, std::size_t n, double d);
+// What the distance between place i of column a and place m of column c can become if the one moves to place k and the
+// other to place n; its bounds before were `d`. Columns that lean or grow the same way keep their distance, except for
+// the common scale: only the difference of their movements counts. Also valid for what a carriage sees.
+Bounds relative(const Drift& a, std::size_t i, std::size_t k, const Drift& c, std::size_t m, std::size_t n, Bounds d);
 
 // A measured distance between a region of one column and a region of another.
 struct RegionDistance {
     std::size_t i = 0, k = 0; // places in the columns
-    double distance = 0;      // mm
-    double carriage = -1;     // mm, the carriage_distance(); negative: not measured
+    Bounds distance, carriage;
 };
 
 // The measured distances between the regions of two columns, at most one for each difference of places: where both

@@ -39,30 +39,31 @@ bool box_reaches(Vec2 a, Vec2 b, Vec2 c, Vec2 d, double half_x, double half_y) {
            (v == Vec2{} || !apart(geom::left_of(v)));
 }
 
-double largest(Vec2 p) { return std::max(std::abs(p.x), std::abs(p.y)); }
-
-// The least larger coordinate of a point of the segment a-b, as absolute value: at an end, or where a coordinate is 0,
-// or where both are equal.
-double largest_of_segment(Vec2 a, Vec2 b) {
-    double best = std::min(largest(a), largest(b));
-    const Vec2 d = b - a;
-    const auto ask = [&](double from, double slope) { // where from + t * slope is 0
-        const double t = -from / slope;
-        if (slope != 0 && t > 0 && t < 1) best = std::min(best, largest(a + t * d));
-    };
-    ask(a.x, d.x);
-    ask(a.y, d.y);
-    ask(a.x - a.y, d.x - d.y);
-    ask(a.x + a.y, d.x + d.y);
-    return best;
+// How far the segments a-b and c-d are apart along `axis`, times its length; negative if they overlap.
+double apart(Vec2 axis, Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    const double pa = geom::dot(axis, a), pb = geom::dot(axis, b), pc = geom::dot(axis, c), pd = geom::dot(axis, d);
+    return std::max(std::min(pc, pd) - std::max(pa, pb), std::min(pa, pb) - std::max(pc, pd));
 }
 
-// The least larger coordinate of the difference between points of the segments a-b and c-d, as absolute value. All
-// differences are a parallelogram, whose sides have an end of one of the segments.
-double largest_difference(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-    if (geom::cross_properly(a, b, c, d)) return 0;
-    return std::min({largest_of_segment(c - a, d - a), largest_of_segment(c - b, d - b),
-                     largest_of_segment(c - a, c - b), largest_of_segment(d - a, d - b)});
+// The least larger coordinate of the difference between points of the segments a-b and c-d, as absolute value, where
+// coordinates count by their shares. All differences are a parallelogram. Its distance from 0 by this norm is the
+// greatest one along an axis, or across one of its sides: in the dual norm other directions lie between these.
+double largest_difference(Vec2 a, Vec2 b, Vec2 c, Vec2 d, Vec2 share) {
+    double most = std::max({0.0, share.x * apart({1, 0}, a, b, c, d), share.y * apart({0, 1}, a, b, c, d)});
+    for (const Vec2 side : {b - a, d - c}) {
+        const double length = std::abs(side.y) / share.x + std::abs(side.x) / share.y; // of its normal
+        if (length > 0) most = std::max(most, apart(geom::left_of(side), a, b, c, d) / length);
+    }
+    return most;
+}
+
+// The square of the distance between p and q on one side, and a segment on the other.
+inline double squared_distance(Vec2 p, Vec2 q, Vec2 from, Vec2 to) {
+    const Vec2 way = to - from, to_p = p - from, to_q = q - from;
+    const double squared = geom::norm2(way), inverse = squared > 0 ? 1 / squared : 0;
+    const double at_p = std::min(1.0, std::max(0.0, geom::dot(to_p, way) * inverse));
+    const double at_q = std::min(1.0, std::max(0.0, geom::dot(to_q, way) * inverse));
+    return std::min(geom::norm2(to_p - at_p * way), geom::norm2(to_q - at_q * way));
 }
 
 // Edge k of the loops, counted through all of them: from point k to the next of its loop.
@@ -83,15 +84,26 @@ std::pair<std::size_t, std::size_t> run(const Outline& o, std::size_t node) {
     return {std::min(n, leaf * kRun), std::min(n, (leaf + 1) * kRun)};
 }
 
-// Both are lower bounds on the distance between edges of both runs, mm.
-double gap(const Chord& a, const Chord& b) {
+constexpr double kShare = 0.25; // of the difference to the limit, the error of a distance; it never affects a decision
+
+// Both are lower bounds on the distance between edges of both runs, mm. From `enough` on, a simpler bound will do.
+double gap(const Chord& a, const Chord& b, double enough) {
     if (a.radius < 0 || b.radius < 0) return std::numeric_limits<double>::infinity();
-    return geom::segment_distance(a.from, a.to, b.from, b.to) - a.radius - b.radius;
+    const double thickness = a.radius + b.radius;
+    const double boxes = std::max(apart({1, 0}, a.from, a.to, b.from, b.to), apart({0, 1}, a.from, a.to, b.from, b.to));
+    if (boxes - thickness >= enough) return boxes - thickness;
+    if (boxes <= 0 && geom::cross_properly(a.from, a.to, b.from, b.to)) return 0;
+    return std::sqrt(
+               std::min(squared_distance(a.from, a.to, b.from, b.to), squared_distance(b.from, b.to, a.from, a.to))) -
+           thickness;
 }
-double carriage_gap(const Chord& a, const Chord& b, Vec2 share) {
+double carriage_gap(const Chord& a, const Chord& b, Vec2 share, double enough) {
     if (a.radius < 0 || b.radius < 0) return std::numeric_limits<double>::infinity();
-    const auto seen = [&](Vec2 p) { return Vec2{share.x * p.x, share.y * p.y}; };
-    return largest_difference(seen(a.from), seen(a.to), seen(b.from), seen(b.to)) - a.radius - b.radius;
+    const double thickness = a.radius + b.radius;
+    const double boxes = std::max(share.x * apart({1, 0}, a.from, a.to, b.from, b.to),
+                                  share.y * apart({0, 1}, a.from, a.to, b.from, b.to));
+    if (boxes - thickness >= enough) return boxes - thickness;
+    return largest_difference(a.from, a.to, b.from, b.to, share) - thickness;
 }
 
 // A chord for the edges of both.
@@ -104,24 +116,25 @@ Chord joined(const Chord& a, const Chord& b) {
     return out;
 }
 
-double size(const Chord& c) { return geom::distance(c.from, c.to) + 2 * c.radius; }
+double size(const Chord& c) { return std::abs(c.to.x - c.from.x) + std::abs(c.to.y - c.from.y) + 2 * c.radius; }
 
-// Calls near(a, b, c, d) for pairs of edges whose runs are nearer by `measure`, a lower bound of their distance, than
-// open() asks for; stops when it returns true. The nearer runs come first. Adds the pairs of chords and edges to
-// `steps`.
-template <class Measure, class Open, class Near>
-bool any_pair(const Outline& a, const Outline& b, std::uint64_t* steps, Measure&& measure, Open&& open, Near&& near) {
+// Calls near(a, b, c, d) for pairs of edges whose runs are nearer than `wanted`, which near() may change; stops when it
+// returns true. measure(x, y, enough) is a lower bound of the distance of two runs; from `enough` on its value does not
+// matter. The nearer runs come first. Adds the pairs of chords and edges to `steps`.
+template <class Measure, class Near>
+bool any_pair(const Outline& a, const Outline& b, std::uint64_t* steps, const double& wanted, Measure&& measure,
+              Near&& near) {
     struct Runs {
         std::size_t i, j;
         double gap;
     };
-    std::vector<Runs> pending{{0, 0, measure(a.chord[0], b.chord[0])}};
+    std::vector<Runs> pending{{0, 0, measure(a.chord[0], b.chord[0], wanted)}};
     std::uint64_t none = 0;
     std::uint64_t& count = steps != nullptr ? *steps : none;
     while (!pending.empty()) {
         const auto [i, j, least] = pending.back();
         pending.pop_back();
-        if (!open(least)) continue;
+        if (least >= wanted) continue;
         const bool leaf_a = i + 1 >= a.leaves, leaf_b = j + 1 >= b.leaves;
         if (leaf_a && leaf_b) {
             const auto [a0, a1] = run(a, i);
@@ -142,10 +155,10 @@ bool any_pair(const Outline& a, const Outline& b, std::uint64_t* steps, Measure&
         Runs first{halve_a ? 2 * i + 1 : i, halve_a ? j : 2 * j + 1, 0};
         Runs second{halve_a ? 2 * i + 2 : i, halve_a ? j : 2 * j + 2, 0};
         count += 2;
-        for (Runs* r : {&first, &second}) r->gap = measure(a.chord[r->i], b.chord[r->j]);
+        for (Runs* r : {&first, &second}) r->gap = measure(a.chord[r->i], b.chord[r->j], wanted);
         if (first.gap < second.gap) std::swap(first, second);
-        if (open(first.gap)) pending.push_back(first);
-        if (open(second.gap)) pending.push_back(second); // the nearer one comes next
+        if (first.gap < wanted) pending.push_back(first);
+        if (second.gap < wanted) pending.push_back(second); // the nearer one comes next
     }
     return false;
 }
@@ -155,6 +168,24 @@ bool holds(const Outline& a, Vec2 p, std::uint64_t* steps) {
     if (p.x < b.lo.x || p.x > b.hi.x || p.y < b.lo.y || p.y > b.hi.y) return false;
     if (steps != nullptr) *steps += a.loops.points.size();
     return polygon::contains(a.loops, p);
+}
+
+// Bounds of the least distance(p, q, s, t) of any two edges, as distance_bounds() gives them.
+template <class Measure, class Distance>
+Bounds bounds(const Outline& a, const Outline& b, double limit, Bounds known, std::uint64_t* steps, Measure&& measure,
+              Distance&& distance) {
+    if (!(known.least > 0) && (holds(a, b.loops.points[0], steps) || holds(b, a.loops.points[0], steps))) return {0, 0};
+    double best = known.most, wanted = best; // runs that are farther apart than `wanted` are left out
+    const auto want = [&] {
+        if (best < std::numeric_limits<double>::infinity()) wanted = best - kShare * std::abs(best - limit);
+    };
+    want();
+    any_pair(a, b, steps, wanted, measure, [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) {
+        best = std::min(best, distance(p, q, s, t));
+        want();
+        return best == 0;
+    });
+    return {std::max({0.0, wanted, known.least}), best};
 }
 
 } // namespace
@@ -203,44 +234,38 @@ bool within(const Outline& a, const Outline& b, const Reach& r, std::uint64_t* s
     if (r.everywhere) return true;
     if (!may_reach(a.box, b.box, r)) return false;
     if (holds(a, b.loops.points[0], steps) || holds(b, a.loops.points[0], steps)) return true;
-    if (any_pair(
-            a, b, steps, gap, [&](double least) { return least < r.radius; },
-            [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) { return geom::segment_distance(p, q, s, t) < r.radius; }))
-        return true;
+    const auto near = [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) { return geom::segment_distance(p, q, s, t) < r.radius; };
+    if (any_pair(a, b, steps, r.radius, gap, near)) return true;
     if (!(r.half_x > 0 && r.half_y > 0)) return false;
     const double half = std::min(r.half_x, r.half_y);
     const Vec2 share{half / r.half_x, half / r.half_y};
     return any_pair(
-        a, b, steps, [&](const Chord& x, const Chord& y) { return carriage_gap(x, y, share); },
-        [&](double least) { return least < half; },
+        a, b, steps, half,
+        [&](const Chord& x, const Chord& y, double enough) { return carriage_gap(x, y, share, enough); },
         [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) { return box_reaches(p, q, s, t, r.half_x, r.half_y); });
 }
 
-double distance(const Outline& a, const Outline& b, std::uint64_t* steps) {
-    if (holds(a, b.loops.points[0], steps) || holds(b, a.loops.points[0], steps)) return 0;
-    double best = std::numeric_limits<double>::infinity();
-    any_pair(
-        a, b, steps, gap, [&](double least) { return least < best; },
-        [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) {
-            best = std::min(best, geom::segment_distance(p, q, s, t));
-            return best == 0;
-        });
-    return best;
+Bounds distance_bounds(const Outline& a, const Outline& b, double limit, Bounds known, std::uint64_t* steps) {
+    return bounds(a, b, limit, known, steps, gap, geom::segment_distance);
 }
 
-double carriage_distance(const Outline& a, const Outline& b, double half_x, double half_y, std::uint64_t* steps) {
-    if (holds(a, b.loops.points[0], steps) || holds(b, a.loops.points[0], steps)) return 0;
-    const double shorter = std::min(half_x, half_y);
-    const Vec2 share{shorter / half_x, shorter / half_y};
-    const auto seen = [&](Vec2 p) { return Vec2{share.x * p.x, share.y * p.y}; };
+Bounds carriage_bounds(const Outline& a, const Outline& b, double half_x, double half_y, Bounds known,
+                       std::uint64_t* steps) {
+    const double half = std::min(half_x, half_y);
+    const Vec2 share{half / half_x, half / half_y};
+    return bounds(
+        a, b, half, known, steps,
+        [&](const Chord& x, const Chord& y, double enough) { return carriage_gap(x, y, share, enough); },
+        [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) { return largest_difference(p, q, s, t, share); });
+}
+
+double distance(const Outline& a, const Outline& b) {
+    if (holds(a, b.loops.points[0], nullptr) || holds(b, a.loops.points[0], nullptr)) return 0;
     double best = std::numeric_limits<double>::infinity();
-    any_pair(
-        a, b, steps, [&](const Chord& x, const Chord& y) { return carriage_gap(x, y, share); },
-        [&](double least) { return least < best; },
-        [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) {
-            best = std::min(best, largest_difference(seen(p), seen(q), seen(s), seen(t)));
-            return best == 0;
-        });
+    any_pair(a, b, nullptr, best, gap, [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) {
+        best = std::min(best, geom::segment_distance(p, q, s, t));
+        return best == 0;
+    });
     return best;
 }
 

@@ -6,6 +6,7 @@
 #include "polygon/loops.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace filum::sequence {
@@ -43,13 +44,25 @@ Outline shifted(Outline outline, geom::Vec2 way);
 // edges and pair of chords that is looked at adds one to `steps`, if given.
 bool within(const Outline& a, const Outline& b, const Reach& r, std::uint64_t* steps = nullptr);
 
-// The least distance between points of the regions; 0 if they share a point. `steps` as for within().
-double distance(const Outline& a, const Outline& b, std::uint64_t* steps = nullptr);
+// Lower and upper bound of a distance, mm.
+struct Bounds {
+    double least = 0, most = std::numeric_limits<double>::infinity();
+};
 
-// How far a point of one region is from a point of the other as a carriage sees it, mm: the carriage with these half
-// sides touches if this is less than its shorter half side. Differences along the longer side count in proportion, so
-// no point is farther away than its distance. `steps` as for within().
-double carriage_distance(const Outline& a, const Outline& b, double half_x, double half_y,
-                         std::uint64_t* steps = nullptr);
+// The distance between points of the regions, as far as it must be known to decide whether it is less than `limit`: the
+// bounds differ by at most a quarter of the difference between the upper bound and the limit. So either both are less
+// than the limit, or neither. The distance is 0 if the regions share a point. `known` are bounds that hold in any case;
+// they save work. `steps` as for within().
+Bounds distance_bounds(const Outline& a, const Outline& b, double limit, Bounds known = {},
+                       std::uint64_t* steps = nullptr);
+
+// The same for how far a point of one region is from a point of the other as a carriage sees it, mm: the carriage with
+// these half sides touches if this is less than its shorter half side, the limit. Differences along the longer side
+// count in proportion, so no point is farther away than its distance.
+Bounds carriage_bounds(const Outline& a, const Outline& b, double half_x, double half_y, Bounds known = {},
+                       std::uint64_t* steps = nullptr);
+
+// The least distance between points of the regions; 0 if they share a point.
+double distance(const Outline& a, const Outline& b);
 
 } // namespace filum::sequence

@@ -79,6 +79,8 @@ TEST(Drift, CornersOfACircleDoNotMatter) {
         }
 }
 
+Bounds exactly(double d) { return {d, d}; }
+
 polygon::Loops shifted(polygon::Loops a, geom::Vec2 by) {
     for (auto& p : a.points) p = p + by;
     return a;
@@ -101,13 +103,14 @@ TEST(Drift, ColumnsThatLeanTheSameWayKeepTheirDistance) {
         for (int trial = 0; trial < 20; ++trial) {
             const auto place = [&] { return static_cast<std::size_t>(random() % 6); };
             const std::size_t from = place(), to = place(), m = place(), n = place();
-            const Bounds bounds = relative(a, from, to, c, m, n, distance(outlines[inner[from]], outlines[outer[m]]));
+            const Bounds bounds =
+                relative(a, from, to, c, m, n, exactly(distance(outlines[inner[from]], outlines[outer[m]])));
             const double after = distance(outlines[inner[to]], outlines[outer[n]]);
             EXPECT_LE(bounds.least, after + 1e-9);
             EXPECT_GE(bounds.most, after - 1e-9);
         }
         if (by == 0) {
-            const Bounds same = relative(a, 0, 5, c, 0, 5, 3);
+            const Bounds same = relative(a, 0, 5, c, 0, 5, {3, 3});
             EXPECT_NEAR(same.least, 3, 0.01);
             EXPECT_NEAR(same.most, 3, 0.01);
         }
@@ -139,19 +142,18 @@ TEST(Drift, ColumnsThatGrowTheSameWayKeepTheirProportions) {
             const auto place = [&] { return static_cast<std::size_t>(random() % 6); };
             const std::size_t from = place(), to = place(), m = place(), n = place();
             const auto over = [&](std::size_t at) { return shifted(outlines[inner[at]], idle); };
-            for (const bool carriage : {false, true}) {
-                const auto measured = [&](const Outline& p, const Outline& q) {
-                    return carriage ? carriage_distance(p, q, 8, 5) : distance(p, q);
-                };
-                const Bounds bounds = relative(a, from, to, c, m, n, measured(over(from), outlines[outer[m]]));
-                const double after = measured(over(to), outlines[outer[n]]);
-                EXPECT_LE(bounds.least, after + 1e-9);
-                EXPECT_GE(bounds.most, after - 1e-9);
-            }
+            const Outline before = over(from), after = over(to);
+            const Bounds near = relative(a, from, to, c, m, n, exactly(distance(before, outlines[outer[m]])));
+            EXPECT_LE(near.least, distance(after, outlines[outer[n]]) + 1e-9);
+            EXPECT_GE(near.most, distance(after, outlines[outer[n]]) - 1e-9);
+            const Bounds seen = relative(a, from, to, c, m, n, carriage_bounds(before, outlines[outer[m]], 8, 5));
+            const Bounds then = carriage_bounds(after, outlines[outer[n]], 8, 5);
+            EXPECT_LE(seen.least, then.most + 1e-9);
+            EXPECT_GE(seen.most, then.least - 1e-9);
         }
         if (by == 0 && idle == geom::Vec2{}) {
             const double scale = std::pow(growth, 5);
-            const Bounds same = relative(a, 0, 5, c, 0, 5, 3);
+            const Bounds same = relative(a, 0, 5, c, 0, 5, {3, 3});
             EXPECT_NEAR(same.least, 3 * scale, 0.02);
             EXPECT_NEAR(same.most, 3 * scale, 0.02);
         }

@@ -70,11 +70,18 @@ TEST(Outline, DistancesAgreeWithEveryPairOfEdges) {
         const bool meets = overlap(polygon::unite(grown), b); // ragged outlines are no larger than the box: corners do
         EXPECT_EQ(within(oa, ob, {0, 3, 2, false}), meets) << trial;
         boxed += meets ? 1 : 0;
-        const double seen = carriage_distance(oa, ob, 3, 2);
-        EXPECT_EQ(seen < 2, meets) << trial;
-        EXPECT_LE(seen, d + 1e-9);
-        EXPECT_TRUE(within(oa, ob, {0, 1.5 * seen + 1e-6, seen + 1e-6, false}));
-        EXPECT_TRUE(seen == 0 || !within(oa, ob, {0, 1.5 * seen - 1e-6, seen - 1e-6, false}));
+        for (const double limit : {0.1, 1.0, 5.0, 20.0}) {
+            const Bounds near = distance_bounds(oa, ob, limit);
+            EXPECT_EQ(near.most < limit, d < limit);
+            EXPECT_LE(near.least, d + 1e-9);
+            EXPECT_GE(near.most, d - 1e-9);
+            EXPECT_EQ(near.most < limit, near.least < limit);
+        }
+        const Bounds seen = carriage_bounds(oa, ob, 3, 2);
+        EXPECT_EQ(seen.most < 2, meets) << trial;
+        EXPECT_LE(seen.least, d + 1e-9);
+        EXPECT_TRUE(within(oa, ob, {0, 1.5 * seen.most + 1e-6, seen.most + 1e-6, false}));
+        EXPECT_TRUE(seen.least == 0 || !within(oa, ob, {0, 1.5 * seen.least - 1e-6, seen.least - 1e-6, false}));
     }
     EXPECT_GT(touching, 5);
     EXPECT_GT(boxed, 40);
