@@ -9,6 +9,27 @@ setup() {
     boxes disc.stl 3,4,0,9,10,1
 }
 
+@test "a machine that states what differs from another one" {
+    filum machines --new mine.toml --base ender3
+    [[ $(wc -l < mine.toml) -lt 20 ]]
+    printf '[values]\nnozzle_temp = 199\n' >> mine.toml
+    filum print disc.stl --machine ./mine.toml -q -o mine.gcode
+    filum print disc.stl --machine ender3 --temperature 199 -q -o theirs.gcode
+    grep -q 'M104 S199\|M109 S199' mine.gcode
+    cmp <(grep '^G1' mine.gcode) <(grep '^G1' theirs.gcode)
+    mkdir sub
+    printf 'name = "far"\nbase = "../mine.toml"\n' > sub/far.toml
+    filum print disc.stl --machine sub/far.toml -q -o far.gcode
+    cmp <(grep '^[GM]' mine.gcode) <(grep '^[GM]' far.gcode)
+    printf 'name = "loop"\nbase = "loop.toml"\n' > loop.toml
+    run filum print disc.stl --machine ./loop.toml -o no.gcode
+    [[ $status == 3 && $output == *"is its own base"* ]]
+    printf 'name = "lost"\nbase = "nosuch"\n' > lost.toml
+    run filum print disc.stl --machine ./lost.toml -o no.gcode
+    [[ $status == 2 && $output == *"unknown machine 'nosuch'"* ]]
+    expect 2 filum machines --new other.toml --base ender3 --from ender3
+}
+
 @test "a machine of one's own: copied, checked" {
     filum machines --new mine.toml --from clay > said
     [[ $(< said) == *"filum machines --check mine.toml"* ]]

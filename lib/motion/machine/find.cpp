@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "machine/profile.hpp"
+#include "machine/reader.hpp"
 #include "machine/robot.hpp"
 
 #include <algorithm>
@@ -101,11 +102,6 @@ kinematics::Arm load_robot(const std::string& name_or_path, const std::string& b
 
 namespace {
 
-// The text of a profile, and the name of its file in messages.
-struct ProfileText {
-    std::string text, file;
-};
-
 ProfileText text_of(const std::string& name_or_path) {
     if (is_path(name_or_path)) return {contents(name_or_path, name_or_path), name_or_path};
     for (const auto& folder : folders()) {
@@ -125,13 +121,35 @@ ProfileText text_of(const std::string& name_or_path) {
     throw Error(Exit::usage, "unknown machine '" + name_or_path + "'; known are " + known + ", or give a .toml file");
 }
 
+// The name of the base in the text of a profile; "" if it has none.
+std::string base_of(const ProfileText& profile) {
+    std::string out;
+    Document(profile.text, profile.file, "").text("base", out);
+    return out;
+}
+
 } // namespace
 
 std::string profile_text(const std::string& name_or_path) { return text_of(name_or_path).text; }
 
+std::vector<ProfileText> profile_texts(const std::string& name_or_path) {
+    constexpr std::size_t kMostBases = 8;
+    std::vector<ProfileText> out{text_of(name_or_path)};
+    fs::path folder = is_path(name_or_path) ? fs::path(name_or_path).parent_path() : fs::path();
+    for (std::string base = base_of(out.back()); !base.empty(); base = base_of(out.back())) {
+        if (out.size() > kMostBases)
+            throw Error(Exit::bad_input, "cannot use profile '" + out.front().file + "': its base '" + base +
+                                             "' has more than " + std::to_string(kMostBases) +
+                                             " bases, or is its own base; remove that line");
+        const fs::path file = folder / base;
+        out.push_back(text_of(is_path(base) ? file.string() : base));
+        folder = is_path(base) ? file.parent_path() : fs::path();
+    }
+    return out;
+}
+
 Profile load_profile(const std::string& name_or_path, const std::string& set) {
-    const ProfileText found = text_of(name_or_path);
-    return parse_profile(found.text, found.file, set);
+    return parse_profile(profile_texts(name_or_path), set);
 }
 
 } // namespace filum::machine

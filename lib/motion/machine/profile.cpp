@@ -284,9 +284,22 @@ void read_own_tools(Document& doc, Profile& p) {
 Merging standard_merging() { return {0.01, 0.02, geom::radians(0.5)}; }
 
 Profile parse_profile(std::string_view text, const std::string& file, const std::string& set) {
-    Document doc(text, file, set);
+    const ProfileText own{std::string(text), file};
+    return parse_profile({&own, 1}, set);
+}
+
+Profile parse_profile(std::span<const ProfileText> texts, const std::string& set) {
+    const std::string& file = texts[0].file;
+    Document doc(texts[0].text, file, set);
+    std::string all = texts[0].text, base;
+    for (const ProfileText& more : texts.subspan(1)) {
+        doc.add_base(more.text, more.file);
+        all += more.text;
+    }
     Profile p;
-    p.fingerprint = fingerprint(text);
+    p.fingerprint = fingerprint(all);
+    doc.text("base", base);
+    if (!base.empty() && texts.size() == 1) doc.fail("base", "its text is not given");
     doc.require("name");
     doc.text("name", p.name);
     if (!is_name(p.name)) doc.fail("name", "it must be letters, digits, '.', '_', '-', at most 64");

@@ -17,6 +17,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -207,14 +208,28 @@ const std::string& change_codes(const Profile& profile, std::uint32_t tool);
 // read; bad_input with file, line and key for an unknown key, a wrong type or an impossible value.
 Profile load_profile(const std::string& name_or_path, const std::string& set = "");
 
+// The text of a profile, and the name of its file in messages.
+struct ProfileText {
+    std::string text, file;
+};
+
 // Reads a profile from its text.  `file` is the name in messages; a robot's model is sought beside it.  Throws as
 // load_profile does.
 Profile parse_profile(std::string_view text, const std::string& file, const std::string& set = "");
 
+// Reads a profile from its own text and those of its bases, nearest first.  A key that a text lacks is that of the next
+// one.
+Profile parse_profile(std::span<const ProfileText> texts, const std::string& set);
+
+// The texts of a profile and of its bases, nearest first.  A profile names its base by the key `base`, as in
+// base = "marlin": a name or a file, beside the profile's own file.  Throws as load_profile does, and Error(bad_input)
+// for a profile that is its own base.
+std::vector<ProfileText> profile_texts(const std::string& name_or_path);
+
 // The names that load_profile knows, sorted.
 std::vector<std::string> profile_names();
 
-// The text of a profile, found as load_profile does.
+// The text of a profile alone, found as load_profile does.
 std::string profile_text(const std::string& name_or_path);
 
 // Sets the pace of layers, of the profile and of its own tools.

@@ -167,6 +167,21 @@ Document::Document(std::string_view text, const std::string& file, const std::st
 
 Document::~Document() = default;
 
+namespace {
+
+void add_missing(const Table& from, Table& to) {
+    for (const auto& [name, node] : from) {
+        Node& own = to.try_emplace(name, node).first->second;
+        if (own.is_table() && node.is_table()) add_missing(node.as_table(), own.as_table());
+    }
+}
+
+} // namespace
+
+void Document::add_base(std::string_view text, const std::string& file) {
+    add_missing(parsed(text, file, state_->kind), state_->root);
+}
+
 void Document::enter(const std::string& section) { state_->within = section + "."; }
 void Document::leave() { state_->within.clear(); }
 
@@ -176,7 +191,9 @@ void Document::fail_in_text(const std::string& name, const std::string& why, std
     const std::string key = state_->within + name;
     if (state_->set.count(key) != 0) cannot_change(key, why);
     const Node* node = find(state_->root, key);
-    std::string where = "'" + state_->file + "'";
+    // A key of a base stands in the base's file.
+    const bool placed = node != nullptr && node->location().line() > 0;
+    std::string where = "'" + (placed ? node->location().file_name() : state_->file) + "'";
     if (node != nullptr) where += ", line " + std::to_string(line_of(*node) + line);
     throw Error(Exit::bad_input, "cannot use " + state_->kind + " " + where + ", key '" + shown(key) + "': " + why);
 }

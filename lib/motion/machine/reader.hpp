@@ -18,6 +18,9 @@ class Document {
     Document(std::string_view text, const std::string& file, const std::string& set,
              const std::string& kind = "profile");
     ~Document();
+
+    // Adds the keys of another text that the document lacks, section by section.  `set` still wins.
+    void add_base(std::string_view text, const std::string& file);
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
 

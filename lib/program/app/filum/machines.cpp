@@ -118,14 +118,22 @@ void add_codes(const Profile& p, std::vector<std::string>& out) {
         out.push_back("its name, '" + p.name + "', is that of a profile that comes with Filum: choose one of your own");
 }
 
-void write_new(const std::string& file, const std::string& from) {
+// The text of a profile that has the other one as its base and states nothing of its own but its name.
+std::string based_on(const std::string& base) {
+    return "# Everything that this file does not state is as in the profile '" + base + "' (docs/machines.md).\n" +
+           "name = \"\"\nbase = \"" + base + "\"\n\n# [bed]\n# x = [0, 220]\n# y = [0, 220]\n# z = [0, 250]\n\n" +
+           "# [values]\n# nozzle_temp = 210\n";
+}
+
+// `based`: the file names `from` as its base; otherwise it is a copy.
+void write_new(const std::string& file, const std::string& from, bool based) {
     if (!file.ends_with(".toml"))
         throw Error(Exit::usage, "cannot write the profile '" + file + "': its name must end in .toml");
     std::error_code none;
     if (std::filesystem::exists(file, none))
         throw Error(Exit::usage, "cannot write the profile '" + file + "': it is there already; give another name");
     machine::load_profile(from); // throws if the profile is faulty
-    std::string text = machine::profile_text(from);
+    std::string text = based ? based_on(from) : machine::profile_text(from);
     std::string name = std::filesystem::path(file).stem().string();
     for (char& c : name)
         if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '_' && c != '-') c = '_';
@@ -136,13 +144,16 @@ void write_new(const std::string& file, const std::string& from) {
     stream::Sink out(file, stream::Sink::Content::text);
     out.write(text);
     out.commit();
-    show("wrote " + file + ", a copy of " + from + "; edit it, then\n  filum machines --check " + file +
-         "\n  filum print part.stl --machine " + file + " -o part.gcode\n");
+    show("wrote " + file + (based ? ", based on " : ", a copy of ") + from +
+         "; edit it, then\n  filum machines --check " + file + "\n  filum print part.stl --machine " + file +
+         " -o part.gcode\n");
 }
 
 int check_profile(const std::string& file) {
     const Profile profile = machine::load_profile(file);
-    const auto found = surprises(profile, machine::profile_text(file));
+    std::string text; // of the profile and its bases
+    for (const machine::ProfileText& one : machine::profile_texts(file)) text += one.text + "\n";
+    const auto found = surprises(profile, text);
     std::string out;
     for (const std::string& one : found) out.append(file).append(": ").append(one) += '\n';
     if (found.empty()) out = file + ": nothing wrong or surprising\n";
@@ -163,22 +174,28 @@ std::vector<std::string> surprises(const Profile& profile, const std::string& te
 
 int machines(const std::vector<std::string>& words) {
     if (words.empty()) return list_machines();
-    std::string fresh, from, checked;
+    std::string fresh, from, base, checked;
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::size_t equal = words[i].find('=');
         const std::string name = words[i].substr(0, equal);
-        std::string* to = name == "--new" ? &fresh : name == "--from" ? &from : name == "--check" ? &checked : nullptr;
+        std::string* to = name == "--new"     ? &fresh
+                          : name == "--from"  ? &from
+                          : name == "--base"  ? &base
+                          : name == "--check" ? &checked
+                                              : nullptr;
         if (to == nullptr)
             throw Error(Exit::usage, "unexpected argument '" + words[i] + "'; see 'filum help machines'");
         if (equal == std::string::npos && i + 1 == words.size())
             throw Error(Exit::usage, "cannot use '" + name + "' without a value; see 'filum help machines'");
         *to = equal == std::string::npos ? words[++i] : words[i].substr(equal + 1);
     }
-    if (!checked.empty() && fresh.empty() && from.empty()) return check_profile(checked);
-    if (fresh.empty() || from.empty() || !checked.empty())
-        throw Error(Exit::usage, "cannot make a machine: give --new FILE and --from NAME, as in 'filum machines --new "
-                                 "mine.toml --from clay'");
-    write_new(fresh, from);
+    if (!checked.empty() && fresh.empty() && from.empty() && base.empty()) return check_profile(checked);
+    if (fresh.empty() || from.empty() == base.empty() || !checked.empty())
+        throw Error(
+            Exit::usage,
+            "cannot make a machine: give --new FILE and --from NAME or --base NAME, as in 'filum machines --new "
+            "mine.toml --from clay'");
+    write_new(fresh, base.empty() ? from : base, !base.empty());
     return 0;
 }
 

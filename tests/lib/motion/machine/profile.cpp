@@ -44,6 +44,31 @@ TEST(Profile, EveryShippedOneLoads) {
     }
 }
 
+TEST(Profile, ABaseGivesWhatTheProfileLacks) {
+    const machine::ProfileText own{"name = \"mine\"\nbase = \"m\"\n[bed]\ny = [0, 300]\n[feeds]\nbead = 33\n",
+                                   "mine.toml"};
+    const machine::ProfileText middle{"name = \"m\"\nbase = \"b\"\n[feeds]\nbead = 44\ntravel = 99\n", "m.toml"};
+    const machine::ProfileText base{kLeast + "[values]\nheat = 1\n[templates]\nstart = \"M1 {heat}\"\n", "b.toml"};
+    const std::vector all{own, middle, base};
+    const auto p = machine::parse_profile(all, "feeds.lift=11");
+    EXPECT_EQ(p.name, "mine");
+    EXPECT_EQ(p.bed.y_max, 300);
+    EXPECT_EQ(p.bed.x_max, 220);
+    EXPECT_EQ(p.feeds.bead, 33);
+    EXPECT_EQ(p.feeds.travel, 99);
+    EXPECT_EQ(p.feeds.lift, 11);
+    EXPECT_EQ(p.templates.start, "M1 {heat}");
+    EXPECT_NE(p.fingerprint, machine::parse_profile(std::vector{own, base}, "").fingerprint);
+    try { // a fault of the base is placed in its file
+        const machine::ProfileText wrong{"name = \"b\"\n\n[feeds]\njog = \"x\"\n", "wrong.toml"};
+        (void)machine::parse_profile(std::vector{own, wrong, base}, "");
+        ADD_FAILURE();
+    } catch (const Error& e) {
+        EXPECT_NE(std::string(e.what()).find("'wrong.toml', line 4, key 'feeds.jog'"), std::string::npos) << e.what();
+    }
+    EXPECT_NE(error_of(own.text).find("base"), std::string::npos);
+}
+
 TEST(Profile, MarlinShowsTheDefaults) {
     const auto shown = machine::load_profile("marlin");
     const auto least = machine::parse_profile(kLeast, "m.toml");
