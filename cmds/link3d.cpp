@@ -3,6 +3,7 @@
 // writes: Toolpath
 // memory: the regions it looks ahead; all of them with --connect inside or outside
 #include "app/link3d/link.hpp"
+#include "app/link3d/seam.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "cli/head_options.hpp"
@@ -13,7 +14,7 @@ using namespace filum;
 
 struct Options {
     link3d::Options link;
-    std::string seam = "nearest";
+    std::string seam = "nearest", seam_in;
     machine::HeadChoice head;
 };
 
@@ -39,6 +40,12 @@ std::vector<cli::Option> options(Options& o) {
             "seam", &o.seam, "nearest|inside|back|X,Y",
             "where a stroke begins: nearest to where the one before ended, in the middle of its column, at the back, "
             "or nearest to a place, mm"},
+        Option{
+            "seam-in", &o.seam_in, "FILE",
+            "strokes begin on the faces that this project of a slicer has painted for seams, and not on faces painted "
+            "against them"}
+            .not_a_setting()
+            .a_limit(),
         Option{"lift", &o.link.lift, "",
                "how the nozzle reaches the next layer: straight up, on a ramp, or continuously (helix)"}
             .one_of({"plain", "ramp", "helical"}),
@@ -58,7 +65,7 @@ cli::Spec spec(Options& o) {
         .memory = "the regions it looks ahead; all of them with --connect inside or outside",
         .options = cli::with(options(o), cli::head_options(o.head)),
         .groups = {{"regions that lie aside", {"reach", "look-ahead", "connect", "strand"}},
-                   {"starts", {"seam", "interlace", "alternate-direction"}},
+                   {"starts", {"seam", "seam-in", "interlace", "alternate-direction"}},
                    cli::head_group()},
         .examples = {{"slice part.stl | regions | sequence | fill | link3d > part.toolpath", "the toolpath of a part"},
                      {"slice part.stl | regions | sequence | fill | link3d --connect outside > part.toolpath",
@@ -91,7 +98,8 @@ void run(const Options& o, const cli::Io& given) {
     set_seam(o.seam, how);
     for (const auto& [name, value, changed] : machine::settings(how.head))
         io.settings.push_back({name, value, changed});
-    app::link3d::link(link3d::Linker(how), io);
+    const app::link3d::PaintedSeams painted(o.seam_in, how, io);
+    app::link3d::link(link3d::Linker(how), io, painted.begin());
 }
 
 } // namespace

@@ -17,6 +17,7 @@ Facts facts(const Counts& c) {
             {"", "connectors", n(c.connectors), ""},
             {"", "breaks", n(c.breaks), ""},
             {"", "broken-joins", n(c.broken), ""},
+            {"", "painted-starts", n(c.painted), ""},
             {"", "stops-in-regions", n(c.parted), ""},
             {"", "lift-length", c.lift_length, "mm"},
             {"", "lane-length", c.lane_length, "mm"},

@@ -22,8 +22,10 @@ struct Counts {
     std::uint64_t brims = 0;      // joins from a brim to its region
     std::uint64_t connectors = 0; // joins outside the part
     std::uint64_t breaks = 0;
-    std::uint64_t broken = 0; // breaks in place of a join that was asked for
-    std::uint64_t parted = 0; // breaks between curves of a region
+    std::uint64_t broken = 0;       // breaks in place of a join that was asked for
+    std::uint64_t painted = 0;      // strokes that begin on a face painted for seams
+    std::uint64_t paint_passed = 0; // regions beside such faces where no stroke begins
+    std::uint64_t parted = 0;       // breaks between curves of a region
     double lift_length = 0, lane_length = 0, shift_length = 0, jog_length = 0, strand_length = 0, connector_length = 0,
            travel_length = 0;    // mm
     double connector_free = 0;   // mm of connectors that hang in the air

@@ -55,7 +55,10 @@ Entry enter(State& state) {
         state.column.home = joined->place.point;
         state.column.offset = 0;
     }
-    if (joined) return *joined;
+    if (joined) {
+        count_passed_paint(state);
+        return *joined;
+    }
     if (state.at && (above || state.options.connect != Connect::stop)) {
         ++state.counts.broken;
         const Vec3 at = *state.at;
@@ -64,6 +67,7 @@ Entry enter(State& state) {
     }
     Entry entry = start_entry(state);
     if (const auto other = other_end(state, entry)) entry = *other;
+    if (state.options.paint) entry = by_paint(state, entry);
     stop_and_travel(state, entry.place.point);
     state.column.home = entry.place.point;
     state.column.offset = 0;
@@ -131,6 +135,8 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
 void Linker::finish(const Emit& emit, Notes& notes) {
     while (!state_.window.empty()) print_front(emit, notes);
     const Counts& c = state_.counts;
+    if (c.paint_passed > 0)
+        notes.push_back({NoteCode::seam_paint_passed, static_cast<double>(c.paint_passed), c.paint_passed});
     if (c.strokes > c.planned) notes.push_back({NoteCode::strokes_more, static_cast<double>(c.strokes - c.planned), 1});
 }
 

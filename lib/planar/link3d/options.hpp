@@ -2,6 +2,7 @@
 #pragma once
 
 #include "link3d/interlace.hpp"
+#include "link3d/seam_paint.hpp"
 #include "machine/head.hpp"
 
 #include <cstdint>
@@ -44,6 +45,7 @@ struct Options {
     ConnectorSupport connector_support = ConnectorSupport::free;
     Seam seam = Seam::nearest;
     geom::Vec2 seam_at{}; // mm, for Seam::place
+    SeamPaintAt paint{};  // faces painted for seams, which win over `seam`; empty: none
     Interlace interlace = Interlace::none;
     bool alternate_direction = true; // odd layers run in reverse order of their points
     Lift lift = Lift::plain;

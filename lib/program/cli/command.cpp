@@ -108,14 +108,19 @@ void map_stage(const Io& io, stream::Payload in, stream::Payload out, const MapW
     output.close();
 }
 
-void scan_stage(const Io& io, stream::Payload in, stream::Payload out, const ScanWork& work, const ScanEnd& end) {
+void scan_stage(const Io& io, stream::Payload in, stream::Payload out, const ScanWork& work, const ScanEnd& end,
+                const ScanBegin& begin) {
     stream::Reader reader(io.input, in);
     Output output(io, header(io, out, {&reader.header()}));
+    Notes first;
+    if (begin.begin) begin.begin(reader.header(), first);
+    output.add(first);
     Progress progress(io, reader.header().expected);
     const auto emit = [&](stream::RawFrame frame) { output.write(frame); };
     while (auto frame = reader.next()) {
         if (stream::is_remark(frame->tag)) {
-            output.write(*frame);
+            const bool note = begin.drop && frame->tag == stream::Tag::note;
+            if (!note || !begin.drop(stream::parse_note(frame->body))) output.write(*frame);
             continue;
         }
         Notes notes;

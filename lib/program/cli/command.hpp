@@ -70,8 +70,12 @@ void map_stage(const Io& io, stream::Payload reads, stream::Payload writes, cons
 // input and may write more frames and notes.
 using ScanWork = std::function<void(const stream::RawFrame&, const std::function<void(stream::RawFrame)>&, Notes&)>;
 using ScanEnd = std::function<void(const std::function<void(stream::RawFrame)>&, Notes&)>;
+struct ScanBegin {
+    std::function<void(const stream::Header&, Notes&)> begin{}; // called with the header of the input, before any frame
+    std::function<bool(const Note&)> drop{};                    // whether a note of the input is not passed on
+};
 void scan_stage(const Io& io, stream::Payload reads, stream::Payload writes, const ScanWork& work,
-                const ScanEnd& end = {});
+                const ScanEnd& end = {}, const ScanBegin& begin = {});
 
 // Runs a stage of shape "source", which reads no stream. It calls `work` for the numbers 0 to `parts` - 1 on all cores
 // and writes their frames in this order. `found` are the notes made before, and `end` adds the notes known only after

@@ -75,12 +75,13 @@ class PaintReader {
 } // namespace
 
 const char* const kSupportPaint = "supports";
+const char* const kSeamPaint = "seams";
 
 const char* paint_of(std::string_view attribute) {
-    static constexpr PaintName kNames[] = {{":custom_seam", "paint_seam", "seams"},
-                                           {":mmu_segmentation", "paint_color", "materials"},
+    static constexpr PaintName kNames[] = {{":mmu_segmentation", "paint_color", "materials"},
                                            {":fuzzy_skin", "paint_fuzzy_skin", "fuzzy skin"}};
     if (attribute.ends_with(":custom_supports") || attribute == "paint_supports") return kSupportPaint;
+    if (attribute.ends_with(":custom_seam") || attribute == "paint_seam") return kSeamPaint;
     for (const PaintName& name : kNames)
         if (attribute.ends_with(name.prusa) || attribute == name.bambu) return name.what;
     return nullptr;
@@ -106,7 +107,8 @@ void add_faces(Body::What what, const std::vector<Corners>& faces, File& to) {
 
 } // namespace
 
-void add_painted(const std::vector<PaintedTriangle>& painted, File& to) {
+void add_painted(const std::vector<PaintedTriangle>& painted, Body::What wanted_kind, Body::What unwanted_kind,
+                 File& to) {
     std::vector<Corners> wanted, unwanted;
     std::size_t unread = 0;
     const auto& v = to.mesh.vertices;
@@ -118,8 +120,8 @@ void add_painted(const std::vector<PaintedTriangle>& painted, File& to) {
         });
         if (!known) ++unread;
     }
-    add_faces(Body::What::painted, wanted, to);
-    add_faces(Body::What::painted_blocker, unwanted, to);
+    add_faces(wanted_kind, wanted, to);
+    add_faces(unwanted_kind, unwanted, to);
     if (unread == 0) return;
     to.notes.push_back(note(NoteCode::paint_unreadable));
     to.notes.back().count = unread;

@@ -26,6 +26,7 @@ bool each_painted(std::string_view text, const Corners& corners, const std::func
 // The purpose of the paint in an attribute of a triangle: kSupportPaint, or another one in words; null if the attribute
 // holds no paint.
 extern const char* const kSupportPaint;
+extern const char* const kSeamPaint;
 const char* paint_of(std::string_view attribute);
 
 // A triangle and its paint, in the text form of the project.
@@ -34,7 +35,8 @@ struct PaintedTriangle {
     const char* digits = nullptr;
 };
 
-// Adds the painted faces to `to` as bodies, with a note on those whose paint cannot be read.
-void add_painted(const std::vector<PaintedTriangle>& painted, File& to);
+// Adds the painted faces to `to` as bodies of the kinds `wanted` and `unwanted`, with a note on those whose paint
+// cannot be read.
+void add_painted(const std::vector<PaintedTriangle>& painted, Body::What wanted, Body::What unwanted, File& to);
 
 } // namespace filum::mesh

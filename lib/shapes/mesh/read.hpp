@@ -25,12 +25,14 @@ inline bool states_unit(Kind kind) { return kind == Kind::threemf || kind == Kin
 // gives it.
 struct Body {
     enum class What : std::uint8_t {
-        modifier,       // region with other settings
-        enforcer,       // supports are wanted inside it
-        blocker,        // no supports are wanted inside it
-        negative,       // cut away from the part
-        painted,        // painted faces that want supports below; an open surface, not a solid
-        painted_blocker // painted faces that want no supports below
+        modifier,        // region with other settings
+        enforcer,        // supports are wanted inside it
+        blocker,         // no supports are wanted inside it
+        negative,        // cut away from the part
+        painted,         // painted faces that want supports below; an open surface, not a solid
+        painted_blocker, // painted faces that want no supports below
+        painted_seam,    // painted faces on which strokes should begin
+        painted_no_seam  // painted faces on which no stroke should begin
     };
     What what = What::modifier;
     std::vector<std::pair<std::string, std::string>> settings{}; // names and values in the slicer's own terms

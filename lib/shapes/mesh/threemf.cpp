@@ -303,14 +303,14 @@ class Archive {
         }
     }
 
-    // Reads the support paint of a triangle, as PrusaSlicer, OrcaSlicer and Bambu Studio write it. Counts other paint.
+    // Reads the paint of a triangle for supports and seams, as PrusaSlicer, OrcaSlicer and Bambu Studio write it.
+    // Counts all paint that programs may leave unused.
     void take_paint(const pugi::xml_node& t, const Triangle& tri) {
         for (const auto& a : t.attributes()) {
             const char* what = paint_of(a.name());
-            if (what == kSupportPaint)
-                paint_.push_back({tri, a.value()}); // points into a text of models_
-            else if (what != nullptr && *a.value() != '\0')
-                ++other_paint_[what];
+            if (what == kSupportPaint) paint_.push_back({tri, a.value()}); // points into a text of models_
+            if (what == kSeamPaint && *a.value() != '\0') seam_paint_.push_back({tri, a.value()});
+            if (what != kSupportPaint && what != nullptr && *a.value() != '\0') ++other_paint_[what];
         }
     }
 
@@ -336,7 +336,8 @@ class Archive {
         std::ranges::move(of_items, std::back_inserter(to_.bodies));
         if (std::ranges::any_of(to_.bodies, [](const Body& b) { return b.what == Body::What::negative; }))
             to_.items = std::move(item_of_);
-        add_painted(paint_, to_);
+        add_painted(paint_, Body::What::painted, Body::What::painted_blocker, to_);
+        add_painted(seam_paint_, Body::What::painted_seam, Body::What::painted_no_seam, to_);
         tell_bodies(to_);
         for (const auto& [what, triangles] : other_paint_) {
             to_.notes.push_back(note(NoteCode::project_paint_unused, 0, what));
@@ -373,7 +374,7 @@ class Archive {
     Project project_;
     Materials materials_;
     std::vector<std::map<std::uint32_t, std::vector<Triangle>>> triangles_; // per body of the project, by item
-    std::vector<PaintedTriangle> paint_;
+    std::vector<PaintedTriangle> paint_, seam_paint_;                       // for supports, and for seams
     std::map<std::string, std::size_t> other_paint_; // painted triangles, by the purpose of the paint
 };
 

@@ -11,6 +11,7 @@
 #include "machine/profile.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -45,6 +46,7 @@ const OtherName* known(const std::vector<Stage>& stages, const std::string& thei
 struct LoadedProject {
     std::string file;
     bool printed = false; // it is the part, too
+    bool alone = true;    // it is printed once
     int plate = 1;
 };
 
@@ -55,7 +57,8 @@ void load_bodies(const LoadedProject& project, bool supports, const std::vector<
     const std::tuple<bool, const char*, const char*> kinds[] = {
         {there.modifiers, "modifier", "bodies that change settings"},
         {there.wanted && supports, "support-in", "places for supports"},
-        {there.unwanted && supports, "no-support-in", "places without supports"}};
+        {there.unwanted && supports, "no-support-in", "places without supports"},
+        {there.seams && project.alone, "seam-in", "faces painted for seams"}};
     for (const auto& [any, option, name] : kinds) {
         if (!any) continue;
         if (project.printed && has(stages, option))
@@ -224,8 +227,8 @@ void leave_out_supports(const std::vector<std::string>& typed, SlicerTranslation
     };
     if (std::ranges::any_of(typed, supports) || std::ranges::any_of(out.words, supports)) return;
     const auto count = std::erase_if(out.words, [](const std::string& word) {
-        for (const char* option :
-             {"--support-angle=", "--support-on=", "--support-spacing=", "--interface=", "--beside="})
+        for (const char* option : {"--support-angle=", "--support-on=", "--support-spacing=", "--support-width=",
+                                   "--interface=", "--beside="})
             if (word.starts_with(option)) return true;
         return false;
     });
@@ -250,6 +253,8 @@ void load(const PrinterNames& printer, const std::vector<std::string>& files, co
     out.words = chosen.words;
     std::vector<SlicerFile> read = std::move(chosen.settings);
     const int plate = plate_of(words);
+    const bool alone = std::ranges::all_of(std::array{"--copies", "--grid", "--wells"},
+                                           [&](const char* option) { return last_value(words, option).empty(); });
     for (const std::string& file : files) read.push_back(slicer_file(file, plate));
     std::vector<std::string> all = out.words;
     all.insert(all.end(), words.begin(), words.end());
@@ -262,7 +267,7 @@ void load(const PrinterNames& printer, const std::vector<std::string>& files, co
     for (const SlicerFile& file : merged(std::move(read)))
         supports = use_settings(file, machine, stages, out) || supports;
     for (const std::string& file : files) {
-        const LoadedProject project{file, std::ranges::find(words, file) != words.end(), plate};
+        const LoadedProject project{file, std::ranges::find(words, file) != words.end(), alone, plate};
         load_bodies(project, supports, stages, out);
         load_codes(project, machine, words, out);
     }

@@ -46,6 +46,7 @@ ProjectBodies project_bodies(const std::string& file, int plate) {
         for (const mesh::Body& b : mesh::read(bytes.view(), mesh::spoken_name(file), plate).bodies) {
             out.modifiers = out.modifiers || mesh::changes_settings(b);
             out.wanted = out.wanted || b.what == What::painted || mesh::wants_supports(b, true);
+            out.seams = out.seams || b.what == What::painted_seam || b.what == What::painted_no_seam;
             out.unwanted = out.unwanted || b.what == What::painted_blocker || mesh::wants_supports(b, false);
         }
     } catch (const Error&) { // the file holds settings only

@@ -16,6 +16,7 @@ SlicerFile project_settings(const std::string& bytes, const std::string& file, i
 struct ProjectBodies {
     bool modifiers = false;                // bodies or parts with settings of their own
     bool wanted = false, unwanted = false; // bodies, parts or painted faces that ask for supports, or forbid them
+    bool seams = false;                    // faces painted for seams or against them
 };
 // All false for a file that is no project, holds no part or cannot be read.
 ProjectBodies project_bodies(const std::string& file, int plate = 1);

@@ -9,7 +9,7 @@ namespace filum::app::link3d {
 
 // Gives every region of the input to `linker`, which has the members of filum::link3d::Linker, and writes its spans.
 template <class Linker>
-void link(Linker linker, const cli::Io& io) {
+void link(Linker linker, const cli::Io& io, const cli::ScanBegin& begin = {}) {
     const auto to = [](const auto& emit) { return [&emit](const toolpath::Span& span) { emit(wire::frame(span)); }; };
     cli::scan_stage(
         io, stream::Payload::paths, stream::Payload::toolpath,
@@ -22,7 +22,8 @@ void link(Linker linker, const cli::Io& io) {
                 fact.stage = io.program;
                 emit({stream::Tag::fact, stream::serialise(fact)});
             }
-        });
+        },
+        begin);
 }
 
 } // namespace filum::app::link3d

@@ -186,6 +186,20 @@ Project modifiers(const std::string& path, const stream::Header& header, const s
                                      path + ":infill=40%'");
 }
 
+SeamFaces seam_faces(const std::string& path, const stream::Header& header, Notes& notes) {
+    using What = mesh::Body::What;
+    PlacedFile placed = load(path, header, notes);
+    SeamFaces out;
+    for (mesh::Body& b : placed.file.bodies) {
+        if (b.what != What::painted_seam && b.what != What::painted_no_seam) continue;
+        placed.move(b.mesh, path);
+        mesh::append(b.mesh, b.what == What::painted_seam ? out.wanted : out.unwanted);
+    }
+    if (!out.wanted.triangles.empty() || !out.unwanted.triangles.empty()) return out;
+    throw Error(Exit::bad_input,
+                "cannot use '" + path + "' as --seam-in: none of its faces is painted for seams; use --seam instead");
+}
+
 Places support_places(const std::string& path, bool wanted, const stream::Header& header,
                       const std::vector<polygon::Region>& regions, int threads, Notes& notes) {
     using What = mesh::Body::What;

@@ -3,6 +3,8 @@
 
 #include "base/note.hpp"
 #include "geom/affine.hpp"
+#include "geom/segment_grid.hpp"
+#include "mesh/mesh.hpp"
 #include "polygon/region.hpp"
 #include "stream/frame.hpp"
 
@@ -56,6 +58,18 @@ struct Project {
 // if the project has no modifiers.
 Project modifiers(const std::string& path, const stream::Header& header, const std::vector<polygon::Region>& regions,
                   int threads, Notes& notes);
+
+// The faces of a project that are painted for seams, and against them, moved as the part was.
+struct SeamFaces {
+    mesh::Mesh wanted, unwanted;
+};
+
+// The faces painted for seams in the project in the file `path`.  Throws Error(bad_input) as body(), and if nothing is
+// painted for seams.
+SeamFaces seam_faces(const std::string& path, const stream::Header& header, Notes& notes);
+
+// The lines along which the horizontal plane at `z` cuts faces.
+std::vector<geom::Segment> lines_at(const mesh::Mesh& faces, double z);
 
 // The places where supports are wanted, or not wanted.
 struct Places {

@@ -1,5 +1,7 @@
 #include "app/modifier/painted.hpp"
 
+#include "app/modifier/modifier.hpp"
+
 #include "polygon/clip.hpp"
 
 #include <algorithm>
@@ -52,6 +54,19 @@ std::vector<polygon::Loops> seen_from_below(const mesh::Mesh& faces, std::span<c
     }
     for (polygon::Loops& loops : out)
         if (!loops.empty()) loops = polygon::unite(loops);
+    return out;
+}
+
+std::vector<geom::Segment> lines_at(const mesh::Mesh& faces, double z) {
+    std::vector<geom::Segment> out;
+    for (const mesh::Triangle& t : faces.triangles) {
+        std::vector<geom::Vec2> ends;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 a = faces.vertices[t[k]], b = faces.vertices[t[(k + 1) % 3]];
+            if ((a.z > z) != (b.z > z)) ends.push_back(geom::lerp(a.xy(), b.xy(), (z - a.z) / (b.z - a.z)));
+        }
+        if (ends.size() == 2) out.push_back({ends[0], ends[1]});
+    }
     return out;
 }
 

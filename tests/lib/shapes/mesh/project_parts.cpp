@@ -128,9 +128,10 @@ TEST(ProjectParts, ArePrinted) {
                                "lastid=\"23\"><metadata key=\"perimeters\" value=\"5\"/></volume></object></config>";
     const File f = read(shapes::archive(model, {{"Metadata/Slic3r_PE_model.config", config}}), "it");
     EXPECT_NEAR(volume(f.mesh), 2000, 1e-9);
-    ASSERT_EQ(f.bodies.size(), 1U);
+    ASSERT_EQ(f.bodies.size(), 2U);
     EXPECT_TRUE(f.bodies[0].printed);
     EXPECT_NEAR(volume(f.bodies[0].mesh), 1000, 1e-9);
+    EXPECT_EQ(f.bodies[1].what, Body::What::painted_seam);
     std::map<NoteCode, std::uint64_t> notes;
     for (const Note& n : f.notes) notes[n.code] += n.count;
     EXPECT_EQ(notes[NoteCode::project_part_settings], 1U);

@@ -120,7 +120,14 @@ TEST(Projects, PaintedFacesAreBodiesOfTheirOwn) {
             EXPECT_EQ(f.notes[0].code, NoteCode::paint_unreadable);
         }
     }
-    EXPECT_TRUE(painted("slic3rpe:custom_seam", "4").bodies.empty());
+    for (const char* name : {"slic3rpe:custom_seam", "paint_seam"})
+        for (const auto& [value, what] : {std::pair{"4", What::painted_seam}, {"8", What::painted_no_seam}}) {
+            const File f = painted(name, value);
+            ASSERT_EQ(f.bodies.size(), 1U);
+            EXPECT_EQ(f.bodies[0].what, what);
+            EXPECT_EQ(f.bodies[0].mesh.triangles.size(), 1U);
+        }
+    EXPECT_TRUE(painted("paint_color", "4").bodies.empty());
 }
 
 TEST(Projects, PaintOfCutTrianglesIsFound) {
