@@ -177,9 +177,12 @@ std::string material(const machine::Profile& profile, const FirstPass& s) {
     return out;
 }
 
+// The edges of beads are within a hundredth of a millimetre of the outline, so lengths of 1 mm or more are rounded to a
+// tenth.  The height is a sum of layers.
 std::string size(const machine::Profile& profile, const FirstPass& s, Vec2 shift) {
-    std::string out = fixed_text(s.part_size.x, 2) + " x " + fixed_text(s.part_size.y, 2) + " x " +
-                      fixed_text(s.part_size.z, 2) + " mm in " + counted(s.layers, "layer");
+    const auto length = [](double mm) { return fixed_text(mm, mm < 1 ? 2 : 1); };
+    std::string out = length(s.part_size.x) + " x " + length(s.part_size.y) + " x " + fixed_text(s.part_size.z, 2) +
+                      " mm in " + counted(s.layers, "layer");
     if (profile.axes.active()) return out;
     const std::array<double, 2> by{shift.x, shift.y};
     for (const std::size_t k : {0U, 1U})

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace filum::render {
 
@@ -278,6 +279,12 @@ void draw_flat(Canvas& page, const Scene& scene, const Tint& tint, const FlatVie
     key.ruler(f.scale);
     key.text(title(scene));
     add_legend(key, tint);
+    if (!scene.outlines.empty() && !layer.beads.empty()) key.swatch(Ink{}.empty, "not covered");
+    constexpr std::pair<Mark::Kind, const char*> kMarks[] = {
+        {Mark::Kind::start, "beginning"}, {Mark::Kind::end, "end"}, {Mark::Kind::lift, "lift"}};
+    for (const auto& [kind, name] : kMarks)
+        if (std::ranges::any_of(layer.marks, [k = kind](const Mark& m) { return m.kind == k; }))
+            key.swatch(mark_colour(kind), name);
 }
 
 } // namespace filum::render

@@ -58,9 +58,9 @@ std::string first_options(const std::vector<Stage>& stages) {
         std::string line = std::string("  --") + first.name + " " + first.unit;
         line.resize(std::max(line.size() + 2, column), ' ');
         std::string value;
-        for (const Stage& s : stages)
+        for (const Stage& s : stages) // options that vase shares with skins have the defaults of skins here
             for (const StageOption& o : s.options)
-                if (o.name == first.name && value.empty()) value = o.value;
+                if (o.name == first.name && value.empty() && s.name != "vase") value = o.value;
         out += line + first.help + (value.empty() ? "" : " [" + value + "]") + "\n";
     }
     return out + "\n";
