@@ -102,7 +102,8 @@ void Project::divide_settings(int plate, const std::function<std::string(const s
             bodies.push_back({Body::What::modifier, part->settings});
             bodies.back().printed = true;
         }
-        if (part->component.empty())
+        // An object that holds its mesh itself has one part, with the object's own id.
+        if (part->component.empty() || part->component == part->object)
             triangles[part->object].push_back({part->first, part->last, at->second});
         else
             components.try_emplace({part->object, part->component}, at->second);
