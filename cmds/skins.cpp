@@ -37,6 +37,20 @@ std::vector<cli::Option> options(Options& all) {
                "several with ';' between"}
             .not_a_setting()
             .a_limit(),
+        Option{"inner-width", &o.inner_width, "MM",
+               "width of beads inside the outer wall; 0: as --bead-width, which the outer wall has"}
+            .zero_or_at_least(0.01)
+            .at_most(100)
+            .a_limit(),
+        Option{"infill-width", &o.infill_width, "MM", "width of the lines of sparse parts; 0: as --inner-width"}
+            .zero_or_at_least(0.01)
+            .at_most(100)
+            .a_limit(),
+        Option{"solid-width", &o.solid_width, "MM",
+               "width of beads in solid parts inside the walls; 0: as --inner-width"}
+            .zero_or_at_least(0.01)
+            .at_most(100)
+            .a_limit(),
         Option{"bead-width", &o.bead_width, "MM", "width of a bead"}
             .within(0.01, 100)
             .same_as({"regions.bead-width"})
@@ -52,7 +66,8 @@ cli::Spec spec(Options& all) {
             .memory = "the whole part",
             .options = options(all),
             .groups = {{"sparse parts", {"infill", "infill-pattern", "solid-below"}},
-                       {"walls and skins", {"walls", "top", "bottom", "bridge"}}},
+                       {"walls and skins", {"walls", "top", "bottom", "bridge"}},
+                       {"widths of beads", {"inner-width", "infill-width", "solid-width"}}},
             .examples = {{"slice part.stl | regions | skins > part.regions", "two walls, four skins, 15 % inside"},
                          {"slice part.stl | regions | skins --infill 30% --walls 3 | sequence | fill > part.paths",
                           "stronger"}},

@@ -62,6 +62,10 @@ std::vector<Option> cutting(slice::Options& s) {
 
 std::vector<Option> compensating(app::slice::Options& o) {
     return {
+        Option{"first-layer-width", &o.first_layer_width, "MM",
+               "width of all beads of the first layer; 0: as those of other layers"}
+            .zero_or_at_least(0.01)
+            .at_most(100),
         Option{"elephant-foot", &o.compensation.elephant_foot, "MM",
                "distance that the first layer's outline moves inwards; no place loses more than half of its width"}
             .within(0, 10),
@@ -114,7 +118,8 @@ cli::Spec spec(app::slice::Options& o) {
         .options = std::move(options),
         .groups = {{"heights of layers", {"adaptive", "min-layer-height", "max-layer-height", "cusp"}},
                    {"mending", {"close-gaps", "close-openings", "hairline"}},
-                   {"sizes", {"elephant-foot", "xy-compensation", "hole-compensation", "shrinkage"}},
+                   {"sizes",
+                    {"first-layer-width", "elephant-foot", "xy-compensation", "hole-compensation", "shrinkage"}},
                    {"a part of the print", {"cut-below", "cut-above", "from-layer"}},
                    {"the file, and where the part stands",
                     {"unit", "deflection", "deflection-angle", "scale", "rotate", "translate", "center", "on-bed",

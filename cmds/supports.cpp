@@ -58,6 +58,12 @@ cli::Spec spec(Options& all) {
                      .within(0.1, 100)
                      .when("support/support-in/raft")
                      .a_limit(),
+                 Option{"support-width", &o.support_width, "MM",
+                        "width of the beads of supports and rafts; 0: as --bead-width"}
+                     .zero_or_at_least(0.01)
+                     .at_most(100)
+                     .when("support/support-in/raft")
+                     .a_limit(),
                  Option{"raft", &o.raft, "LAYERS", "layers of support under all of the part; 0: none"}.within(0, 1000),
                  Option{"brim", &o.brim, "MM", "width of a band around the first layer"}.within(0, 100),
                  Option{"skirt", &o.skirt, "MM", "distance of a ring from the first layer; 0: no ring"}.within(0, 100),
@@ -68,7 +74,7 @@ cli::Spec spec(Options& all) {
             .groups = {{"supports",
                         {"support", "support-in", "no-support-in", "support-on", "support-angle", "support-taper",
                          "beside"}},
-                       {"supports and rafts", {"gap", "interface", "support-spacing"}},
+                       {"supports and rafts", {"gap", "interface", "support-spacing", "support-width"}},
                        {"the first layer", {"raft", "brim", "skirt"}}},
             .examples = {{"slice part.stl | regions | supports --support | sequence > part.sequence", "with supports"},
                          {"slice part.stl | regions | skins | supports --brim 5 | sequence | fill > part.paths",

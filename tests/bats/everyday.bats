@@ -305,3 +305,7 @@ hanging() { peek --text | sed -nE "/ code '?overhang/s/^note .* amount ([0-9.]+)
     expect 2 supports --raft 3 --beside 2 raft.regions
     complaint supports
 }
+
+@test "sparse areas get the share of material that was asked" {
+    "$FILUM_SOURCE/tests/parts/infill-volumes" volumes --parts l --shares 20 --every 5
+}

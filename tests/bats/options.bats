@@ -18,6 +18,7 @@ setup() {
 # What the cases of witness.tsv need besides.
 make_more_inputs() {
     "$FILUM_SOURCE/tests/threemf/two-plates" plates.3mf
+    "$FILUM_SOURCE/tests/threemf/painted-seam" painted.3mf
     boxes two.stl 0,0,0,5,5,4 7,0,0,12,5,4   # columns beside each other
     boxes apart.stl 0,0,0,5,5,1 5.01,0,0,9,5,1 # a hairline apart
     boxes frame.stl 0,0,0,9,2,1 0,7,0,9,9,1 0,2,0,2,7,1 7,2,0,9,7,1 # round a hole

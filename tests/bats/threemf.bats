@@ -116,3 +116,84 @@ PY
     [ -n "${FILUM_3MF_SAMPLES:-}" ] || skip "FILUM_3MF_SAMPLES names no folder with 3mf-samples and lib3mf"
     "$FILUM_SOURCE/tests/threemf/check-samples" $FILUM_3MF_SAMPLES
 }
+
+# The first bead of each stroke of a toolpath, as "x y layer".
+starts() { peek --text "$1" | awk 'BEGIN { last = -1 } /^span role bead/ { fresh = ($5 != last); last = $5; layer = $7 } /^  [-0-9]/ { if (fresh) print $1, $2, layer; fresh = 0 }'; }
+
+@test "strokes begin on faces painted for seams, in the words of each slicer" {
+    for name in slic3rpe:custom_seam paint_seam; do
+        "$BATS_TEST_DIRNAME/../threemf/painted-seam" seam.3mf $name left
+        filum print seam.3mf --dry-run > line 2> said
+        [[ $(< line) == *"--seam-in=seam.3mf"* ]]
+        filum print seam.3mf --keep kept --notes all -o seam.gcode 2> said
+        [[ $(< said) != *"painted for seams was printed without that paint"* && $(< said) == *"[seam-paint-passed]"* ]]
+        starts kept/*.toolpath > at
+        [[ $(wc -l < at) -eq 1 ]]
+        read -r x y layer < at
+        awk -v x="$x" -v y="$y" 'BEGIN { exit !(x < 0.3 && y > 3.5 && y < 5.5) }' # the middle of the left side, not a corner
+        rm -r kept
+    done
+    # several copies have no place of their own for the project's paint
+    filum print seam.3mf --copies 2 --dry-run > line 2> said
+    [[ $(< line) != *seam-in* && $(< said) != *seam-in* ]]
+}
+
+@test "no stroke begins on faces painted against seams" {
+    "$BATS_TEST_DIRNAME/../threemf/painted-seam" seam.3mf slic3rpe:custom_seam back,right,front 8
+    slice seam.3mf --cut-above 2 --quiet | regions | sequence | fill -o seam.paths
+    link3d --quiet --seam back seam.paths -o back.toolpath
+    link3d --quiet --seam back --seam-in seam.3mf seam.paths -o off.toolpath
+    [[ $(starts back.toolpath | awk '{ print ($2 > 8) }') == 1 ]]
+    [[ $(starts off.toolpath | awk '{ print ($1 < 11.6 && $2 > 0.4 && $2 < 8.6) }') == 1 ]] # on an inner ring
+    run link3d --seam-in "$FILUM_SOURCE/examples/benchy/benchy.stl" seam.paths -o no.toolpath
+    [[ $status == 3 && $output == *"none of its faces is painted for seams"* ]]
+}
+
+@test "files that fit into each other are named when they are put side by side" {
+    python3 - <<'PY'
+import struct
+def boxes(path, *all):
+    f = [(0,2,1),(1,2,3),(4,5,6),(5,7,6),(0,1,4),(1,5,4),(2,6,3),(3,6,7),(0,4,2),(2,4,6),(1,3,5),(3,7,5)]
+    t = [[[(b[i + 3 * (v >> i & 1)]) for i in range(3)] for v in tri] for b in all for tri in f]
+    open(path, 'wb').write(bytes(80) + struct.pack('<I', len(t)) +
+                           b''.join(struct.pack('<12fH', 0, 0, 0, *sum(x, []), 0) for x in t))
+boxes('frame.stl', (0, 0, 0, 20, 4, 5), (0, 16, 0, 20, 20, 5), (0, 4, 0, 4, 16, 5), (16, 4, 0, 20, 16, 5))
+boxes('core.stl', (4, 4, 0, 16, 16, 5))
+boxes('lid.stl', (0, 0, 5, 20, 20, 7))
+boxes('other.stl', (0, 0, 0, 15, 15, 5))
+boxes('far.stl', (40, 0, 0, 55, 15, 5))
+PY
+    slice frame.stl core.stl -o two.layers 2> said
+    [[ $(< said) == *"2 parts fit into each other"*"[parts-fit]"* && $(< said) == *"--body"* ]]
+    slice frame.stl core.stl lid.stl -o three.layers 2> said
+    [[ $(< said) == *"3 parts fit into each other"* ]]
+    for others in other.stl far.stl "other.stl far.stl"; do
+        # shellcheck disable=SC2086
+        slice frame.stl $others -o apart.layers 2> said
+        [[ $(< said) != *parts-fit* ]]
+    done
+    slice frame.stl --body core.stl:tool=1 -o body.layers 2> said
+    [[ $(< said) != *parts-fit* ]]
+    slice frame.stl --copies 2 -o copies.layers 2> said
+    [[ $(< said) != *parts-fit* ]]
+}
+
+@test "projects of OrcaSlicer and Bambu Studio: settings of objects hold in them, widths go by role" {
+    for application in OrcaSlicer-2.1.1 BambuStudio-01.09.00.70; do
+        for flat in 0 1; do
+            FLAT=$flat "$FILUM_SOURCE/tests/threemf/orca-objects" o.3mf $application \
+                'sparse_infill_density=80% wall_loops=4' 'sparse_infill_pattern=gyroid layer_height=0.1'
+            filum print o.3mf --keep kept -o o.gcode 2> said
+            [[ $(< said) == *"'layer_height=0.1' of a part or modifier"* && $(< said) != *project-part-settings* ]]
+            [[ $(< said) != *"'wall_loops"* && $(< said) != *"'sparse_infill"* ]]
+            peek --text kept/3-skins.regions | grep -q '^  area kind sparse .* pattern wave '
+            peek --text kept/3-skins.regions | grep -q '^  area kind zone .* walls 3 width 0.45 '
+            peek --text kept/3-skins.regions | grep '^region .* layer 0 ' | grep -q ' width 0.5 '
+            rm -r kept
+        done
+    done
+    "$FILUM_SOURCE/tests/threemf/orca-objects" all.3mf OrcaSlicer-2.1.1 'sparse_infill_density=50%' 'sparse_infill_density=50% wall_loops=3'
+    run filum print all.3mf --dry-run
+    [[ $output == *"--infill=50%"* && $output == *"--walls=2"* && $output == *"--modifier=all.3mf"* ]]
+    [[ $output == *"--first-layer-width=0.5"* && $output == *"--inner-width=0.45"* && $output == *"--solid-width=0.42"* ]]
+}

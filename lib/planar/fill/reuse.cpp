@@ -31,7 +31,7 @@ bool same(const polygon::Loops& a, const polygon::Loops& b) { return a.start == 
 
 bool same(const polygon::Area& a, const polygon::Area& b) {
     return a.kind == b.kind && a.direction == b.direction && a.spacing == b.spacing && a.pattern == b.pattern &&
-           a.gap == b.gap && a.walls == b.walls && a.width == b.width && same(a.loops, b.loops);
+           a.gap == b.gap && a.walls == b.walls && a.width == b.width && a.solid == b.solid && same(a.loops, b.loops);
 }
 
 // What the fill of a region depends on. The height is 0 if it has no influence.
@@ -64,6 +64,7 @@ std::uint64_t key_of(const polygon::Region& r, double layer) {
         h.add(static_cast<std::uint64_t>(a.pattern));
         h.add(std::uint64_t{a.walls});
         h.add(a.width);
+        h.add(a.solid);
         h.add(a.direction);
         h.add(a.spacing);
         h.add(a.gap);

@@ -60,9 +60,10 @@ void set(Options& o, const std::string& setting) {
         o.top = whole(setting, value, 0);
     else if (name == "bottom")
         o.bottom = whole(setting, value, 0);
-    else if (name == "bead-width")
+    else if (name == "bead-width") {
         o.bead_width = width(setting, value);
-    else
+        o.inner_width = o.infill_width = o.solid_width = 0; // all beads of the modifier have this width
+    } else
         throw Error(Exit::usage, "cannot use '" + setting + "' of --modifier: a setting is one of " + names() +
                                      ", as infill=40%" + did_you_mean(name, kModifierSettings));
 }

@@ -26,6 +26,7 @@ constexpr double kHairline = 0.1;    // bead widths: narrower skins do not count
 constexpr double kReach = 2;         // bead widths: skins extend over sparse areas by at least this,
 constexpr double kReachMost = 8;     // and by at most this
 constexpr std::size_t kCarrying = 2; // layers whose lines carry a skin: one of each direction
+constexpr double kWidthGive = 0.25;  // share of a bead's width by which concentric lines may be wider or narrower
 constexpr double kNarrowest = 2;     // bead widths: narrower sparse places become solid
 
 // The layers with as few points as beads need. The cost of all further steps depends on their number.
@@ -78,7 +79,7 @@ Loops covered(const Loops& layer, const std::vector<Loops>& above, const std::ve
 
 // How far skins extend over sparse areas, mm: half the line spacing, so that a line lies below every skin.
 double reach(const Options& o) {
-    return o.bead_width * (o.infill > 0 ? std::clamp(1 / (2 * o.infill), kReach, kReachMost) : kReachMost);
+    return infill_width(o) * (o.infill > 0 ? std::clamp(1 / (2 * o.infill), kReach, kReachMost) : kReachMost);
 }
 
 // `sparse` without connected parts smaller than `least` mm2, which become solid.
@@ -89,9 +90,11 @@ Loops large(const Loops& sparse, double least) {
     return out;
 }
 
-// The total width of the walls in mm. The outer wall has the bead width of the part in all settings.
-double depth(const Options& o, double outer_width) {
-    return outer_width + static_cast<double>(o.walls - 1) * o.bead_width;
+// The total width of the walls of a region in mm. The outer wall has the same width in all settings, `outer_width`. A
+// region with a bead width of its own has that width throughout.
+double depth(const Region& r, const Options& o, double outer_width) {
+    if (r.width > 0) return static_cast<double>(o.walls) * r.width;
+    return outer_width + static_cast<double>(o.walls - 1) * inner_width(o);
 }
 
 // The area of a region inside walls of `depth` mm.
@@ -106,7 +109,7 @@ template <class Zone>
 Loops sparse(const Region& r, const LoopIndex& covered, const Options& o, double depth, const Zone& zone) {
     const Loops inner = covered.near(polygon::bounds(r.loops));
     if (inner.empty()) return {};
-    const double w = o.bead_width, hair = kHairline * w / 2, open = kNarrowest * w / 2;
+    const double w = inner_width(o), hair = kHairline * w / 2, open = kNarrowest * w / 2;
     const Loops within = within_walls(r, depth);
     if (within.empty()) return {};
     const Loops skin = polygon::offset(polygon::subtract(within, inner), -hair, kBeadArc);
@@ -122,7 +125,7 @@ Loops carrying(const Loops& area, const std::vector<LoopIndex>& sparse_of, std::
     Loops plain = area;
     for (std::size_t up = 1; up <= kCarrying && !plain.empty(); ++up)
         plain = layer + up < sparse_of.size() ? common(plain, sparse_of[layer + up].near(box)) : Loops{};
-    const double open = 2 * kNarrowest * o.bead_width / 2;
+    const double open = 2 * kNarrowest * inner_width(o) / 2;
     return polygon::opened_difference(area, polygon::opened(plain, open, kBeadArc), open / 2, kBeadArc);
 }
 
@@ -144,27 +147,29 @@ Loops seen(const Loops& outline, const Loops& other, const Options& o) {
 }
 
 // A note if the bead width or the walls of a modifier have no effect in a region.
-Notes ignored(const Region& r, const RegionZones& cut, double width, bool any_sparse) {
+Notes ignored(const Region& r, const RegionZones& cut, const Options& o, bool any_sparse) {
     Notes out;
+    const double width = o.bead_width, inner = inner_width(o);
     const auto put = [&](const Loops& where, NoteCode code) {
         out.push_back({code, 1, 1, r.layer, where.points[0].x, where.points[0].y});
     };
-    const auto other = std::ranges::find_if(cut.zones, [&](const auto& zone) { return zone.width != width; });
+    const auto other = std::ranges::find_if(
+        cut.zones, [&](const auto& zone) { return r.width == 0 && zone.width != width && zone.width != inner; });
     if (other != cut.zones.end())
         put(other->loops, NoteCode::modifier_wall_width);
-    else if (!cut.zones.empty() && !any_sparse)
+    else if (!cut.zones.empty() && !cut.mixed && !any_sparse)
         put(cut.zones[0].loops, NoteCode::modifier_walls_idle);
     return out;
 }
 
 // The notes of `ignored` for all regions of the part. An empty `any_sparse` means that no region is sparse.
-Notes ignored(const std::vector<Region>& regions, const std::vector<RegionZones>& cuts, double width,
+Notes ignored(const std::vector<Region>& regions, const std::vector<RegionZones>& cuts, const Options& o,
               const std::vector<char>& any_sparse) {
     Notes out;
     for (std::size_t i = 0; i < regions.size(); ++i) {
         if (regions[i].is != polygon::RegionClass::part) continue;
         const bool sparse = !any_sparse.empty() && any_sparse[i] != 0;
-        std::ranges::move(ignored(regions[i], cuts[i], width, sparse), std::back_inserter(out));
+        std::ranges::move(ignored(regions[i], cuts[i], o, sparse), std::back_inserter(out));
     }
     return out;
 }
@@ -185,7 +190,7 @@ void tell_solid(Region& r, const std::vector<LoopIndex>& layers, const Options& 
         seen(outline, r.layer + 1 < layers.size() ? layers[r.layer + 1].near(box) : Loops{}, o));
     Loops free = seen(outline, r.layer > 0 ? layers[r.layer - 1].near(box) : Loops{}, o);
     if (r.layer > 0 && o.bottom > 0 && !free.empty()) {
-        const Loops within = within_walls(r, depth(o, o.bead_width));
+        const Loops within = within_walls(r, depth(r, o, o.bead_width));
         const geom::Vec2 bead{o.bead_width, o.bead_width}; // the ends of a bridge lie on beads beside it
         const Loops below = layers[r.layer - 1].near({box.lo - bead, box.hi + bead});
         for (auto& bridge : bridges(within, below, o)) r.areas.push_back(std::move(bridge));
@@ -195,37 +200,47 @@ void tell_solid(Region& r, const std::vector<LoopIndex>& layers, const Options& 
 
 double direction_of(std::uint32_t layer) { return (layer % 2 == 0 ? 1 : 3) * std::numbers::pi / 4; }
 
-// The line spacing in mm at which the plain areas get the requested share. Without plain areas it is that of the dense
-// ones, and 0 without any. Names of facts begin with `whose`.
-double spacing_of(const std::vector<Region>& regions, const std::vector<Loops>& plain, const std::vector<Loops>& dense,
-                  const Options& o, double depth, const std::string& whose, Facts& facts) {
-    if (o.infill == 0) return infill::kHollow;
+// The lines of sparse areas.
+struct SparseLines {
+    double spacing = 0, width = 0; // mm
+};
+
+// The lines at which the plain areas get the requested share. Without plain areas they are those of the dense ones; the
+// spacing is 0 without any. Concentric lines come and go as a whole, so their widths make up for what the nearest
+// spacing lays too little or too much, up to kWidthGive. Names of facts begin with `whose`.
+SparseLines lines_of(const std::vector<Region>& regions, const std::vector<Loops>& plain,
+                     const std::vector<Loops>& dense, const Options& o, double outer_width, const std::string& whose,
+                     Facts& facts) {
+    const double w = infill_width(o);
+    if (o.infill == 0) return {infill::kHollow, w};
     std::vector<Loops> rims(regions.size());
     if (o.pattern == polygon::InfillPattern::concentric)
         parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
-            if (!plain[i].empty() || !dense[i].empty()) rims[i] = within_walls(regions[i], depth);
+            if (!plain[i].empty() || !dense[i].empty())
+                rims[i] = within_walls(regions[i], depth(regions[i], o, outer_width));
         });
     for (const auto* areas : {&plain, &dense}) {
         std::vector<infill::Task> tasks;
         for (std::size_t i = 0; i < regions.size(); ++i)
             if (!(*areas)[i].empty())
                 tasks.push_back(
-                    {&(*areas)[i],
-                     {o.pattern, direction_of(regions[i].layer), 0, o.bead_width, regions[i].z, 0, &rims[i]}});
+                    {&(*areas)[i], {o.pattern, direction_of(regions[i].layer), 0, w, regions[i].z, 0, &rims[i]}});
         if (tasks.empty()) continue;
-        const double spacing = infill::spacing_for(tasks, o.infill, o.bead_width);
+        const double spacing = infill::spacing_for(tasks, o.infill, w);
         facts.push_back({"", whose + "infill-spacing", spacing, "mm"});
-        if (o.pattern == polygon::InfillPattern::concentric)
-            facts.push_back({"", whose + "infill-share", 100 * infill::share_laid(tasks, spacing, o.bead_width), "%"});
-        return spacing;
+        if (o.pattern != polygon::InfillPattern::concentric) return {spacing, w};
+        const double share = infill::share_laid(tasks, spacing, w);
+        const double wider = share > 0 ? std::clamp(o.infill / share, 1 - kWidthGive, 1 + kWidthGive) : 1;
+        facts.push_back({"", whose + "infill-share", 100 * share * wider, "%"});
+        return {spacing, wider * w};
     }
-    return 0;
+    return {0, w};
 }
 
 // The sparse areas of one setting, per region.
 struct Sparse {
     Options how;
-    double depth;                    // mm, total width of its walls
+    double outer_width;              // mm, of the outer wall
     std::vector<Loops> plain, dense; // lines at the spacing; more lines, below skins
 };
 
@@ -261,22 +276,23 @@ void take_squares(Sparse& s, const std::vector<Region>& regions, double spacing)
         const Loops all = polygon::unite(s.plain[i], s.dense[i]);
         s.dense[i] = infill::whole_squares(
             s.dense[i], all,
-            {.direction = direction_of(regions[i].layer), .spacing = spacing, .bead_width = s.how.bead_width});
+            {.direction = direction_of(regions[i].layer), .spacing = spacing, .bead_width = infill_width(s.how)});
         s.plain[i] = beside(all, s.dense[i], s.how);
     });
 }
 
 // Adds the sparse areas of one setting to the regions.
 void put_sparse(Sparse& s, std::vector<Region>& regions, const std::string& whose, Facts& facts) {
-    const double spacing = spacing_of(regions, s.plain, s.dense, s.how, s.depth, whose, facts);
-    if (spacing == 0) return;
-    take_squares(s, regions, spacing);
+    const SparseLines lines = lines_of(regions, s.plain, s.dense, s.how, s.outer_width, whose, facts);
+    if (lines.spacing == 0) return;
+    take_squares(s, regions, lines.spacing);
     for (std::size_t i = 0; i < regions.size(); ++i) {
         Region& r = regions[i];
         const auto put = [&](Loops& loops, double gap) {
             if (loops.empty()) return;
-            r.areas.push_back(
-                {polygon::AreaKind::sparse, std::move(loops), direction_of(r.layer), spacing, s.how.pattern, gap});
+            r.areas.push_back({polygon::AreaKind::sparse, std::move(loops), direction_of(r.layer), lines.spacing,
+                               s.how.pattern, gap});
+            if (r.width == 0 && lines.width != inner_width(s.how)) r.areas.back().width = lines.width;
         };
         put(s.dense[i], s.how.bridge);
         put(s.plain[i], 0);
@@ -285,6 +301,10 @@ void put_sparse(Sparse& s, std::vector<Region>& regions, const std::string& whos
 
 } // namespace
 
+double inner_width(const Options& o) { return o.inner_width > 0 ? o.inner_width : o.bead_width; }
+double infill_width(const Options& o) { return o.infill_width > 0 ? o.infill_width : inner_width(o); }
+double solid_width(const Options& o) { return o.solid_width > 0 ? o.solid_width : inner_width(o); }
+
 std::uint32_t reach_in_layers(const Options& o) {
     constexpr std::int64_t kMost = 1U << 30U;
     return static_cast<std::uint32_t>(
@@ -292,8 +312,8 @@ std::uint32_t reach_in_layers(const Options& o) {
 }
 
 Notes skins(std::vector<Region>& regions, const Options& o, std::span<const Modifier> modifiers, Facts& facts) {
-    std::vector<Sparse> settings{{o, depth(o, o.bead_width), {}, {}}};
-    for (const Modifier& m : modifiers) settings.push_back({m.how, depth(m.how, o.bead_width), {}, {}});
+    std::vector<Sparse> settings{{o, o.bead_width, {}, {}}};
+    for (const Modifier& m : modifiers) settings.push_back({m.how, o.bead_width, {}, {}});
     const auto solid = [](const Sparse& s) { return s.how.infill >= 1; };
     if (regions.empty() || (modifiers.empty() && solid(settings[0]))) return {};
     for (const Region& r : regions)
@@ -302,7 +322,7 @@ Notes skins(std::vector<Region>& regions, const Options& o, std::span<const Modi
     const Zones zones(o, modifiers, layers.size());
     std::vector<RegionZones> cuts(regions.size());
     parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) { cuts[i] = zones.cut(regions[i]); });
-    if (std::ranges::all_of(settings, solid) && !zones.widths_differ()) return ignored(regions, cuts, o.bead_width, {});
+    if (std::ranges::all_of(settings, solid) && !zones.widths_differ()) return ignored(regions, cuts, o, {});
     for (std::size_t k = 0; k < settings.size(); ++k) {
         Sparse& s = settings[k];
         s.plain.resize(regions.size());
@@ -311,7 +331,7 @@ Notes skins(std::vector<Region>& regions, const Options& o, std::span<const Modi
         const auto inner = indexed(inner_of(layers, s.how));
         parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
             const Region& r = regions[i];
-            s.plain[i] = sparse(r, inner[r.layer], s.how, s.depth,
+            s.plain[i] = sparse(r, inner[r.layer], s.how, depth(r, s.how, s.outer_width),
                                 [&](const Loops& area) { return zones.of(k, r, cuts[i], area); });
         });
     }
@@ -320,7 +340,7 @@ Notes skins(std::vector<Region>& regions, const Options& o, std::span<const Modi
     for (std::size_t i = 0; i < regions.size(); ++i)
         any_sparse[i] = static_cast<char>(
             std::ranges::any_of(settings, [&](const Sparse& s) { return !s.plain[i].empty() || !s.dense[i].empty(); }));
-    Notes notes = ignored(regions, cuts, o.bead_width, any_sparse);
+    Notes notes = ignored(regions, cuts, o, any_sparse);
     const auto all = indexed(layers);
     parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
         tell_solid(regions[i], all, o, cuts[i], any_sparse[i] != 0);

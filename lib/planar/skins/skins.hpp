@@ -12,7 +12,10 @@
 namespace filum::skins {
 
 struct Options {
-    double bead_width = 0.4;          // mm
+    double bead_width = 0.4;          // mm; of the outer wall, if others are given:
+    double inner_width = 0;           // mm, of the beads inside the outer wall; 0: as bead_width
+    double infill_width = 0;          // mm, of the lines of sparse areas; 0: as inner_width
+    double solid_width = 0;           // mm, of solid areas inside the walls; 0: as inner_width
     std::int64_t top = 4, bottom = 4; // layers, >= 0
     std::int64_t walls = 2;           // rings along the outline, >= 1
     double infill = 0.15;             // share of the volume of sparse areas that beads fill; 0: they stay empty
@@ -20,6 +23,11 @@ struct Options {
     double bridge = 2; // mm: the widest gap that a skin crosses without a bridge or denser lines below it
     polygon::InfillPattern pattern = polygon::InfillPattern::rows;
 };
+
+// The widths in mm of the beads inside the outer wall, of sparse lines, and of solid areas.
+double inner_width(const Options& options);
+double infill_width(const Options& options);
+double solid_width(const Options& options);
 
 // The number of layers, up and down, that can influence a region. It holds for the settings of all modifiers that have
 // the same `top` and `bottom`. An empty stretch of that many layers has the same effect as a longer one.
@@ -55,6 +63,9 @@ polygon::InfillPattern pattern(const std::string& text);
 // A modifier with the walls and the bead width of the part begins one bead inside its outline. The rest of the part
 // ends one bead outside it, so that a wall fits between. A modifier with other walls or bead widths makes zones. The
 // side with more walls has them along the border, too.
+//
+// Where beads inside the outer wall, or in solid areas, have widths of their own, a zone covers the region. A region
+// with a width of its own (Region::width) has that width throughout.
 //
 // Returns notes on settings of modifiers that have no effect: other walls in a region that is all solid, and another
 // bead width for the outer wall, which keeps that of the part. Facts: the spacing of each setting in mm, and the share

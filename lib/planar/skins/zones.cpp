@@ -10,14 +10,15 @@ namespace filum::skins {
 using polygon::kBeadArc;
 using polygon::Loops;
 
+Zones::Kind Zones::kind(const Options& o) { return {o.walls, inner_width(o), solid_width(o), infill_width(o)}; }
+
 Zones::Zones(const Options& part, std::span<const Modifier> modifiers, std::size_t layers)
-    : kinds_{{part.walls, part.bead_width}}, kind_of_{0}, beyond_(modifiers.empty() ? 0 : layers),
+    : outer_(part.bead_width), kinds_{kind(part)}, kind_of_{0}, beyond_(modifiers.empty() ? 0 : layers),
       deep_(modifiers.size(), std::vector<Loops>(layers)) {
     for (const Modifier& m : modifiers) {
-        const auto same = std::ranges::find_if(
-            kinds_, [&](const Kind& k) { return k.walls == m.how.walls && k.width == m.how.bead_width; });
+        const auto same = std::ranges::find(kinds_, kind(m.how));
         kind_of_.push_back(static_cast<std::size_t>(same - kinds_.begin()));
-        if (same == kinds_.end()) kinds_.push_back({m.how.walls, m.how.bead_width});
+        if (same == kinds_.end()) kinds_.push_back(kind(m.how));
     }
     inside_.assign(kinds_.size(), std::vector<Loops>(layers));
     parallel::for_chunks(beyond_.size(), 1, 0, [&](std::size_t i, std::size_t) {
@@ -39,19 +40,21 @@ Zones::Zones(const Options& part, std::span<const Modifier> modifiers, std::size
 }
 
 bool Zones::widths_differ() const {
-    return std::ranges::any_of(kinds_, [&](const Kind& k) { return k.width != kinds_[0].width; });
+    return std::ranges::any_of(kinds_, [&](const Kind& k) { return has_own_width(k); });
 }
 
 RegionZones Zones::cut(const polygon::Region& region) const {
     RegionZones out;
     out.walls = static_cast<std::uint32_t>(kinds_[0].walls);
-    if (kinds_.size() == 1) return out;
+    const bool own = region.width > 0; // its beads have one width throughout
+    if (kinds_.size() == 1 && (own || !has_own_width(kinds_[0]))) return out;
     const Loops outline = polygon::simplify(region.loops, kBeadArc);
     const auto put = [&](std::size_t kind, const Loops& where) {
         if (polygon::opened(where, kinds_[kind].width / 2, kBeadArc).empty()) return;
         polygon::Area zone{polygon::AreaKind::zone, where, 0, 0, {}};
         zone.walls = static_cast<std::uint32_t>(kinds_[kind].walls);
-        zone.width = kinds_[kind].width;
+        zone.width = own ? region.width : kinds_[kind].width;
+        zone.solid = own ? 0 : kinds_[kind].solid == zone.width ? 0 : kinds_[kind].solid;
         out.zones.push_back(std::move(zone));
         out.kind.push_back(kind);
     };
@@ -62,14 +65,17 @@ RegionZones Zones::cut(const polygon::Region& region) const {
         put(kind, polygon::intersect(outline, inside));
         others = polygon::unite(others, inside);
     }
-    if (out.zones.empty()) return out;
+    if (out.zones.empty() && (own || !has_own_width(kinds_[0]))) return out;
     put(0, polygon::subtract(outline, others));
-    out.mixed = std::ranges::any_of(out.zones, [&](const auto& z) { return z.width != kinds_[0].width; });
-    out.walls = out.mixed ? 1 : std::ranges::min_element(out.zones, {}, &polygon::Area::walls)->walls;
+    if (out.zones.empty()) return out;
+    const double outer = own ? region.width : outer_;
+    const bool apart = std::ranges::any_of(out.zones, [&](const auto& z) { return z.width != outer; });
+    out.mixed = apart || std::ranges::any_of(out.zones, [](const auto& z) { return z.solid > 0; });
+    out.walls = apart ? 1 : std::ranges::min_element(out.zones, {}, &polygon::Area::walls)->walls;
     for (std::size_t k = out.zones.size(); k-- > 0;) {
         polygon::Area& zone = out.zones[k];
         zone.walls -= out.walls;
-        if (zone.walls > 0 || zone.width != kinds_[0].width) continue;
+        if (zone.walls > 0 || zone.width != outer || zone.solid > 0) continue;
         out.zones.erase(out.zones.begin() + static_cast<std::ptrdiff_t>(k));
         out.kind.erase(out.kind.begin() + static_cast<std::ptrdiff_t>(k));
     }

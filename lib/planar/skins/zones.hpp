@@ -5,12 +5,12 @@
 
 namespace filum::skins {
 
-// The zones of a region: its parts with other walls or bead widths.
+// The zones of a region: its parts with other walls or bead widths than those of its outer wall.
 struct RegionZones {
     std::uint32_t walls = 0;          // rings along the whole outline
     std::vector<polygon::Area> zones; // with walls and bead widths of their own; none if the whole region is alike
     std::vector<std::size_t> kind;    // the kind of each zone
-    bool mixed = false;               // some bead width differs from that of the part
+    bool mixed = false;               // some bead width differs from that of the outer wall
 };
 
 // The zones of all layers. Setting 0 is that of the part, setting k that of the k-th modifier. Where modifiers overlap,
@@ -20,12 +20,13 @@ class Zones {
     // `layers`: the number of layers of the part.
     Zones(const Options& part, std::span<const Modifier> modifiers, std::size_t layers);
 
-    // True if some setting has another bead width than the part.
+    // True if some setting has another bead width than the part's outer wall.
     [[nodiscard]] bool widths_differ() const;
 
     // The zones of `region`: one for each kind that has room for a bead in it. A kind that needs no walls and no bead
-    // width of its own gets none. The region keeps as many walls as the kind with the fewest. If bead widths differ it
-    // keeps one wall, as wide as the part's beads. The zones have the remaining walls.
+    // width of its own gets none. The region keeps as many walls as the kind with the fewest. If the widths of walls
+    // differ it keeps one wall, the outer one. The zones have the remaining walls. A region with a bead width of its
+    // own has zones for other walls only.
     [[nodiscard]] RegionZones cut(const polygon::Region& region) const;
 
     // The part of `area` where `setting` holds, in a region with the zones `cut`. A modifier of the part's kind keeps
@@ -37,8 +38,15 @@ class Zones {
   private:
     struct Kind {
         std::int64_t walls;
-        double width; // mm
+        double width; // mm, of the walls inside the outer one
+        double solid; // mm, of solid areas
+        double lines; // mm, of sparse areas
+        bool operator==(const Kind&) const = default;
     };
+    static Kind kind(const Options& options);
+    [[nodiscard]] bool has_own_width(const Kind& kind) const { return kind.width != outer_ || kind.solid != outer_; }
+
+    double outer_ = 0;                                // mm, width of the outer wall
     std::vector<Kind> kinds_;                         // that of the part is first
     std::vector<std::size_t> kind_of_;                // per setting
     std::vector<std::vector<polygon::Loops>> inside_; // per kind and layer: the area of its modifiers; empty for kind 0

@@ -50,15 +50,17 @@ std::vector<Region> flattened(Stack first, Stack second) {
     return out;
 }
 
-Region made(const Loops& loops, const Region& like, RegionClass is, double bead_width) {
+// A region with beads `width` mm wide.
+Region made(const Loops& loops, const Region& like, RegionClass is, double width, const Options& o) {
     Region r;
+    if (width != o.bead_width) r.width = width;
     r.layer = like.layer;
     r.z = like.z;
     r.height = like.height;
     r.loops = loops;
     r.area = polygon::signed_area(loops);
     r.box = polygon::bounds(loops[0]);
-    r.inradius = regions::inradius_bound(loops, bead_width / 2, 1e-3);
+    r.inradius = regions::inradius_bound(loops, width / 2, 1e-3);
     r.is = is;
     r.walls = 1;
     return r;
@@ -80,6 +82,7 @@ Region model(const Stack& stack, std::size_t layer) {
     out.layer = static_cast<std::uint32_t>(layer);
     out.height = stack[from][0].height;
     out.z = stack[from][0].z - static_cast<double>(from - layer) * out.height;
+    if (from == layer) out.width = stack[from][0].width;
     return out;
 }
 
@@ -100,15 +103,16 @@ std::vector<Region> carriers(const Columns& c, std::size_t layer, const Region& 
     std::vector<Region> out;
     if (c.all[layer].empty()) return out;
     for (const Loops& part : polygon::split(polygon::simplify(c.all[layer], kBeadArc)).part) {
-        Region r = made(part, like, RegionClass::support, o.bead_width);
+        const double w = layer == 0 && like.width > 0 ? like.width : o.own_width(); // mm; that of a first layer counts
+        Region r = made(part, like, RegionClass::support, w, o);
         if (r.inradius <= 0) continue;
-        const Loops inside = polygon::offset(part, -o.bead_width, kBeadArc);
+        const Loops inside = polygon::offset(part, -w, kBeadArc);
         const Loops near = c.interface[layer].empty() ? Loops{} : polygon::intersect(inside, c.interface[layer]);
         const Loops rest = near.empty() ? inside : polygon::subtract(inside, near);
         const auto put = [&](const Loops& loops, double spacing) {
             if (!loops.empty()) r.areas.push_back({AreaKind::sparse, loops, 0, spacing, polygon::InfillPattern::rows});
         };
-        put(near, std::min(o.spacing, kInterfaceLines * o.bead_width));
+        put(near, std::min(o.spacing, kInterfaceLines * w));
         put(rest, o.spacing);
         if (!near.empty()) r.areas.push_back({AreaKind::skin_top, near, 0, 0, {}});
         out.push_back(std::move(r));
@@ -188,15 +192,15 @@ std::vector<Region> rims(const Loops& first, const Region& like, const Options& 
     Loops outer;
     for (const Loops& part : polygon::split(first).part) outer.add(part[0]);
     const Loops whole = polygon::unite(outer);
+    const double w = like.width > 0 ? like.width : o.bead_width;
     std::vector<Region> out;
     const auto ring = [&](double from, double to) {
         const Loops inner = from > 0 ? polygon::offset(whole, from, kBeadArc) : whole;
         for (const Loops& part : polygon::split(polygon::subtract(polygon::offset(whole, to, kBeadArc), inner)).part)
-            if (Region r = made(part, like, RegionClass::rim, o.bead_width); r.inradius > 0)
-                out.push_back(std::move(r));
+            if (Region r = made(part, like, RegionClass::rim, w, o); r.inradius > 0) out.push_back(std::move(r));
     };
     if (o.brim > 0) ring(0, o.brim);
-    if (o.skirt > 0) ring(o.brim + o.skirt, o.brim + o.skirt + kSkirtBeads * o.bead_width);
+    if (o.skirt > 0) ring(o.brim + o.skirt, o.brim + o.skirt + kSkirtBeads * w);
     return out;
 }
 
@@ -244,7 +248,7 @@ std::vector<Region> supports(std::vector<Region> regions, const Options& options
     Options o = options;
     for (const Region& r : regions)
         check_density(polygon::signed_area(r.loops), o.bead_width, Exit::usage, "--bead-width");
-    if (o.carries()) check_spacing(o.spacing, o.bead_width, Exit::usage, "--support-spacing");
+    if (o.carries()) check_spacing(o.spacing, o.own_width(), Exit::usage, "--support-spacing");
     if (o.raft > 0) raise(regions, o, static_cast<std::uint32_t>(o.raft + o.gap));
     const auto layers = polygon::materials(regions);
     Stack stack = stack_of(std::move(regions)), added(stack.size());

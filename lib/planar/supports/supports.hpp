@@ -11,7 +11,8 @@
 namespace filum::supports {
 
 struct Options {
-    double bead_width = 0.4; // mm
+    double bead_width = 0.4;  // mm
+    double support_width = 0; // mm, of beads of supports and rafts; 0: as bead_width
     bool support = false;
     double angle = std::numbers::pi / 4; // rad from the vertical: walls that lean out less carry themselves
     bool on_part = true;                 // supports may stand on the part
@@ -26,6 +27,7 @@ struct Options {
     // Per layer of the part: areas where every overhang is carried, however small, and areas where none is.
     std::vector<polygon::Loops> wanted{}, unwanted{};
 
+    [[nodiscard]] double own_width() const { return support_width > 0 ? support_width : bead_width; } // of supports
     [[nodiscard]] bool carries() const { return support || raft > 0 || !wanted.empty(); }
 };
 

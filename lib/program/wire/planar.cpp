@@ -140,15 +140,15 @@ polygon::Area area(const proto::Area& m) {
                       static_cast<polygon::InfillPattern>(m.pattern()),
                       m.gap(),
                       m.walls(),
-                      m.width()};
+                      m.width(),
+                      m.solid()};
     if (!usable(out.direction)) bad_frame("region", "a direction is not a number");
     const bool sparse = out.kind == polygon::AreaKind::sparse;
     if (!usable(out.spacing) || out.spacing < 0 || (sparse && out.spacing == 0))
         bad_frame("region", "the spacing of an area is not positive");
     if (!usable(out.gap) || out.gap < 0) bad_frame("region", "the gap of an area is negative");
-    const bool zone = out.kind == polygon::AreaKind::zone;
-    if (!usable(out.width) || out.width < 0 || (zone && out.width == 0))
-        bad_frame("region", "the width of a zone's beads is not positive");
+    if (!is_size(out.width) || !is_size(out.solid) || (out.kind == polygon::AreaKind::zone && out.width == 0))
+        bad_frame("region", "the width of the beads of an area is not positive");
     return out;
 }
 
@@ -161,6 +161,7 @@ void put_area(proto::Area& m, const polygon::Area& area) {
     m.set_gap(area.gap);
     m.set_walls(area.walls);
     m.set_width(area.width);
+    m.set_solid(area.solid);
 }
 
 } // namespace

@@ -61,7 +61,8 @@ struct Area {
     double gap = 0; // mm, sparse: the widest gap allowed, kept by extra lines; 0: no limit
     // zone: number of rings along its outline, within the rings of the whole region
     std::uint32_t walls = 0;
-    double width = 0; // mm, zone: of its beads
+    double width = 0; // mm, of the beads of a zone, and of the lines of a sparse area; 0: as around it
+    double solid = 0; // mm, of the beads of solid parts of a zone; 0: as the zone's other beads
 };
 
 // The purpose of a region.

@@ -151,33 +151,43 @@ bool has(const Region& r, AreaKind kind) {
     return std::any_of(r.areas.begin(), r.areas.end(), [&](const Area& a) { return a.kind == kind; });
 }
 
-// Adds the curves inside walls that are `depth` mm wide in total, with beads w mm wide.
-void add_inside(LooseCurves& to, const Loops& rest, const Region& r, double depth, double w, double tolerance) {
+// The width of the lines in `sparse`, a sparse part of the region, mm. All areas that meet it have the same, since a
+// setting with other widths has a zone of its own. `usual`: the width of areas that name none.
+double line_width(const Region& r, const Loops& sparse, double usual) {
+    for (const Area& a : r.areas)
+        if (a.kind == AreaKind::sparse && a.width > 0 && !polygon::intersect(sparse, a.loops).empty()) return a.width;
+    return usual;
+}
+
+// Adds the curves inside walls that are `depth` mm wide in total, with beads w mm wide, and `solid` mm in solid parts.
+void add_inside(LooseCurves& to, const Loops& rest, const Region& r, double depth, double w, double solid,
+                double tolerance) {
     const Division parts = divided(polygon::simplify(rest, kTolerance), r, depth, w);
+    const double lines = line_width(r, parts.sparse, w);
     std::vector<infill::Task> tasks;
     bool concentric = false;
     for (const Area& a : r.areas) {
         if (a.kind != AreaKind::sparse) continue;
-        tasks.push_back({&a.loops, {a.pattern, a.direction, a.spacing, w, r.z, a.gap}});
+        tasks.push_back({&a.loops, {a.pattern, a.direction, a.spacing, lines, r.z, a.gap}});
         concentric = concentric || a.pattern == polygon::InfillPattern::concentric;
     }
     Loops rim;
     if (concentric) rim = polygon::offset(polygon::simplify(r.loops, kTolerance), -depth, kTolerance);
     for (infill::Task& t : tasks) t.lines.rim = &rim;
-    add(to, infill::loops(parts.sparse, tasks), w, Feature::infill);
+    add(to, infill::loops(parts.sparse, tasks), lines, Feature::infill);
     for (std::size_t k = 0; k < parts.bridge.size(); ++k)
         add_rows(to, parts.bridge[k], parts.direction[k], w, tolerance);
-    for (const Loops& part : parts.solid) add(to, rings::lanes(part, {.width = w, .tolerance = tolerance}), 0);
+    for (const Loops& part : parts.solid) add(to, rings::lanes(part, {.width = solid, .tolerance = tolerance}), 0);
 }
 
 // Adds the curves of a piece inside walls of `depth` mm: the walls of the piece and what lies inside them.
 void add_piece(LooseCurves& to, const RegionPiece& piece, const Region& r, double depth, double tolerance) {
-    if (piece.walls == 0) return add_inside(to, piece.where, r, depth, piece.width, tolerance);
+    if (piece.walls == 0) return add_inside(to, piece.where, r, depth, piece.width, piece.solid, tolerance);
     const auto walls = rings::first_lanes(
         piece.where, {.width = piece.width, .most = static_cast<int>(piece.walls), .tolerance = tolerance});
     add(to, walls.lanes, piece.walls, Feature::wall);
     for (const Loops& rest : walls.rest)
-        add_inside(to, rest, r, depth + piece.walls * piece.width, piece.width, tolerance);
+        add_inside(to, rest, r, depth + piece.walls * piece.width, piece.width, piece.solid, tolerance);
 }
 
 // True if an area that stays empty covers everything inside the walls, however narrow that is.
@@ -202,7 +212,7 @@ LooseCurves closed_curves(const Region& r, double w, double tolerance) {
         if (stays_empty(rest, r))
             continue;
         else if (!has(r, AreaKind::zone))
-            add_inside(out, rest, r, depth, w, tolerance);
+            add_inside(out, rest, r, depth, w, w, tolerance);
         else
             for (const RegionPiece& piece : pieces(polygon::simplify(rest, kTolerance), r, w))
                 add_piece(out, piece, r, depth, tolerance);
@@ -274,6 +284,9 @@ void check_densities(const Region& r, double narrowest) {
     for (const Area& a : r.areas) {
         const double area = polygon::signed_area(a.loops);
         if (a.kind == AreaKind::zone) check_density(area, a.width, Exit::bad_input, "the bead width of a zone");
+        if (a.solid > 0) check_density(area, a.solid, Exit::bad_input, "the bead width of solid parts");
+        if (a.kind == AreaKind::sparse && a.width > 0)
+            check_density(area, a.width, Exit::bad_input, "the bead width of an area");
         if (a.kind != AreaKind::sparse) continue;
         check_spacing(a.spacing, narrowest, Exit::bad_input, "the spacing of an area");
         check_density(area, a.spacing, Exit::bad_input, "the spacing of an area");

@@ -13,13 +13,14 @@ using polygon::Loops;
 
 namespace {
 
-// Adds the connected parts of `where` as pieces. Parts of at most rings::kLeastVoid bead widths squared are left open.
-// Without walls, so are parts nowhere as wide as half a bead.
-void add_parts(const Loops& where, std::uint32_t walls, double width, std::vector<RegionPiece>& to) {
+// Adds the connected parts of `where` as pieces with the walls and widths of `like`. Parts of at most rings::kLeastVoid
+// bead widths squared are left open. Without walls, so are parts nowhere as wide as half a bead.
+void add_parts(const Loops& where, const RegionPiece& like, std::vector<RegionPiece>& to) {
+    const double width = like.width;
     for (Loops& part : polygon::split(where).part) {
         if (polygon::signed_area(part) <= rings::kLeastVoid * width * width) continue;
-        if (walls > 0 || !polygon::offset(part, -width / 4, kBeadArc).empty())
-            to.push_back({std::move(part), walls, width});
+        if (like.walls > 0 || !polygon::offset(part, -width / 4, kBeadArc).empty())
+            to.push_back({std::move(part), like.walls, width, like.solid});
     }
 }
 
@@ -41,19 +42,20 @@ std::vector<RegionPiece> pieces(const Loops& rest, const polygon::Region& region
         Loops own = polygon::subtract(left, polygon::subtract(beside, slivers(beside, rest, bead_width)));
         own = polygon::subtract(own, slivers(own, rest, zone.width));
         left = polygon::subtract(left, own);
-        add_parts(own, zone.walls, zone.width, out);
+        add_parts(own, {{}, zone.walls, zone.width, zone.solid > 0 ? zone.solid : zone.width}, out);
     }
-    add_parts(left, 0, bead_width, out);
+    add_parts(left, {{}, 0, bead_width, bead_width}, out);
     return out;
 }
 
 Widths widths(const polygon::Region& region, double bead_width) {
     Widths out{bead_width, bead_width};
-    for (const polygon::Area& zone : region.areas) {
-        if (zone.kind != AreaKind::zone) continue;
-        out.narrowest = std::min(out.narrowest, zone.width);
-        out.widest = std::max(out.widest, zone.width);
-    }
+    for (const polygon::Area& area : region.areas)
+        for (const double width : {area.width, area.solid}) {
+            if (!(width > 0)) continue;
+            out.narrowest = std::min(out.narrowest, width);
+            out.widest = std::max(out.widest, width);
+        }
     return out;
 }
 

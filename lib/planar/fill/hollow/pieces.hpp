@@ -10,6 +10,7 @@ struct RegionPiece {
     polygon::Loops where;    // connected
     std::uint32_t walls = 0; // further rings along its own outline
     double width = 0;        // mm, bead width
+    double solid = 0;        // mm, bead width of its solid parts
 };
 
 // Cuts `rest`, the area inside the walls of the region, along the outlines of its zones. Without zones the pieces are
@@ -23,7 +24,7 @@ struct RegionPiece {
 // polygon::split.
 std::vector<RegionPiece> pieces(const polygon::Loops& rest, const polygon::Region& region, double bead_width);
 
-// The narrowest and the widest bead of the region in mm: `bead_width` and the widths of its zones.
+// The narrowest and the widest bead of the region in mm: `bead_width` and the widths of its areas.
 struct Widths {
     double narrowest = 0, widest = 0;
 };

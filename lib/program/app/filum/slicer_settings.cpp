@@ -1,6 +1,7 @@
 #include "app/filum/slicer_settings.hpp"
 
 #include "app/filum/slicer_values.hpp"
+#include "app/filum/slicer_widths.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "cli/other_values.hpp"
@@ -126,8 +127,7 @@ class Reader {
 
     // Settings that depend on several keys.  The first of these keys that is set makes the words, the others make none.
     Words special(const std::string& key, const SettingRow& row) {
-        if (row.target == "bead-width")
-            return first_of(key, {"extrusion_width", "line_width", "nozzle_diameter"}) ? width() : Words{};
+        if (row.target.ends_with("width")) return width(key);
         if (row.target == "brim") return key == "brim_width" ? brim() : Words{};
         if (row.target == "cooling")
             return first_of(key, {"max_fan_speed", "fan_max_speed", "min_fan_speed", "fan_min_speed"}) ? cooling()
@@ -159,24 +159,11 @@ class Reader {
         return false;
     }
 
-    Words width() {
-        const double nozzle = values_.number_or("nozzle_diameter", 0);
-        std::string key;
-        for (const char* k : {"extrusion_width", "line_width", "perimeter_extrusion_width", "inner_wall_line_width"})
-            if (key.empty() && values_.number_or(k, 0) > 0) key = k;
-        if (key.empty()) // the slicer chooses the width
-            return nozzle > 0 ? Words{option("bead-width", nozzle)} : Words{};
-        if (!values_.percent(key)) return {option("bead-width", values_.number(key))};
-        const double wide = nozzle > 0 ? nozzle : 0.4, layer = values_.number_or("layer_height", 0.2);
-        const double share = values_.number(key) / 100;
-        const bool of_layer =
-            values_.width_is_of_layer() && !(values_.slicer() == Slicer::unknown && share * layer < wide);
-        const double mm = std::round(share * (of_layer ? layer : wide) * 1e6) / 1e6; // without rounding errors
-        remarks_.push_back(key + " = " + values_.text(key) + " taken of the " + (of_layer ? "layer height" : "nozzle") +
-                           ", as " + (values_.slicer() == Slicer::unknown ? "SuperSlicer" : name_of(values_.slicer())) +
-                           " does: " + shortest_text(std::max(mm, wide)) + " mm" +
-                           (mm < wide ? ", the nozzle's width, since " + shortest_text(mm) + " mm is less" : ""));
-        return {option("bead-width", std::max(mm, wide))};
+    // Widths by role.  Only a part with sparse areas has several: a solid one is filled with beads of one width.
+    Words width(const std::string& key) {
+        const char* density = values_.of_orca() ? "sparse_infill_density" : "fill_density";
+        const bool sparse = !values_.text(density).empty() && values_.density(density) < 100;
+        return width_words(values_, key, {sparse, supports()}, remarks_);
     }
 
     Words brim() {

@@ -158,15 +158,18 @@ ModifierSet read_modifiers(const std::vector<ModifierRequest>& all, const filum:
 
 namespace {
 
-// Adds a note if a tool's beads have a width of their own, as walls and sparse areas are planned with that of `o`.
+// Adds a note if sparse areas have beads of another width than the one that they are planned with, as those of a tool
+// with a width of its own.
 void note_other_width(const std::vector<Region>& regions, const filum::skins::Options& o, Notes& notes) {
-    const auto other = std::ranges::find_if(
-        regions, [&](const Region& r) { return r.width > 0 && r.width != o.bead_width && o.infill < 1; });
+    const auto other = std::ranges::find_if(regions, [&](const Region& r) {
+        return r.width > 0 && r.width != o.bead_width &&
+               std::ranges::any_of(r.areas, [](const polygon::Area& a) { return a.kind == polygon::AreaKind::sparse; });
+    });
     if (other == regions.end()) return;
     notes.push_back({.code = NoteCode::setting_differs,
                      .layer = other->layer,
                      .detail = "beads of tool " + std::to_string(other->tool) + " are " + shortest_text(other->width) +
-                               " mm wide, but walls and sparse areas of all tools are planned for " +
+                               " mm wide, but sparse areas of all tools are planned for " +
                                shortest_text(o.bead_width) + " mm"});
 }
 
@@ -189,9 +192,9 @@ void run(const Options& o, const cli::Io& io) {
         std::erase_if(whole.notes, [](const Note& n) {
             return n.code == NoteCode::project_modifier || n.code == NoteCode::project_part_settings;
         });
-    note_other_width(regions, options, notes);
     Facts facts;
     std::ranges::move(filum::skins::skins(regions, options, modifiers, facts), std::back_inserter(notes));
+    note_other_width(regions, options, notes);
     for (Region& r : regions) r.layer = original[r.layer];
     polygon::restore_layers(notes, original);
     whole.header.expected = regions.size();

@@ -2,6 +2,7 @@
 
 #include "app/modifier/modifier.hpp"
 #include "app/slice/bodies.hpp"
+#include "app/slice/fitting.hpp"
 #include "app/slice/plate.hpp"
 #include "parallel/parallel.hpp"
 #include "polygon/clip.hpp"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <iterator>
 
 namespace filum::app::slice {
 
@@ -31,6 +33,12 @@ struct Job {
     LayerRange wanted;
     std::atomic<bool> holed = false;         // a layer has a hole
     std::vector<std::vector<double>> kept{}; // of several bodies, per body and layer: mm2 that are left of it
+
+    // The width of the beads of a part in a layer, mm; 0: as the stages' options say.
+    [[nodiscard]] double width(const OnBed& part, std::size_t layer) const {
+        const double first = o.first_layer_width;
+        return first > 0 && above_bed(layer) == 0 ? first : part.width;
+    }
 
     [[nodiscard]] bool bodies() const { return !o.body.empty() && parts.size() > 1; }
 
@@ -80,7 +88,8 @@ std::vector<polygon::Layer> body_layers(Job& job, std::size_t i, std::vector<pol
         job.kept[b][i] = polygon::signed_area(contours[b]);
         if (contours[b].empty() && !(b + 1 == contours.size() && out.empty())) continue;
         out.push_back({index, level.z - job.wanted.down, level.height, level.plane - job.wanted.down,
-                       std::move(contours[b]), static_cast<std::uint32_t>(b), job.parts[b].tool, job.parts[b].width});
+                       std::move(contours[b]), static_cast<std::uint32_t>(b), job.parts[b].tool,
+                       job.width(job.parts[b], i)});
     }
     return out;
 }
@@ -122,9 +131,9 @@ std::vector<stream::RawFrame> cut_all(Job& job, std::size_t chunk, Notes& notes)
         }
         const auto& level = job.levels[i];
         const auto index = static_cast<std::uint32_t>(i - job.wanted.first);
-        frames.push_back(
-            wire::frame(polygon::Layer{index, level.z - job.wanted.down, level.height, level.plane - job.wanted.down,
-                                       std::move(contours[0][i - first]), 0, job.parts[0].tool, job.parts[0].width}));
+        frames.push_back(wire::frame(polygon::Layer{index, level.z - job.wanted.down, level.height,
+                                                    level.plane - job.wanted.down, std::move(contours[0][i - first]), 0,
+                                                    job.parts[0].tool, job.width(job.parts[0], i)}));
     }
     return frames;
 }
@@ -152,6 +161,7 @@ void run(const Options& o, const cli::Io& io) {
     cli::Io self = io;
     Notes notes;
     std::vector<OnBed> parts = read_parts(o, self);
+    if (o.body.empty()) std::ranges::move(fitting_parts(parts, io.threads), std::back_inserter(notes));
     auto objects = place_on_bed(parts, o, io, notes);
     const auto levels = prepare(parts, o, io.threads, notes);
     Job job{o, parts, levels, wanted(levels, o)};

@@ -13,6 +13,7 @@ struct Options {
     mesh::Placement place;
     filum::slice::Options slice;
     filum::slice::Compensation compensation;
+    double first_layer_width = 0;     // mm, of the beads of the first layer; 0: as those of other layers
     std::vector<double> shrinkage{0}; // %, one or one per axis: the loss of size as a part cools
     mesh::step::Tessellation step;
     std::vector<double> cut_below{}, cut_above{}; // mm, z of the cuts; empty: no cut
