@@ -145,7 +145,8 @@ class Area:
     pattern: Pattern, sparse
     gap: mm, sparse: no gap is wider, by more lines between those; 0: as the spacing says
     walls: zone: rings along its outline, within those of the region
-    width: mm, zone: of its beads
+    width: mm, of its beads (zone) or lines (sparse; 0: as around)
+    solid: mm, zone: of the beads of solid parts; 0: as its other beads
     """
 
     message = planar_pb2.Area
@@ -157,6 +158,7 @@ class Area:
     gap: float = 0.0
     walls: int = 0
     width: float = 0.0
+    solid: float = 0.0
 
 
 @dataclasses.dataclass(eq=False)
