@@ -63,3 +63,7 @@ from_below() { # PROGRAM
     echo "$one $two"
     [ "$two" -le $((2 * one)) ]
 }
+
+@test "parts with hanging islands at random: first bead on the bed, nothing before what lies below it" {
+    "$FILUM_SOURCE/tests/parts/random-hanging" 1 12
+}

@@ -64,12 +64,20 @@ struct SupportedParts {
         return out;
     }
 
-    // Joins each part that begins above the lowest layer to the nearest one below.
+    // Joins each part to the nearest one on the layer below its lowest one, and below a hanging region if the part has
+    // a gap there, as above a support.
     void join_floating() {
         std::vector<Index> root(g.size());
         for (Index v = 0; v < g.size(); ++v) root[v] = set.root(v);
+        std::vector<std::pair<Index, Index>> present; // roots, and layers of their parts
+        for (Index v = 0; v < g.size(); ++v) present.emplace_back(root[v], g.node[v].layer);
+        std::sort(present.begin(), present.end());
+        const auto misses_layer_below = [&](Index v) {
+            const std::pair<Index, Index> below{root[v], g.node[v].layer - 1};
+            return !std::binary_search(present.begin(), present.end(), below);
+        };
         for (Index v = first[1]; v < g.size(); ++v)
-            if (g.node[v].layer == g.node[root[v]].layer)
+            if (hangs(v) && misses_layer_below(v))
                 for (const Index u : nearest_below(v)) set.unite(u, v);
     }
 

@@ -112,6 +112,28 @@ TEST(Hanging, FloatingPartFollowsTheNearest) {
     EXPECT_EQ(below_hanging(g, outlines), (std::vector<Pair>{{5, 8}}));
 }
 
+TEST(Hanging, WhatASupportCarriesAcrossAGapFollowsTheLayerOfTheGap) {
+    // A tower; beside it a support of one layer, an empty layer, and the body on the support.
+    std::vector<Outlined> outlined;
+    for (std::uint32_t l = 0; l < 5; ++l) {
+        outlined.push_back({l, box(0, 0, 5, 5)});
+        if (l != 1) outlined.push_back({l, box(10, 0, 5, 5)});
+    }
+    auto regions = world(outlined);
+    const Index support = 1, in_gap = 2, body = 4;
+    ASSERT_EQ(regions[body].layer, 2U);
+    regions[body].below.push_back({support, 25, 0.2, false});
+    for (const bool by_layers : {true, false}) {
+        Options o;
+        o.by_layers = by_layers;
+        o.heads.common.none = true;
+        const Order order = sequence(regions, o).order;
+        const auto place = [&](Index v) { return std::ranges::find(order, v) - order.begin(); };
+        EXPECT_LT(place(in_gap), place(body));
+        EXPECT_LT(place(support), place(body));
+    }
+}
+
 TEST(Hanging, OfManyTheNearestCome) {
     // a row of pillars and a row of stalactites that one roof joins
     constexpr std::uint32_t kMany = 400;
