@@ -230,24 +230,39 @@ EOF
     refuses 3 "it is an ASCII STL with 1 line before 'solid'; remove it" a.stl
 }
 
-@test "an outline of 32,000 noisy vertices takes about a second a layer" {
-    python3 - << 'END'
+# noisy FILE FROM: a disc of radius 30 with 32,000 vertices, each at a random radius from FROM
+noisy() {
+    python3 - "$@" << 'END'
 import math
 import random
 import struct
+import sys
 
 chance = random.Random(5)
 n = 32000
 ring = [(r * math.cos(2 * math.pi * k / n), r * math.sin(2 * math.pi * k / n))
-        for k in range(n) for r in [30 + chance.uniform(-0.05, 0.05)]]
-with open("noisy.stl", "wb") as f:
+        for k in range(n) for r in [chance.uniform(float(sys.argv[2]), 30)]]
+with open(sys.argv[1], "wb") as f:
     f.write(bytes(80) + struct.pack("<I", 4 * n))
     for (ax, ay), (bx, by) in zip(ring, ring[1:] + ring[:1]):
         for t in ((0, 0, 0, bx, by, 0, ax, ay, 0), (0, 0, 0.2, ax, ay, 0.2, bx, by, 0.2),
                   (ax, ay, 0, bx, by, 0, bx, by, 0.2), (ax, ay, 0, bx, by, 0.2, ax, ay, 0.2)):
             f.write(struct.pack("<12x9fH", *t, 0))
 END
+}
+
+@test "an outline of 32,000 noisy vertices takes about a second a layer" {
+    noisy noisy.stl 29.9
     slice noisy.stl --quiet -o noisy.layers
     bash -c 'ulimit -t 3; regions --quiet noisy.layers -o noisy.regions' # 4 s when patches were united at once
     [[ $(peek --text noisy.regions | grep -c '^region') -ge 1 ]]
+}
+
+@test "32,000 spikes as long as the part are refused within seconds, with a place" {
+    for from in 15 3; do
+        noisy spikes.stl "$from"
+        slice spikes.stl --quiet -o spikes.layers
+        run -3 bash -c 'ulimit -t 4; regions --quiet spikes.layers -o spikes.regions'
+        [[ $output == *"cannot close the gaps of layer 0: along more than 100 m"*" as at "* ]]
+    done
 }

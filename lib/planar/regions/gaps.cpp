@@ -1,5 +1,7 @@
 #include "regions/gaps.hpp"
 
+#include "base/error.hpp"
+#include "base/number.hpp"
 #include "geom/segment_grid.hpp"
 #include "polygon/segments.hpp"
 
@@ -133,16 +135,23 @@ void each_near(const geom::SegmentGrid& grid, const Segment& s, double cell, dou
     }
 }
 
+[[noreturn]] void refuse(Vec2 at, double width, int layer) {
+    throw Error(Exit::bad_input, "cannot close the gaps of layer " + std::to_string(layer) + ": along more than " +
+                                     fixed_text(kMostGaps / 1000, 0) +
+                                     " m its outlines run nearer to each other than a hairline of " +
+                                     fixed_text(width, 3) + " mm, as at " + fixed_text(at.x, 2) + "," +
+                                     fixed_text(at.y, 2) + "; no bead fits between such spikes: smooth the mesh there");
+}
+
 } // namespace
 
-Loops bridges(const Loops& loops, double width) {
+Loops bridges(const Loops& loops, double width, int layer) {
     Loops out;
     const auto edges = polygon::segments(loops);
     if (edges.empty()) return out;
     const EdgePlaces along = edge_places(loops);
-    double length = 0;
-    for (const double l : along.around) length += l;
-    const double cell = std::max(2 * width, length / static_cast<double>(edges.size()));
+    const double cell = geom::cell_for(edges, 2 * width);
+    double length = 0; // of the patches
     const geom::SegmentGrid grid(edges, cell);
     std::vector<std::uint32_t> others;
     for (std::uint32_t i = 0; i < edges.size(); ++i) {
@@ -161,7 +170,10 @@ Loops bridges(const Loops& loops, double width) {
             const auto on_e = part_near(e, f, n, width), on_f = part_near(f, e, {n.q, n.p, n.d}, width);
             if (!on_e || !on_f) continue;
             const auto points = patch(*on_e, *on_f);
-            if (points.size() >= 3) out.add(points);
+            if (points.size() < 3) continue;
+            out.add(points);
+            length += std::max(geom::distance(on_e->a, on_e->b), geom::distance(on_f->a, on_f->b));
+            if (length > kMostGaps) refuse(on_e->a, width, layer);
         }
     }
     return out;

@@ -11,6 +11,10 @@ namespace filum::regions {
 // almost touch get a neck, and a slit is filled along its length. Two stretches of one outline count only if the way
 // between them along it is longer than pi * `width`. A shorter way encloses no room for a circle of that diameter. The
 // result depends on the shape, not on the places of its points.
-polygon::Loops bridges(const polygon::Loops& loops, double width);
+polygon::Loops bridges(const polygon::Loops& loops, double width, int layer = -1);
+
+// mm of gaps in a layer, measured along each patch. It limits the work: uniting as many patches with outlines of tens
+// of thousands of spikes takes about 3 s. With more, bridges() throws Error(bad_input) with the layer and a place.
+inline constexpr double kMostGaps = 100e3;
 
 } // namespace filum::regions

@@ -109,8 +109,8 @@ Loops without_remnants(const Loops& loops, const Loops& before, double hairline)
 }
 
 // Closes the gaps of simple loops that are narrower than `hairline`, and adds a note.
-void close_gaps(Loops& loops, double tolerance, double hairline, Notes& notes) {
-    const Loops patches = bridges(loops, hairline);
+void close_gaps(Loops& loops, double tolerance, double hairline, Notes& notes, int layer) {
+    const Loops patches = bridges(loops, hairline, layer);
     if (patches.empty()) return;
     const double before = polygon::signed_area(loops);
     constexpr std::size_t kMany = 2000; // points of patches; fewer are united with the loops at once
@@ -125,10 +125,10 @@ void close_gaps(Loops& loops, double tolerance, double hairline, Notes& notes) {
 
 } // namespace
 
-Parts outlines(const Loops& contours, double tolerance, double hairline, Notes& notes) {
+Parts outlines(const Loops& contours, double tolerance, double hairline, Notes& notes, int layer) {
     Loops loops = on_grid(polygon::simplify(contours, tolerance));
     if (!polygon::is_simple(loops)) loops = polygon::unite(loops);
-    if (hairline > 0) close_gaps(loops, tolerance, hairline, notes);
+    if (hairline > 0) close_gaps(loops, tolerance, hairline, notes, layer);
     for (int attempt = 0; attempt < 3; ++attempt) {
         if (polygon::is_simple(loops)) return polygon::split(loops);
         loops = polygon::unite(loops);

@@ -11,6 +11,8 @@ namespace filum::regions {
 // mm (+ 0.1 um) of the result. No two edges cross; loops may touch in single points only. Where simplifying made
 // outlines meet, they are united (non-zero winding). Gaps narrower than `hairline` mm are closed (gaps.hpp), and a note
 // gives the area that this adds; 0 closes none. Parts that still cross themselves are left out, with a note.
-polygon::Parts outlines(const polygon::Loops& contours, double tolerance, double hairline, Notes& notes);
+// Errors name `layer`; bridges() throws them.
+polygon::Parts outlines(const polygon::Loops& contours, double tolerance, double hairline, Notes& notes,
+                        int layer = -1);
 
 } // namespace filum::regions

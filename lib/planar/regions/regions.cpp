@@ -11,7 +11,7 @@ namespace filum::regions {
 std::vector<polygon::Region> regions(const polygon::Layer& layer, const Options& options, Notes& notes) {
     const std::size_t said = notes.size();
     const double thin = hairline(options);
-    auto parts = outlines(layer.contours, options.tolerance, thin, notes);
+    auto parts = outlines(layer.contours, options.tolerance, thin, notes, static_cast<int>(layer.index));
     std::vector<polygon::Region> out;
     std::vector<std::int64_t> id(parts.part.size(), -1);
     std::vector<std::size_t> part_of;
