@@ -216,3 +216,8 @@ END
         rm -r kept
     done
 }
+
+@test "public programs: a verdict for each" {
+    [ -n "${FILUM_PUBLIC_PROGRAMS:-}" ] || skip "FILUM_PUBLIC_PROGRAMS names no folders with gcode-preview's test-data and libbgcode's tests"
+    "$FILUM_SOURCE/tests/programs/check-programs" $FILUM_PUBLIC_PROGRAMS
+}
