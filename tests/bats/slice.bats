@@ -263,6 +263,6 @@ END
         noisy spikes.stl "$from"
         slice spikes.stl --quiet -o spikes.layers
         run -3 bash -c 'ulimit -t 4; regions --quiet spikes.layers -o spikes.regions'
-        [[ $output == *"cannot close the gaps of layer 0: along more than 100 m"*" as at "* ]]
+        [[ $output == *"cannot close the gaps of layer 0: along more than 85 m"*" as at "* ]]
     done
 }

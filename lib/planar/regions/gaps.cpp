@@ -135,9 +135,9 @@ void each_near(const geom::SegmentGrid& grid, const Segment& s, double cell, dou
     }
 }
 
-[[noreturn]] void refuse(Vec2 at, double width, int layer) {
+[[noreturn]] void refuse(Vec2 at, double length, double width, int layer) {
     throw Error(Exit::bad_input, "cannot close the gaps of layer " + std::to_string(layer) + ": along more than " +
-                                     fixed_text(kMostGaps / 1000, 0) +
+                                     fixed_text(length / 1000, 0) +
                                      " m its outlines run nearer to each other than a hairline of " +
                                      fixed_text(width, 3) + " mm, as at " + fixed_text(at.x, 2) + "," +
                                      fixed_text(at.y, 2) + "; no bead fits between such spikes: smooth the mesh there");
@@ -151,7 +151,9 @@ Loops bridges(const Loops& loops, double width, int layer) {
     if (edges.empty()) return out;
     const EdgePlaces along = edge_places(loops);
     const double cell = geom::cell_for(edges, 2 * width);
-    double length = 0; // of the patches
+    const geom::Box2 box = polygon::bounds(loops);
+    const double most = kMostGaps * geom::distance(box.lo, box.hi);
+    double length = 0; // mm, of the patches
     const geom::SegmentGrid grid(edges, cell);
     std::vector<std::uint32_t> others;
     for (std::uint32_t i = 0; i < edges.size(); ++i) {
@@ -173,7 +175,7 @@ Loops bridges(const Loops& loops, double width, int layer) {
             if (points.size() < 3) continue;
             out.add(points);
             length += std::max(geom::distance(on_e->a, on_e->b), geom::distance(on_f->a, on_f->b));
-            if (length > kMostGaps) refuse(on_e->a, width, layer);
+            if (length > most) refuse(on_e->a, most, width, layer);
         }
     }
     return out;

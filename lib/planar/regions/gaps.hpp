@@ -13,8 +13,9 @@ namespace filum::regions {
 // result depends on the shape, not on the places of its points.
 polygon::Loops bridges(const polygon::Loops& loops, double width, int layer = -1);
 
-// mm of gaps in a layer, measured along each patch. It limits the work: uniting as many patches with outlines of tens
-// of thousands of spikes takes about 3 s. With more, bridges() throws Error(bad_input) with the layer and a place.
-inline constexpr double kMostGaps = 100e3;
+// The greatest length of all gaps of a layer, measured along each patch, in diagonals of the layer's box. It limits the
+// work where spikes lie side by side over the whole layer; long seams between parts of a large layer stay far below.
+// With more, bridges() throws Error(bad_input) with the layer and a place.
+inline constexpr double kMostGaps = 1000;
 
 } // namespace filum::regions
