@@ -4,6 +4,7 @@
 #include "machine/type_names.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <utility>
 
@@ -154,12 +155,34 @@ Remark remark_in(std::string_view comment, const ProgramTraits& traits) {
     return out;
 }
 
+namespace {
+
+// True if the line moves the extruder E.
+bool moves_e(std::string_view line) {
+    const std::string_view code = machine::trimmed(line.substr(0, line.find_first_of(";(")));
+    return code.size() > 1 && (code[0] == 'G' || code[0] == 'g') && code[1] >= '0' && code[1] <= '3' &&
+           code.find_first_of("Ee") != code.npos;
+}
+
+// Applies the flavour of G-code that a slicer names. True if its extruder can be the axis A.
+bool flavour_of(std::string_view flavour, ProgramTraits& out) {
+    out.marlin = out.marlin || behind(flavour, "marlin").has_value() || behind(flavour, "Marlin").has_value();
+    out.machinekit = out.machinekit || same(flavour, "machinekit");
+    out.volumetric = out.volumetric || same(flavour, "UltiGCode");
+    constexpr std::array kByA{"mach3", "machinekit", "makerware", "sailfish"};
+    return std::ranges::any_of(kByA, [&](const char* name) { return same(flavour, name); });
+}
+
+} // namespace
+
 ProgramTraits traits_of(std::string_view program) {
     ProgramTraits out;
+    bool by_a = false, by_e = false; // the flavour allows the axis A; a move has the word E
     while (!program.empty()) {
         const std::size_t end = std::min(program.find('\n'), program.size());
         const std::string_view line = program.substr(0, end);
         program.remove_prefix(std::min(end + 1, program.size()));
+        by_e = by_e || moves_e(line);
         if (line.find_first_of(";(") == std::string_view::npos) continue;
         const machine::CodeLine split(line);
         const std::string_view comment = split.comment();
@@ -169,16 +192,12 @@ ProgramTraits traits_of(std::string_view program) {
         if (remark.layer_index) out.lowest_layer = std::min(out.lowest_layer, *remark.layer_index);
         if (const auto d = behind(comment, "filament_diameter =")) diameters(*d, out.diameters);
         if (const auto d = behind(comment, "filament_diameter:")) diameters(*d, out.diameters);
-        if (const auto flavour = behind(comment, "FLAVOR:")) {
-            out.volumetric = out.volumetric || same(*flavour, "UltiGCode");
-            out.marlin = out.marlin || behind(*flavour, "Marlin").has_value();
-        }
-        if (const auto flavour = behind(comment, "gcode_flavor =")) {
-            out.marlin = behind(*flavour, "marlin").has_value();
-            out.machinekit = same(*flavour, "machinekit");
-            if (same(*flavour, "makerware") || same(*flavour, "sailfish")) out.extruder = 'A';
-        }
+        for (const char* name : {"FLAVOR:", "gcode_flavor ="})
+            if (const auto flavour = behind(comment, name)) by_a = flavour_of(*flavour, out) || by_a;
+        if (const auto on = behind(comment, "use_volumetric_e ="))
+            out.volumetric = out.volumetric || number(*on).value_or(0) == 1;
     }
+    if (by_a && !by_e) out.extruder = 'A';
     return out;
 }
 

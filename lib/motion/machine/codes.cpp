@@ -96,6 +96,7 @@ void split(std::string_view code, Words& to) {
         }
         Word word;
         word.letter = upper(code[i++]);
+        if (word.letter == '.' && !to.words.empty()) return fault("holds a number with two points");
         if (word.letter < 'A' || word.letter > 'Z') return fault("holds what is no word");
         const std::size_t length = number_at(code.substr(i), word);
         word.flag = length == 0;

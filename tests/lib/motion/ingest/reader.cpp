@@ -147,6 +147,25 @@ TEST(Ingest, LayersByMarks) {
     EXPECT_EQ(prusa.spans.back().layer, 1u);
 }
 
+// The extruder of these flavours is A if no move has the word E: Slic3r writes E for some of them.
+TEST(Ingest, TheExtruderIsTheAxisThatMoves) {
+    for (const std::string flavour : {";FLAVOR:Mach3\n", "; gcode_flavor = mach3\n", "; gcode_flavor = machinekit\n",
+                                      "; gcode_flavor = makerware\n", "; gcode_flavor = sailfish\n"})
+        for (const std::string axis : {"A", "E"}) {
+            SCOPED_TRACE(flavour + axis);
+            const std::string moves = "M82\nG92 " + axis + "0\nG1 Z0.2\nG1 X10 " + axis + "1\nG1 X20 " + axis + "2\n";
+            EXPECT_NEAR(ingested::volume(read(moves + flavour).spans), 2 * ingested::kUnit, 1e-9);
+            EXPECT_NEAR(ingested::volume(read(flavour + moves).spans), 2 * ingested::kUnit, 1e-9);
+        }
+    EXPECT_THROW(read("M82\nG1 Z0.2\nG1 X10 A1\n"), Error);
+}
+
+TEST(Ingest, VolumesOfTheExtruderAreTakenAsTheSlicerSays) {
+    const std::string moves = "M83\nG1 Z0.2\nG1 X10 E1\n; filament_diameter = 2.85\n";
+    EXPECT_NEAR(ingested::volume(read(moves + "; use_volumetric_e = 1\n").spans), 1, 1e-9);
+    EXPECT_NEAR(ingested::volume(read(moves + "; use_volumetric_e = 0\n").spans), 6.3794, 1e-3);
+}
+
 TEST(Ingest, FilamentByCommentOptionAndVolume) {
     const std::string line = "M83\nG1 Z0.2\nG1 X10 E1\n";
     EXPECT_NEAR(ingested::volume(read(line + "; filament_diameter = 2.85\n").spans), 6.3794, 1e-3);
