@@ -27,9 +27,8 @@ constexpr double kEnough = 1e5;    // where they have this many mm of lines toge
 constexpr int kRounds = 2;         // of filling
 constexpr double kAround = 1.25;   // concentric lines, which come and go whole: the spacing is sought by filling,
                                    // within this factor
-// Share: below it, the lines of an area can be counted, and one more or less matters. The spacing is sought by filling,
-// within a factor of kFarther, at spacings that grow by kTrial.
-constexpr double kFew = 0.08, kFarther = 3, kTrial = 1.03;
+// Few lines: the spacing is sought by filling, within a factor of kFarther, at spacings that grow by kTrial.
+constexpr double kFarther = 3, kTrial = 1.03;
 
 // The area where loops may run.
 Loops inner(const Loops& area, double bead_width) { return polygon::offset(area, -bead_width / 2, polygon::kBeadArc); }
@@ -153,14 +152,16 @@ class Search {
     Search(const Sample& sample, double wanted, double from) : sample_(&sample), wanted_(wanted), best_(from) {}
 
     [[nodiscard]] double best() const { return best_; }
-    [[nodiscard]] bool found() const { return off_ <= kNear * wanted_; }
+    [[nodiscard]] bool found() const { return off_ <= kNear; }
 
     // Returns by how many mm the loops are longer than wanted.
     double more(double spacing) {
         const double more = sample_->laid(spacing) - wanted_;
-        if (std::abs(more) < off_) {
+        // By their ratio, since widths of lines can make up for a ratio.
+        const double laid = wanted_ + more, off = laid > 0 && wanted_ > 0 ? std::abs(std::log(laid / wanted_)) : 1e300;
+        if (off < off_) {
             best_ = spacing;
-            off_ = std::abs(more);
+            off_ = off;
         }
         return more;
     }
@@ -189,7 +190,8 @@ class Search {
 
   private:
     const Sample* sample_;
-    double wanted_, best_, off_ = 1e300; // mm
+    double wanted_, best_; // mm of loops, mm
+    double off_ = 1e300;   // logarithm of the ratio of the best length to the wanted one
 };
 
 // The spacing, among those tried around `from`, at which the loops of the sample are nearest to the wanted share.

@@ -16,6 +16,9 @@ using polygon::Loops;
 // mm: an area with at least this spacing stays empty.
 inline constexpr double kHollow = 1e6;
 
+// Share: below it, the lines of an area can be counted, and one more or less matters.
+inline constexpr double kFew = 0.08;
+
 struct Lines {
     polygon::InfillPattern pattern = polygon::InfillPattern::rows;
     double direction = 0;       // rad from the x axis, of rows

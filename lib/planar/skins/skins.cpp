@@ -26,7 +26,7 @@ constexpr double kHairline = 0.1;    // bead widths: narrower skins do not count
 constexpr double kReach = 2;         // bead widths: skins extend over sparse areas by at least this,
 constexpr double kReachMost = 8;     // and by at most this
 constexpr std::size_t kCarrying = 2; // layers whose lines carry a skin: one of each direction
-constexpr double kWidthGive = 0.25;  // share of a bead's width by which concentric lines may be wider or narrower
+constexpr double kWidthGive = 0.25;  // share of a bead's width by which lines may be wider or narrower
 constexpr double kNarrowest = 2;     // bead widths: narrower sparse places become solid
 
 // The layers with as few points as beads need. The cost of all further steps depends on their number.
@@ -206,8 +206,9 @@ struct SparseLines {
 };
 
 // The lines at which the plain areas get the requested share. Without plain areas they are those of the dense ones; the
-// spacing is 0 without any. Concentric lines come and go as a whole, so their widths make up for what the nearest
-// spacing lays too little or too much, up to kWidthGive. Names of facts begin with `whose`.
+// spacing is 0 without any. Concentric lines come and go as a whole, and of few lines one more or less matters. So
+// their widths make up for what the nearest spacing lays too little or too much, up to kWidthGive. Names of facts begin
+// with `whose`.
 SparseLines lines_of(const std::vector<Region>& regions, const std::vector<Loops>& plain,
                      const std::vector<Loops>& dense, const Options& o, double outer_width, const std::string& whose,
                      Facts& facts) {
@@ -228,7 +229,7 @@ SparseLines lines_of(const std::vector<Region>& regions, const std::vector<Loops
         if (tasks.empty()) continue;
         const double spacing = infill::spacing_for(tasks, o.infill, w);
         facts.push_back({"", whose + "infill-spacing", spacing, "mm"});
-        if (o.pattern != polygon::InfillPattern::concentric) return {spacing, w};
+        if (o.pattern != polygon::InfillPattern::concentric && o.infill >= infill::kFew) return {spacing, w};
         const double share = infill::share_laid(tasks, spacing, w);
         const double wider = share > 0 ? std::clamp(o.infill / share, 1 - kWidthGive, 1 + kWidthGive) : 1;
         facts.push_back({"", whose + "infill-share", 100 * share * wider, "%"});

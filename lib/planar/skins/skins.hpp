@@ -69,7 +69,7 @@ polygon::InfillPattern pattern(const std::string& text);
 //
 // Returns notes on settings of modifiers that have no effect: other walls in a region that is all solid, and another
 // bead width for the outer wall, which keeps that of the part. Facts: the spacing of each setting in mm, and the share
-// in percent that concentric lines reach.
+// in percent that concentric lines, and few lines, reach.
 Notes skins(std::vector<polygon::Region>& regions, const Options& options, std::span<const Modifier> modifiers,
             Facts& facts);
 

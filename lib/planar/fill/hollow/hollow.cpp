@@ -2,6 +2,7 @@
 
 #include "base/density.hpp"
 #include "fill/finish.hpp"
+#include "fill/hollow/over_air.hpp"
 #include "fill/hollow/pieces.hpp"
 #include "fill/join/attempt.hpp"
 #include "fill/join/crossings.hpp"
@@ -329,6 +330,7 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
     }
     if (fewest.first > 0) fill::join::uncross(out.curves, width.widest, notes);
     tell_features(r, loose, width.widest, out.curves);
+    if (r.is == polygon::RegionClass::part) mark_walls_over_air(r, o.bead_width, out.curves);
     fill::join::note_unjoined(out.curves, notes);
     for (std::size_t i = first; i < notes.size(); ++i) notes[i].layer = r.layer;
     return out;
