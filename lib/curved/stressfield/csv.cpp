@@ -27,7 +27,7 @@ class CsvReader {
         find_header();
         decide_decimal();
         find_units();
-        out_.cases.push_back({"1", {}, {}, {}, origin()});
+        out_.cases.push_back({"1", {}, {}, {}, origin(), stress_unit_named_});
         std::size_t not_finite = 0;
         for_rows([&] { not_finite += add() ? 0 : 1; });
         if (not_finite > 0) notes_.push_back(note(NoteCode::sample_not_finite, not_finite));
@@ -230,6 +230,7 @@ class CsvReader {
                 continue;
             }
             if (own.empty()) continue;
+            if (!length) stress_unit_named_ = true;
             if (!factor)
                 bad(name_,
                     std::string("the unit '").append(own).append("' in its header is not known; give ").append(flag));
@@ -315,8 +316,9 @@ class CsvReader {
             return std::array{p.x, p.y, p.z};
         };
         std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });
+        refuse_repetition(order);
         Samples merged;
-        merged.cases.push_back({out_.cases[0].name, {}, {}, {}, out_.cases[0].origin});
+        merged.cases.push_back({out_.cases[0].name, {}, {}, {}, out_.cases[0].origin, out_.cases[0].unit_named});
         for (std::size_t i = 0, j = 0; i < order.size(); i = j) {
             for (j = i; j < order.size() && key(order[j]) == key(order[i]);) ++j;
             merged.points.push_back(out_.points[order[i]]);
@@ -325,6 +327,29 @@ class CsvReader {
         if (const std::size_t less = out_.points.size() - merged.points.size(); less > 0)
             notes_.push_back(note(NoteCode::sample_averaged, less));
         out_ = std::move(merged);
+    }
+
+    // Refuses a table that lists all places again in the same order with other stresses, as tables of several load
+    // cases do. The corners of elements come in another order. `order` has the points sorted by place.
+    void refuse_repetition(const std::vector<std::uint32_t>& order) const {
+        const auto& points = out_.points;
+        const std::size_t n = points.size();
+        std::size_t times = 1; // of the first place
+        while (times < n && points[order[times]] == points[order[0]]) ++times;
+        if (times < 2 || n % times != 0) return;
+        const std::size_t once = n / times;
+        for (std::size_t i = 0; i < n; ++i) // `once` different places follow each other again and again
+            if (order[i] % once != order[i - i % times] % once || points[i] != points[i % once]) return;
+        const Case& c = out_.cases[0];
+        const auto differ = [&](std::size_t i, std::size_t k) {
+            return c.tensors.empty() ? c.directions[i] != c.directions[k] || c.principals[i] != c.principals[k]
+                                     : c.tensors[i] != c.tensors[k];
+        };
+        for (std::size_t i = 0; i + once < n; ++i)
+            if (differ(i, i + once))
+                bad(name_, "it lists the same " + std::to_string(once) + " places " + std::to_string(times) +
+                               " times, with different stresses: it holds several load cases; keep the lines of one of "
+                               "them");
     }
 
     static void add_mean(std::span<const std::uint32_t> of, const Case& from, Case& to) {
@@ -348,7 +373,7 @@ class CsvReader {
     const std::string& name_;
     const ReadOptions& options_;
     Notes& notes_;
-    bool given_, mixed_ = false;
+    bool given_, mixed_ = false, stress_unit_named_ = false;
     Columns columns_{};
     TextLines lines_;
     std::string_view comment_; // the last comment before numbers

@@ -1,9 +1,11 @@
 #include "stressfield/read.hpp"
 
+#include "base/number.hpp"
 #include "stressfield/formats.hpp"
 #include "stressfield/units.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <set>
 #include <zlib.h>
@@ -62,6 +64,41 @@ bool proper(const std::string& name) {
     });
 }
 
+// MPa: ten times what the strongest fibres bear. Stresses of one tenth of a MPa in Pa are greater.
+constexpr double kMostStress = 1e5;
+
+// Refuses stresses without a unit that no material bears in MPa. They are probably in Pa.
+void check_size(const Samples& samples, const std::string& name) {
+    for (const Case& c : samples.cases) {
+        if (c.unit_named) continue;
+        std::vector<double> size; // the largest stress of each point
+        const auto add = [&](const auto& stresses) {
+            for (const auto& own : stresses) {
+                double most = 0;
+                for (const double s : own)
+                    if (std::isfinite(s)) most = std::max(most, std::abs(s));
+                size.push_back(most);
+            }
+        };
+        add(c.tensors);
+        add(c.principals);
+        if (size.empty()) continue;
+        const auto middle = size.begin() + static_cast<long>(size.size() / 2);
+        std::nth_element(size.begin(), middle, size.end());
+        if (*middle > kMostStress)
+            bad(name, "half of the stresses of '" + c.name + "' are greater than " +
+                          shortest_text(std::round(*middle)) +
+                          " MPa, which no material bears; give their unit by --stress-unit");
+    }
+}
+
+// The text with line feeds instead of lone carriage returns.
+std::string with_line_feeds(std::string_view bytes) {
+    std::string out(bytes);
+    std::replace(out.begin(), out.end(), '\r', '\n');
+    return out;
+}
+
 std::string list_of(const Samples& samples) {
     std::string out;
     for (const Case& c : samples.cases) out += (out.empty() ? "" : ", ") + c.name;
@@ -101,7 +138,9 @@ Samples read_any(std::string_view bytes, const std::string& name, const ReadOpti
     if ((frd || vtu) && options.decimal != "auto")
         throw Error(Exit::usage, "cannot use --decimal: " + name + " is no CSV file");
     if (frd) {
-        Samples out = read_frd(bytes, name, options, notes);
+        const bool returns = bytes.find('\n') == bytes.npos && bytes.find('\r') != bytes.npos;
+        const std::string mended = returns ? with_line_feeds(bytes) : std::string();
+        Samples out = read_frd(returns ? std::string_view(mended) : bytes, name, options, notes);
         scale(out, options);
         return out;
     }
@@ -122,6 +161,7 @@ Samples read(std::string_view bytes, const std::string& name, const ReadOptions&
         bytes = unpacked;
     }
     Samples out = read_any(bytes, name, options, notes);
+    if (options.stress_unit == "auto") check_size(out, name);
     rename(out, options.names, name);
     return out;
 }

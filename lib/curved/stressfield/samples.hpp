@@ -42,6 +42,7 @@ struct Case {
     std::vector<Vec3> directions;      // per point: of the greatest principal stress, of any length; 0: isotropic
     std::vector<Principal> principals; // per point
     std::string origin = {};           // arrays or results of the file, order and unit
+    bool unit_named = false;           // the file names the unit of the stresses
 };
 
 struct Samples {

@@ -210,6 +210,7 @@ class VtuReader {
         Case& c = out_.cases[k];
         const auto v = numbers_of(piece, source, count);
         c.origin = origin(source);
+        c.unit_named = source.unit_named;
         if (source.order.empty()) {
             const double unknown = std::numeric_limits<double>::infinity();
             for (std::size_t i = 0; i < count; ++i) {

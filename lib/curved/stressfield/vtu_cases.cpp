@@ -97,6 +97,7 @@ class CaseSelector {
             return out;
         }
         out.unit = unit_in(Dimension::stress, name);
+        out.unit_named = !out.unit.empty();
         if (out.unit.empty()) out.unit = "MPa";
         const auto factor = factor_of(Dimension::stress, out.unit);
         if (!factor)

@@ -30,6 +30,7 @@ struct CaseSource {
     bool both_halves = false; // xy and yx are averaged even if they differ, as --order requests
     double factor = 1;        // to MPa
     std::string unit;
+    bool unit_named = false; // by the array, not by default
 };
 
 // The load cases of a grid with the arrays `heads`. Without --columns these are all arrays with stresses by their name

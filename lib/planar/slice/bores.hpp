@@ -13,8 +13,9 @@ namespace filum::slice {
 // conditions. A layer above or below has it as a hole. The layer continues more of its wall than a slot of its width
 // would share with it. No solid stands in it. `contours` are the outlines of the layers.
 //
-// A wall that continues while solid stands in the bore is not followed, as where a slanted bore meets a window. A note
-// reports how many mm of wall the compensation leaves unchanged.
+// Tapered and slanted bores are followed, too: they change by the same amount from layer to layer. A wall is not
+// followed where solid stands in the bore, and beyond a step that no other side of the window shows. A note reports how
+// many mm of wall the compensation leaves unchanged.
 std::vector<polygon::Loops> open_bores(std::span<const polygon::Loops> contours, Notes& notes);
 
 // Moves the walls of the layer's open bores outwards by `by` mm, or inwards if it is negative. Returns the new

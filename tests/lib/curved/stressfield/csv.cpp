@@ -87,6 +87,42 @@ TEST(Csv, SamplesAtOnePlaceAreAveraged) {
     ASSERT_EQ(notes.size(), 1U);
 }
 
+// One load case after the other, without a column that tells them apart, in any number and size.
+TEST(Csv, TablesOneAfterTheOtherAreRefused) {
+    const auto rows = [](int places, double stress) {
+        std::string out;
+        for (int i = 0; i < places; ++i)
+            out += std::to_string(i % 3) + " " + std::to_string(i / 3) + " 0 " + std::to_string(stress + i) + " 0 0\n";
+        return out;
+    };
+    const std::string header = "x y z s1x s1y s1z\n";
+    for (const int places : {1, 2, 7, 12})
+        for (const int times : {2, 3, 5})
+            for (const bool repeated : {false, true}) {
+                std::string text = header;
+                for (int k = 0; k < times; ++k) text += (repeated && k > 0 ? header : "") + rows(places, 1 + k);
+                const std::string words =
+                    "lists the same " + std::to_string(places) + " places " + std::to_string(times);
+                EXPECT_TRUE(has(csv_fault(text, Exit::bad_input), words)) << text;
+                std::string same = header; // the same stresses again do no harm
+                for (int k = 0; k < times; ++k) same += rows(places, 1);
+                EXPECT_EQ(csv(same).points.size(), static_cast<std::size_t>(places));
+            }
+    // corners of two elements: a place comes again, but not all of them in the same order
+    EXPECT_EQ(csv(header + "0 0 0 1 0 0\n1 0 0 2 0 0\n1 0 0 3 0 0\n2 0 0 4 0 0\n").points.size(), 3U);
+    EXPECT_EQ(csv(header + "0 0 0 1 0 0\n1 0 0 2 0 0\n1 0 0 3 0 0\n0 0 0 4 0 0\n").points.size(), 2U);
+}
+
+TEST(Csv, StressesThatNoMaterialBearsNeedAUnit) {
+    const std::string text = "x,y,z,sxx,syy,szz,sxy,syz,szx\n0,0,0,2e7,0,0,0,0,0\n1,0,0,3e7,0,0,0,0,0\n";
+    EXPECT_TRUE(has(csv_fault(text, Exit::bad_input), "--stress-unit"));
+    Notes notes;
+    EXPECT_DOUBLE_EQ(read(text, "it", {.stress_unit = "Pa"}, notes).cases[0].tensors[0][0], 20);
+    EXPECT_DOUBLE_EQ(read(text, "it", {.stress_unit = "MPa"}, notes).cases[0].tensors[0][0], 2e7);
+    // a few peaks, as at sharp corners, say nothing
+    EXPECT_EQ(csv("0 0 0 1e9 0 0\n1 0 0 1 0 0\n2 0 0 1 0 0\n").points.size(), 3U);
+}
+
 TEST(Csv, HalfATensorBesideAVectorIsNoTensor) {
     const auto s = csv("x,y,z,s11,s1x,s1y,s1z\n1,2,3,9,0,0,5\n");
     EXPECT_TRUE(s.cases[0].tensors.empty());

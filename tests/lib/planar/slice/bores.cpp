@@ -81,6 +81,70 @@ TEST(OpenBores, AreFollowedThroughWindows) {
     }
 }
 
+// A disc of `n` corners, the first one at `turn`, and a point on each side where a triangle of the wall ends.
+Loops coarse_disc(geom::Vec2 at, double radius, int n, double turn, double share) {
+    Loops out;
+    const auto corner = [&](int k) {
+        const double a = turn + 2 * std::numbers::pi * k / n;
+        return geom::Vec2{at.x + radius * std::cos(a), at.y + radius * std::sin(a)};
+    };
+    for (int k = 0; k < n; ++k) {
+        out.points.push_back(corner(k));
+        if (share > 0) out.points.push_back(geom::lerp(corner(k), corner(k + 1), share));
+    }
+    out.close();
+    return out;
+}
+
+// The area with a hole, its points as they are.
+Loops with_hole(Loops area, const Loops& hole) {
+    area.points.insert(area.points.end(), hole.points.rbegin(), hole.points.rend());
+    area.close();
+    return area;
+}
+
+// Bores that taper, slant, have a step or other corners on each layer, in rings with windows. On every layer with a
+// window the wall moves as far as on the others, or a note names the layer.
+TEST(OpenBores, TaperSlantAndStepThroughWindows) {
+    std::mt19937 random(7);
+    const auto uniform = [&](double lo, double hi) {
+        return lo + (hi - lo) * (static_cast<double>(random()) / 4294967296.0);
+    };
+    int followed = 0, noted = 0;
+    for (int k = 0; k < 120; ++k) {
+        const double r = uniform(4, 15), wall = uniform(2, 5), by = uniform(0.1, 0.3);
+        const double taper = k % 4 == 0 ? uniform(-0.2, 0.2) : 0, slant = k % 4 == 1 ? uniform(-0.2, 0.2) : 0;
+        const double step = k % 4 == 2 ? uniform(0.3, 1.5) : 0;
+        const int corners = k % 4 == 3 ? 16 + static_cast<int>(random() % 40) : 180;
+        constexpr std::size_t layers = 8;
+        const std::size_t from = 2, to = 2 + random() % 4, at_step = 1 + random() % layers; // windows: from to `to`
+        const Loops window = bar(uniform(0, 6), r / 2, r + 4 * wall, uniform(0.3, 1) * r);
+        std::vector<Loops> stack, bores;
+        for (std::size_t i = 0; i < layers; ++i) {
+            const double l = static_cast<double>(i);
+            const double radius = r + taper * l + (i >= at_step ? step : 0), turn = corners < 180 ? uniform(0, 6) : 0;
+            bores.push_back(coarse_disc({slant * l, 0}, radius, corners, turn, corners < 180 ? uniform(0, 0.9) : 0));
+            stack.push_back(with_hole(disc({}, r + 2 * wall + 3), bores.back()));
+            if (i >= from && i <= to) stack.back() = polygon::subtract(stack.back(), window);
+        }
+        const Compensated done = compensated(stack, by);
+        const double arc = r * (1 - std::cos(std::numbers::pi / corners));
+        for (std::size_t i = from; i <= to; ++i) {
+            SCOPED_TRACE(std::to_string(k) + " layer " + std::to_string(i));
+            const bool said = std::any_of(done.notes.begin(), done.notes.end(),
+                                          [&](const Note& n) { return n.layer == static_cast<std::int64_t>(i); });
+            const Loops right = polygon::subtract(stack[i], polygon::offset(bores[i], by));
+            const double off = polygon::signed_area(polygon::subtract(right, done.layers[i])) +
+                               polygon::signed_area(polygon::subtract(done.layers[i], right));
+            const bool as_meant = off < 0.1 + 2 * std::numbers::pi * r * 2 * arc;
+            EXPECT_TRUE(as_meant || said) << off << " mm2 of " << 2 * std::numbers::pi * r * by;
+            followed += as_meant ? 1 : 0;
+            noted += said && !as_meant ? 1 : 0;
+        }
+    }
+    EXPECT_GT(followed, 9 * noted);
+}
+
 TEST(OpenBores, LeaveOtherWallsAlone) {
     // A hole in a plate over an open slot as wide as the hole, over nothing, and over a wall that crosses below it.
     Loops plate;
