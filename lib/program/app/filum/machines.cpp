@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 namespace filum::app::filum {
 
@@ -118,6 +119,20 @@ void add_codes(const Profile& p, std::vector<std::string>& out) {
         out.push_back("its name, '" + p.name + "', is that of a profile that comes with Filum: choose one of your own");
 }
 
+// Names the values that a profile marks as placeholders, each with its section.
+void add_placeholders(const std::string& text, std::vector<std::string>& out) {
+    std::istringstream lines(text);
+    std::string section;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("[")) section = line.substr(1, line.find(']') - 1);
+        if (line.starts_with("#") || line.find("# placeholder") == std::string::npos) continue;
+        const std::string key = line.substr(0, line.find_first_of(" ="));
+        out.push_back(section + "." + key +
+                      " is a placeholder: measure it as the profile says, then delete the remark "
+                      "behind it");
+    }
+}
+
 // The text of a profile that has the other one as its base and states nothing of its own but its name.
 std::string based_on(const std::string& base) {
     return "# Everything that this file does not state is as in the profile '" + base + "' (docs/machines.md).\n" +
@@ -169,6 +184,7 @@ std::vector<std::string> surprises(const Profile& profile, const std::string& te
     add_heat(profile, out);
     add_feeding(profile, out);
     add_codes(profile, out);
+    add_placeholders(text, out);
     return out;
 }
 
