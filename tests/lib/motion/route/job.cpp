@@ -1,5 +1,7 @@
 #include "route/job.hpp"
 
+#include "route/rim.hpp"
+
 #include <gtest/gtest.h>
 
 namespace {
@@ -49,6 +51,26 @@ Options options() {
     o.machine.head.common.carriage_x = o.machine.head.common.carriage_y = 4;
     o.travel.lift = 0.6;
     return o;
+}
+
+TEST(RoutedToolpath, GoesInAndOutBesideThePart) {
+    auto spans = both_sides(25);
+    const auto given = spans;
+    add_rim_ways(spans, options().machine.head, 1);
+    ASSERT_EQ(spans.size(), given.size() + 2);
+    const Span &in = spans.front(), &out = spans.back();
+    EXPECT_EQ(in.points.back(), given.front().points.front());
+    EXPECT_EQ(out.points.front(), given.back().points.back());
+    for (const Vec3& p : {in.points[0], in.points[1], out.points.back()}) {
+        const bool outside = std::abs(p.x) > 8 + 0.2 + 1 || std::abs(p.y) > 5 + 0.2 + 1;
+        EXPECT_TRUE(outside) << p.x << "," << p.y;
+    }
+    const RoutedToolpath job = route::route(spans, {}, options(), 1);
+    EXPECT_TRUE(job.found.collisions.empty());
+    EXPECT_EQ(job.spans.back().points.back(), out.points.back());
+    std::vector<Span> none;
+    add_rim_ways(none, options().machine.head, 1);
+    EXPECT_TRUE(none.empty());
 }
 
 TEST(RoutedToolpath, TravelsOverWhatIsPrinted) {

@@ -69,6 +69,23 @@ double top(const Travel& t) {
     return z;
 }
 
+TEST(Travel, KeepsADistanceUnderTheTip) {
+    for (const double high : {0.3, 1.2, 4.0, 9.0}) {
+        const World world(box({8, -3, 0}, {12, 3, high}));
+        const double under = 0.5;
+        const Travel t = world.run({{0, 0, 0}}, {{20, 0, 2}}, {.lift = 1, .under = under});
+        EXPECT_TRUE(t.free);
+        std::vector<collision::Move> lower; // without the upright legs at both ends
+        for (std::size_t i = 2; i + 1 < t.stances.size(); ++i) {
+            lower.push_back({t.stances[i - 1], t.stances[i]});
+            lower.back().from.tip.z -= under;
+            lower.back().to.tip.z -= under;
+        }
+        ASSERT_FALSE(lower.empty());
+        EXPECT_TRUE(collision::check(world.scene, slim(), lower, {.step = 0.05}, 1).collisions.empty()) << high;
+    }
+}
+
 TEST(Travel, StraightWhereNothingIsInTheWay) {
     const World world(box({8, 20, 0}, {12, 30, 40}));
     const Travel t = world.run({{0, 0, 0}}, {{20, 0, 0}});
