@@ -38,6 +38,11 @@ cli::Spec spec(Options& o) {
                  .when("!head=none")
                  .not_a_setting()
                  .a_limit(),
+             cli::Option{"from-inside", &o.work.how.from_inside, "",
+                         "of strokes that surround each other, prints the inner one first where it can"}
+                 .when("order=columns")
+                 .not_a_setting()
+                 .a_limit(),
              cli::Option{"budget", &o.budget, "MILLIONS|SECONDSs",
                          "steps of the search, about 3 ms per million; 10s: steps for about 10 s"}
                  .when("order=columns")

@@ -43,6 +43,7 @@ void run(const vase::Options& options, const cli::Io& io) {
                                [&](stream::RawFrame frame) { part.push_back(wire::region(frame)); });
     if (const std::string fault = polygon::fault(part); !fault.empty())
         throw Error(Exit::bad_input, "cannot use the regions: " + fault);
+    polygon::refuse_high(part, "make a vase");
     Notes notes;
     Facts facts;
     const auto regions = vase::vase(part, options, notes, facts);

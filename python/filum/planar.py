@@ -104,6 +104,8 @@ class Layer:
     contours: Loops
     body, tool: numbers of the body and of its tool; with several bodies a layer comes once for each
     width: mm, of its beads; 0: as the options of the stages say
+    layers: number of layers of the job that it is high, 0 for one; `index` is the uppermost of these
+    skipped: number of lower layers without a layer of its body for this reason
     """
 
     message = planar_pb2.Layer
@@ -115,6 +117,8 @@ class Layer:
     body: int = 0
     tool: int = 0
     width: float = 0.0
+    layers: int = 0
+    skipped: int = 0
 
 
 @dataclasses.dataclass(eq=False)
@@ -180,6 +184,7 @@ class Region:
     purpose: RegionClass
     body, tool: numbers of the body (the lowest of several that became one region) and of its tool
     width: mm, of its beads; 0: as the options of the stages say
+    layers, skipped: as in Layer
     brim: id of the brim about it that its stroke may begin with, -1 if there is none; set by `supports`
     """
 
@@ -203,6 +208,8 @@ class Region:
     body: int = 0
     tool: int = 0
     width: float = 0.0
+    layers: int = 0
+    skipped: int = 0
 
     def filled(self, curves):
         """The Paths that fill this region by `curves` (list of Curve).  What no bead reaches is taken for the area
@@ -287,6 +294,7 @@ class Paths:
     unplaced: mm2 that no bead reaches
     stacked: list of Line, where a curve passes twice, to be laid in two halves of the height
     body, tool: numbers of the body and of the tool that prints it
+    skipped: as in Layer
     """
 
     message = planar_pb2.RegionPaths
@@ -302,6 +310,7 @@ class Paths:
     stacked: list = listed()
     body: int = 0
     tool: int = 0
+    skipped: int = 0
 
 
 @dataclasses.dataclass(eq=False)

@@ -91,7 +91,7 @@ Reuse::Reuse(Options options, std::size_t most)
 std::shared_ptr<Reuse::CachedFill> Reuse::find(const polygon::Region& region) {
     auto fresh = std::make_shared<CachedFill>();
     fresh->region = content(region);
-    fresh->layer = of_layer_(region.layer);
+    fresh->layer = of_layer_(region.own_layer());
     fresh->key = key_of(fresh->region, fresh->layer);
     const std::scoped_lock lock(mutex_);
     const auto before = filled_.try_emplace(fresh->key, fresh).first->second;

@@ -75,7 +75,7 @@ void print_curve(State& state, const Entry& entry, bool last) {
         if (state.front.pin && curve.closed) pin(b, *state.front.pin, kOn);
         return b;
     };
-    const bool turn = state.options.alternate_direction && r.paths.layer % 2 != 0;
+    const bool turn = state.options.alternate_direction && r.paths.own_layer() % 2 != 0;
     Bead out = bead(turn);
     std::optional<std::vector<Vec2>> way;
     if (last) way = lane_to_start(state, c, out);

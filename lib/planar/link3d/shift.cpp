@@ -51,7 +51,7 @@ std::optional<std::vector<Vec2>> shift(State& state, std::uint32_t c, const Bead
     Column& column = state.column;
     const auto home = nearest_entry(above, column.home);
     if (home->place.distance > width) column.home = home->place.point;
-    column.offset = start_offset(state.options.interlace, above.paths.layer);
+    column.offset = start_offset(state.options.interlace, above.paths.own_layer());
     const Vec2 goal = along(above.paths.curves[home->place.curve], home->place, column.offset * width);
     const Vec2 from = bead.points.back();
     const auto curves = as_printed(state, c, bead);

@@ -22,6 +22,9 @@ Options own(const Options& options, double width) {
     return out;
 }
 
+// Whether two layers or regions have the same tool and height, so that they may be parts of one region.
+bool alike(const auto& a, const auto& b) { return a.tool == b.tool && a.layers == b.layers; }
+
 // The bodies of one tool as one layer.
 Layer united(std::span<const Layer* const> bodies) {
     Layer out = *bodies.front();
@@ -40,6 +43,8 @@ void set_owner(std::span<Region> regions, std::span<const Layer* const> bodies) 
         r.tool = bodies.front()->tool;
         r.body = bodies.front()->body;
         r.width = bodies.front()->width;
+        r.layers = bodies.front()->layers;
+        r.skipped = bodies.front()->skipped;
         if (bodies.size() == 1) continue;
         const auto at = std::find_if(bodies.begin(), bodies.end(), [&](const Layer* b) { return has_part(r, *b); });
         if (at == bodies.end()) continue;
@@ -83,7 +88,9 @@ void find_gaps(std::span<const Region> regions, const Options& options, Gaps& ga
     for (const Loops& tool : tools) each.add(polygon::closed(tool, width / 2));
     const Loops narrow = polygon::subtract(polygon::closed(all, width / 2), polygon::unite(each));
     // Corners where bodies meet are filled by closing, too, but are smaller than the dot of a bead.
-    const double dot = std::numbers::pi * width * width / 4, height = regions.front().height;
+    const double dot = std::numbers::pi * width * width / 4;
+    double height = 0;
+    for (const Region& r : regions) height = std::max(height, r.height);
     double largest = 0;
     for (const Loops& gap : polygon::split(polygon::opened(narrow, hairline(options) / 2)).part) {
         const double area = polygon::signed_area(gap);
@@ -108,7 +115,7 @@ void Gaps::add(const Gaps& further) {
     at = further.at;
 }
 
-std::vector<Region> body_regions(std::span<const Layer> bodies, const Options& options, Gaps& gaps, Notes& notes) {
+std::vector<Region> body_regions(std::span<const Layer> bodies, const Options& options, Gaps* gaps, Notes& notes) {
     if (bodies.size() == 1) {
         auto out = regions(bodies.front(), own(options, bodies.front().width), notes);
         const Layer* const only = &bodies.front();
@@ -117,10 +124,12 @@ std::vector<Region> body_regions(std::span<const Layer> bodies, const Options& o
     }
     std::vector<const Layer*> by_tool;
     for (const Layer& b : bodies) by_tool.push_back(&b);
-    std::stable_sort(by_tool.begin(), by_tool.end(), [](const Layer* a, const Layer* b) { return a->tool < b->tool; });
+    std::stable_sort(by_tool.begin(), by_tool.end(), [](const Layer* a, const Layer* b) {
+        return std::pair(a->tool, a->layers) < std::pair(b->tool, b->layers);
+    });
     std::vector<Region> out;
     for (std::size_t first = 0, last = 0; first < by_tool.size(); first = last) {
-        while (last < by_tool.size() && by_tool[last]->tool == by_tool[first]->tool) ++last;
+        while (last < by_tool.size() && alike(*by_tool[last], *by_tool[first])) ++last;
         const auto same = std::span(by_tool).subspan(first, last - first);
         const Layer layer = united(same);
         auto found = regions(layer, own(options, layer.width), notes);
@@ -133,25 +142,32 @@ std::vector<Region> body_regions(std::span<const Layer> bodies, const Options& o
         }
     }
     find_parents(out);
-    if (!out.empty() && out.front().tool != out.back().tool) find_gaps(out, options, gaps);
+    if (gaps != nullptr && !out.empty() && out.front().tool != out.back().tool) find_gaps(out, options, *gaps);
     return out;
 }
 
-void lay_bodies_on(std::span<Region> upper, const Ground& below, const Options& options, Air& air) {
-    const auto one_tool = [](std::span<const Region> r) { return r.empty() || r.front().tool == r.back().tool; };
-    const double width = upper.empty() ? 0 : upper.front().width;
+namespace {
+
+// Calls f(first, count) for each run of regions for which `same` holds.
+template <class Same, class Each>
+void runs(std::span<const Region> regions, const Same& same, const Each& each) {
+    for (std::size_t first = 0, last = 0; first < regions.size(); first = last) {
+        while (last < regions.size() && same(regions[last], regions[first])) ++last;
+        each(first, last - first);
+    }
+}
+
+bool same_tool(const Region& a, const Region& b) { return a.tool == b.tool; }
+
+// lay_bodies_on() for regions that are equally many layers high.
+void lay_level_on(std::span<Region> upper, const Ground& below, const Options& options, Air& air) {
+    const auto one_tool = [](std::span<const Region> r) { return r.empty() || same_tool(r.front(), r.back()); };
     if (one_tool(upper) && one_tool(below.regions) &&
-        (upper.empty() || below.regions.empty() || upper.front().tool == below.regions.front().tool))
-        return lay_on(upper, below, own(options, width), air);
+        (upper.empty() || below.regions.empty() || same_tool(upper.front(), below.regions.front())))
+        return lay_on(upper, below, own(options, upper.empty() ? 0 : upper.front().width), air);
     std::vector<double> covered(upper.size(), 0);
-    const auto tools = [](auto regions, auto&& each) {
-        for (std::size_t first = 0, last = 0; first < regions.size(); first = last) {
-            while (last < regions.size() && regions[last].tool == regions[first].tool) ++last;
-            each(first, last - first);
-        }
-    };
-    tools(upper, [&](std::size_t u, std::size_t us) {
-        tools(below.regions, [&](std::size_t l, std::size_t ls) {
+    runs(upper, same_tool, [&](std::size_t u, std::size_t us) {
+        runs(below.regions, same_tool, [&](std::size_t l, std::size_t ls) {
             const Options how = own(options, upper[u].width);
             std::vector<Region> part(upper.begin() + static_cast<long>(u), upper.begin() + static_cast<long>(u + us));
             for (Region& r : part) r.below.clear();
@@ -160,7 +176,7 @@ void lay_bodies_on(std::span<Region> upper, const Ground& below, const Options& 
             for (std::size_t i = 0; i < us; ++i) {
                 covered[u + i] += area[i];
                 for (polygon::Overlap o : part[i].below) {
-                    o.link = o.link && upper[u].tool == lower.front().tool;
+                    o.link = o.link && same_tool(upper[u], lower.front());
                     upper[u + i].below.push_back(o);
                 }
             }
@@ -169,6 +185,16 @@ void lay_bodies_on(std::span<Region> upper, const Ground& below, const Options& 
     for (Region& r : upper)
         std::sort(r.below.begin(), r.below.end(), [](const auto& a, const auto& b) { return a.below < b.below; });
     if (!below.bed) hang(upper, below.regions, covered, {options.bead_width, hairline(options)}, air);
+}
+
+} // namespace
+
+void lay_bodies_on(std::span<Region> upper, const std::function<Ground(std::int64_t)>& ground, const Options& options,
+                   Air& air) {
+    const auto same_height = [](const Region& a, const Region& b) { return a.layers == b.layers; };
+    runs(upper, same_height, [&](std::size_t first, std::size_t count) {
+        lay_level_on(upper.subspan(first, count), ground(upper[first].rests_on()), options, air);
+    });
 }
 
 std::optional<Note> note(const Gaps& gaps) {

@@ -2,7 +2,7 @@
 
 #include "parallel/parallel.hpp"
 
-#include <iterator>
+#include <algorithm>
 #include <utility>
 
 namespace filum::regions {
@@ -36,6 +36,33 @@ void Stack::number(std::vector<std::vector<polygon::Region>>& batch) {
     }
 }
 
+// What lies on the layer `index` below layer k of a batch: the bed, the regions of that layer, or none.
+Ground Stack::ground(const std::vector<std::vector<polygon::Region>>& batch, std::size_t k, std::int64_t index) const {
+    // Nothing came before this layer, so it begins on the bed, as does a high one with the same lower side.
+    if (index < first_) return {true, {}};
+    for (; k-- > 0;)
+        if (waiting_[k].front().index == index) return {false, batch[k]};
+    const std::int64_t back = last_ - index;
+    if (back >= 0 && back < static_cast<std::int64_t>(below_.size()))
+        return {false, below_[below_.size() - 1 - static_cast<std::size_t>(back)]};
+    return {false, {}};
+}
+
+// Keeps the regions of the layers on which later ones may rest: as many as one of them can be high. Missing layers are
+// kept as empty ones.
+void Stack::keep(std::vector<std::vector<polygon::Region>> batch) {
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+        const std::int64_t index = waiting_[k].front().index;
+        if (last_ >= 0 && index - last_ > polygon::kMostLayers)
+            below_.clear();
+        else
+            for (; last_ >= 0 && last_ + 1 < index; ++last_) below_.emplace_back();
+        below_.push_back(std::move(batch[k]));
+        last_ = index;
+        while (below_.size() > polygon::kMostLayers) below_.pop_front();
+    }
+}
+
 std::vector<polygon::Region> Stack::done(Notes& notes) {
     const std::size_t n = waiting_.size();
     std::vector<std::vector<polygon::Region>> batch(n);
@@ -43,26 +70,36 @@ std::vector<polygon::Region> Stack::done(Notes& notes) {
     const auto each = [&](auto&& f) {
         parallel::for_chunks(n, 1, threads_, [&](std::size_t k, std::size_t) { f(k); });
     };
+    const auto high = [](const std::vector<polygon::Layer>& layer) {
+        return std::ranges::any_of(layer, [](const polygon::Layer& body) { return body.layers > 1; });
+    };
+    for (const auto& layer : waiting_) {
+        coarse_ = coarse_ || high(layer);
+        for (const polygon::Layer& body : layer) {
+            const std::int64_t lower = std::int64_t{body.index} - body.layers + 1;
+            first_ = first_ < 0 ? lower : std::min(first_, lower);
+        }
+    }
     std::vector<Gaps> gaps(n);
-    each([&](std::size_t k) { batch[k] = body_regions(waiting_[k], options_, gaps[k], said[k]); });
+    each([&](std::size_t k) {
+        const bool whole = !coarse_ || high(waiting_[k]); // else bodies may be missing that fill a gap
+        batch[k] = body_regions(waiting_[k], options_, whole ? &gaps[k] : nullptr, said[k]);
+    });
     number(batch);
     std::vector<Air> air(n);
     each([&](std::size_t k) {
-        const std::int64_t under = k == 0 ? last_ : waiting_[k - 1].front().index;
-        Ground ground{under < 0, k == 0 ? below_ : batch[k - 1]};
-        if (waiting_[k].front().index != under + 1) ground.regions = {}; // a gap in the stack carries nothing
-        air[k].reach = air_.reach;                                       // only worse places than before count
-        lay_bodies_on(batch[k], ground, options_, air[k]);
+        air[k].reach = air_.reach; // only worse places than before count
+        lay_bodies_on(
+            batch[k], [&](std::int64_t index) { return ground(batch, k, index); }, options_, air[k]);
     });
     std::vector<polygon::Region> out;
     for (std::size_t k = 0; k < n; ++k) {
         regions::add(air_, air[k]);
         gaps_.add(gaps[k]);
         for (Note& note : said[k]) notes.push_back(std::move(note));
-        last_ = waiting_[k].front().index;
+        out.insert(out.end(), batch[k].begin(), batch[k].end());
     }
-    if (n > 0) below_ = batch.back();
-    for (auto& regions : batch) std::move(regions.begin(), regions.end(), std::back_inserter(out));
+    keep(std::move(batch));
     waiting_.clear();
     return out;
 }

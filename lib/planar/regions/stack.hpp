@@ -4,12 +4,13 @@
 #include "regions/bodies.hpp"
 
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 namespace filum::regions {
 
 // Turns layers, from the bed up, into regions. The result does not depend on the number of threads. Holds the layers of
-// one batch, and the regions of the layer below it.
+// one batch, and the regions of the layers below it on which layers may rest that are several layers high.
 class Stack {
   public:
     Stack(const Options& options, int threads) : options_(options), threads_(threads) {}
@@ -23,12 +24,17 @@ class Stack {
   private:
     std::vector<polygon::Region> done(Notes& notes);
     void number(std::vector<std::vector<polygon::Region>>& batch);
+    [[nodiscard]] Ground ground(const std::vector<std::vector<polygon::Region>>& batch, std::size_t k,
+                                std::int64_t index) const;
+    void keep(std::vector<std::vector<polygon::Region>> batch);
 
     Options options_;
     int threads_;
     std::vector<std::vector<polygon::Layer>> waiting_; // per layer, its bodies
-    std::vector<polygon::Region> below_;               // of the last layer that is done
-    std::int64_t last_ = -2;                           // its index
+    std::deque<std::vector<polygon::Region>> below_;   // of the last layers that are done, at most kMostLayers
+    std::int64_t last_ = -2;                           // index of the last of them
+    std::int64_t first_ = -1;                          // lowest layer that a body of the stack occupies; -1: none yet
+    bool coarse_ = false;                              // some layer was several layers high
     std::uint32_t next_id_ = 0;
     Air air_;
     Gaps gaps_;

@@ -159,4 +159,84 @@ Order by_tools(const Graph& g, Order order) {
     return least < cost(g, order) ? best : order;
 }
 
+namespace {
+
+// Pairs (outer, inner) of strokes: the first surrounds a region of the second.
+std::vector<Pair> nested(const Graph& g, const Strokes& s, std::span<const Index> around) {
+    std::vector<Pair> out;
+    for (Index v = 0; v < g.size(); ++v)
+        for (Index u = around[v]; u != kNone; u = around[u])
+            if (s.of[u] != s.of[v]) out.emplace_back(s.of[u], s.of[v]);
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+}
+
+// The strokes that are ready. Those that surround a ready one are held back.
+struct ReadyStrokes {
+    const Arcs& outer; // of each stroke: those that surround it
+    geom::NearestPoints<geom::Vec2> open;
+    std::vector<Index> within; // per stroke: the number of ready strokes within
+    std::vector<char> ready;
+
+    void put(Index i) {
+        ready[i] = 1;
+        if (within[i] == 0) open.insert(i);
+        for (const Index o : outer[i])
+            if (within[o]++ == 0 && ready[o] != 0) open.remove(o);
+    }
+    void take(Index i) {
+        ready[i] = 0;
+        if (within[i] == 0) open.remove(i);
+        for (const Index o : outer[i])
+            if (--within[o] == 0 && ready[o] != 0) open.insert(o);
+    }
+    // The nearest of the strokes that are not held back. Strokes that surround each other on different layers are all
+    // held back; then the first one.
+    [[nodiscard]] Index next(geom::Vec2 from) const {
+        if (!open.empty()) return *open.nearest(from);
+        return static_cast<Index>(std::find(ready.begin(), ready.end(), 1) - ready.begin());
+    }
+};
+
+} // namespace
+
+Order from_inside(const Graph& g, Order order, std::span<const Index> around) {
+    if (order.empty() || tools(g).size() > 1) return order;
+    const Strokes s = strokes_of(g, order);
+    StrokePrecedence p = precedence(g, s);
+    const auto n = static_cast<Index>(p.waiting.size());
+    std::vector<Pair> inwards = nested(g, s, around);
+    if (inwards.empty()) return order;
+    const Arcs outer = reversed(arcs(n, std::move(inwards)));
+    std::vector<geom::Vec2> start;
+    for (Index i = 0; i < n; ++i) start.push_back(g.node[order[s.first[i]]].centre);
+    ReadyStrokes ready{outer, geom::NearestPoints(start), std::vector<Index>(n, 0), std::vector<char>(n, 0)};
+    for (Index i = 0; i < n; ++i)
+        if (p.waiting[i] == 0) ready.put(i);
+    Order out;
+    geom::Vec2 at = start.front();
+    while (out.size() < order.size()) {
+        const Index i = ready.next(at);
+        ready.take(i);
+        out.insert(out.end(), order.begin() + s.first[i], order.begin() + s.first[i + 1]);
+        at = g.node[out.back()].centre;
+        for (const Index j : p.after[i])
+            if (--p.waiting[j] == 0) ready.put(j);
+    }
+    return cost(g, out).strokes > cost(g, order).strokes ? order : out;
+}
+
+std::size_t outer_first(const Graph& g, const Order& order, std::span<const Index> around) {
+    std::size_t out = 0;
+    Index last = kNone;
+    for (const auto& [outer, inner] : nested(g, strokes_of(g, order), around)) { // strokes are numbered in their order
+        if (outer < inner && outer != last) {
+            ++out;
+            last = outer;
+        }
+    }
+    return out;
+}
+
 } // namespace filum::sequence

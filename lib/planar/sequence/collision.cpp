@@ -44,6 +44,7 @@ struct PairSearch {
     double top = 0;                       // mm, of all regions
     std::vector<std::size_t> limit;       // per column: places from there on wait for the current column
     std::vector<Pair> found;
+    std::vector<Index> place_of; // per region: its place in its column
 
     [[nodiscard]] const Box2& box_of(Index v) const { return outlines[v].box; }
     [[nodiscard]] const Box2& box_over(Index v) const { return over[v].box; }
@@ -57,12 +58,14 @@ struct PairSearch {
     }
 
     void boxes() {
+        place_of.resize(g.size());
         for (const auto& member : columns.member) {
             block.emplace_back((member.size() + kBlock - 1) / kBlock);
             box.emplace_back();
             for (std::size_t i = 0; i < member.size(); ++i) add(block.back()[i / kBlock], box_of(member[i]));
             for (const auto& b : block.back()) add(box.back(), b);
             limit.push_back(member.size());
+            for (Index i = 0; i < member.size(); ++i) place_of[member[i]] = i;
             drifts.push_back(drift(member, outlines));
             drifts_over.push_back(shifted(drifts.back(), shift.xy()));
             top = std::max(top, g.node[member.back()].z);
@@ -76,7 +79,7 @@ struct PairSearch {
     // to last of column c.
     [[nodiscard]] bool clear(Index v, Index a, Index c, const RegionDistance& m, std::size_t first,
                              std::size_t last) const {
-        const std::size_t i = place(v, a);
+        const std::size_t i = place_of[v];
         const Drift& of_c = drifts[c];
         const double to_last = of_c.between(first, last);
         const double way = drifts_over[a].between(m.i, i) + std::max(of_c.between(m.k, first), of_c.between(m.k, last));
@@ -107,7 +110,7 @@ struct PairSearch {
                                    std::size_t limit) const {
         for (std::size_t from = limit; from != first && first < limit;) { // a stretch may end where the next one begins
             from = first;
-            measured.near(place(v, a), first, [&](const RegionDistance& m) {
+            measured.near(place_of[v], first, [&](const RegionDistance& m) {
                 if (first < limit) first = skip(v, a, c, m, first, limit);
             });
         }
@@ -117,7 +120,7 @@ struct PairSearch {
     // What measured distances say about the one between v and place k of column c.
     [[nodiscard]] RegionDistance known(Index v, Index a, Index c, const RegionDistances& measured,
                                        std::size_t k) const {
-        RegionDistance out{place(v, a), k, {}, {}};
+        RegionDistance out{place_of[v], k, {}, {}};
         measured.near(out.i, k, [&](const RegionDistance& m) {
             const auto add = [&](Bounds& to, Bounds before) {
                 const Bounds now = relative(drifts_over[a], m.i, out.i, drifts[c], m.k, k, before);
@@ -155,16 +158,21 @@ struct PairSearch {
         return near(m);
     }
 
-    [[nodiscard]] std::size_t place(Index v, Index a) const {
-        return g.node[v].layer - g.node[columns.member[a][0]].layer;
+    // The first place of a column that is above `layer`. Mostly its layers follow each other without a gap.
+    [[nodiscard]] std::size_t above(const std::vector<Index>& member, Index layer) const {
+        const Index lowest = g.node[member.front()].layer;
+        if (layer < lowest) return 0;
+        if (g.node[member.back()].layer - lowest + 1 == member.size()) return layer + 1 - lowest;
+        const auto at = std::upper_bound(member.begin(), member.end(), layer,
+                                         [&](Index of, Index v) { return of < g.node[v].layer; });
+        return static_cast<std::size_t>(at - member.begin());
     }
 
     // The first place of column c below `limit` whose region is in the way of v, of column a; `limit` if there is
     // none.
     [[nodiscard]] std::size_t first(Index v, Index a, Index c, std::size_t limit, RegionDistances& measured) {
         const auto& member = columns.member[c];
-        const Index layer = g.node[v].layer, lowest = g.node[member[0]].layer;
-        std::size_t i = layer + 1 > lowest ? layer + 1 - lowest : 0;
+        std::size_t i = above(member, g.node[v].layer);
         if (i >= limit) return limit;
         // Below the height at which the head reaches from column to column there are no collisions.
         const auto out_of_reach = [&](Index u) { return !may_collide(column_over(a), box[c], reach_of(v, u)); };
@@ -191,7 +199,7 @@ struct PairSearch {
     [[nodiscard]] bool implied(Index c) const {
         for (const Index p : g.before[columns.member[c][0]]) {
             const Index d = columns.of[p];
-            if (g.node[p].layer - g.node[columns.member[d][0]].layer >= limit[d]) return true;
+            if (place_of[p] >= limit[d]) return true;
         }
         return false;
     }
@@ -250,8 +258,8 @@ void add_collisions(const Graph& g, const Columns& columns, const std::vector<Ou
     std::vector<Outline> over;
     if (shift.xy() != geom::Vec2{})
         for (const Outline& o : outlines) over.push_back(shifted(o, shift.xy()));
-    PairSearch s{g,  columns, outlines, head, work, shift, over.empty() ? outlines : over, {}, {},
-                 {}, {},      {},       0,    {},   {}};
+    PairSearch s{g,  columns, outlines, head, work, shift, over.empty() ? outlines : over, {}, {}, {},
+                 {}, {},      0,        {},   {},   {}};
     s.boxes();
     for (Index a = 0; a < columns.member.size(); ++a)
         if (g.node[columns.member[a][0]].tool == tool) s.column(a);

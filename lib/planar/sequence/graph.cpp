@@ -56,15 +56,16 @@ Graph support_graph(std::span<const polygon::Region> regions) {
                 bad(r, "its layer is out of order");
             layer = g.node.back().layer + (r.layer > p.layer ? 1 : 0);
         }
-        g.node.push_back({layer, r.z, polygon::centroid(r.loops), r.tool});
+        g.node.push_back(
+            {layer, r.z, polygon::centroid(r.loops), r.tool, r.rests_on() < std::int64_t{regions.front().layer}});
         for (const auto& o : r.below) {
             if (o.below >= i || regions[o.below].layer >= r.layer)
                 bad(r, "it rests on a region that is not on a layer below");
-            if (o.link && regions[o.below].layer + 1 != r.layer)
-                bad(r, "its link does not lead to a region of the layer below");
+            const bool carries = regions[o.below].layer == r.rests_on();
+            if (o.link && !carries) bad(r, "its link does not lead to a region of the layer below");
             if (o.link && regions[o.below].tool != r.tool) bad(r, "its link leads to a region of another tool");
             if (o.link) links.emplace_back(o.below, r.id);
-            if (regions[o.below].layer + 1 == r.layer) support.emplace_back(o.below, r.id);
+            if (carries) support.emplace_back(o.below, r.id);
         }
     }
     g.up = arcs(g.size(), std::move(links));
@@ -86,7 +87,7 @@ std::vector<Pair> carried_from_afar(std::span<const polygon::Region> regions) {
     std::vector<Pair> out;
     for (const auto& r : regions)
         for (const auto& o : r.below)
-            if (regions[o.below].layer + 1 < r.layer) out.emplace_back(o.below, r.id);
+            if (regions[o.below].layer < r.rests_on()) out.emplace_back(o.below, r.id);
     return out;
 }
 

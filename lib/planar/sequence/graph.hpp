@@ -34,6 +34,7 @@ struct Node {
     double z = 0;      // mm, top of the region
     geom::Vec2 centre; // of its area
     Index tool = 0;    // number of the tool that prints it
+    bool bed = false;  // it begins below the top of the lowest region, so nothing can carry it
 };
 
 // Every arc leads to a higher layer, so printing layer by layer is always possible.
@@ -47,16 +48,17 @@ struct Graph {
 // The numbers of the tools that print the regions, ascending.
 std::vector<Index> tools(const Graph& g);
 
-// Columns: regions of consecutive layers with one tool, each supported by the one before. They partition the regions.
+// Columns: regions of one tool, each supported by the one before, which ends where it begins. They partition the
+// regions.
 struct Columns {
     std::vector<std::vector<Index>> member; // lowest first; columns by (lowest layer, first member)
     std::vector<Index> of;                  // the column of each region
 };
 
 // The graph of `regions` by support alone; they must come layer by layer with consecutive ids. Links as given by the
-// regions, precedence where they rest on a region of the layer below.
+// regions, precedence where they rest on a region of the layer below: the one where they begin (Region::rests_on).
 // Throws Error(bad_input) if ids or layers do not ascend, if an overlap names a region that is not on a layer below,
-// or if a link leads to another layer than the next lower one or to a region of another tool.
+// or if a link leads to a layer other than the one where the region begins, or to a region of another tool.
 Graph support_graph(std::span<const polygon::Region> regions);
 
 // Pairs (below, above) of regions with a gap in between, as between a part and its support. They do not affect

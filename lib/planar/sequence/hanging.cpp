@@ -35,11 +35,7 @@ struct SupportedParts {
         first.push_back(g.size());
     }
 
-    [[nodiscard]] bool hangs(Index v) const {
-        const Index layer = g.node[v].layer;
-        const auto carries = [&](Index u) { return g.node[u].layer + 1 == layer; };
-        return layer > 0 && std::none_of(g.before[v].begin(), g.before[v].end(), carries);
-    }
+    [[nodiscard]] bool hangs(Index v) const { return !g.node[v].bed && g.before[v].empty(); }
 
     // Distance between the boxes of two regions, a lower bound for that of their outlines.
     [[nodiscard]] double box_distance(Index v, Index u) const {
@@ -77,7 +73,7 @@ struct SupportedParts {
             return !std::binary_search(present.begin(), present.end(), below);
         };
         for (Index v = first[1]; v < g.size(); ++v)
-            if (hangs(v) && misses_layer_below(v))
+            if (!g.node[v].bed && hangs(v) && misses_layer_below(v))
                 for (const Index u : nearest_below(v)) set.unite(u, v);
     }
 

@@ -88,8 +88,9 @@ std::vector<LayerEnds> layer_ends(const Graph& g, const std::vector<std::vector<
     for (const auto& layer : layers) {
         for (const Index v : layer) {
             first[v] = {best == kNone ? 0 : last[best].links, best};
-            for (const Index u : g.down[v])
-                if (last[u].links + 1 > first[v].links) first[v] = {last[u].links + 1, u};
+            for (const Index u : g.down[v]) // a region that is several layers high begins farther below
+                if (g.node[u].layer == g.node[best].layer && last[u].links + 1 > first[v].links)
+                    first[v] = {last[u].links + 1, u};
         }
         const auto [one, two] = best_firsts(g, layer, first);
         best = kNone;

@@ -1,6 +1,7 @@
 #include "sequence/sequence.hpp"
 
 #include "base/error.hpp"
+#include "sequence/arrange.hpp"
 #include "sequence/brims.hpp"
 #include "sequence/canon.hpp"
 #include "sequence/collision.hpp"
@@ -53,6 +54,17 @@ Facts facts(const SequenceResult& r, const Plan& p, const Columns& c, std::size_
     return out;
 }
 
+// Per region the one whose hole holds it.
+std::vector<Index> surrounding(std::span<const polygon::Region> regions) {
+    std::vector<Index> out;
+    for (const auto& r : regions) {
+        const bool known = r.parent >= 0 && r.parent < static_cast<std::int64_t>(regions.size()) && r.parent != r.id &&
+                           regions[static_cast<std::size_t>(r.parent)].area > r.area;
+        out.push_back(known ? static_cast<Index>(r.parent) : kNone);
+    }
+    return out;
+}
+
 std::string bound_by(const Plan& p) {
     if (p.bound == p.path_cover) return "path-cover";
     return p.bound == p.relaxation ? "relaxation-bound" : "search";
@@ -85,6 +97,8 @@ SequenceResult sequence(std::vector<polygon::Region> regions, const Options& opt
         p.order = options.layers(regions);
         p.cost = cost(g, p.order);
     }
+    const std::vector<Index> around = surrounding(regions);
+    if (options.from_inside) p.order = from_inside(g, std::move(p.order), around);
     begin_with(rims, g, p);
     put_first(first, g, p);
     check(g, p.order);
@@ -94,6 +108,8 @@ SequenceResult sequence(std::vector<polygon::Region> regions, const Options& opt
     add_strokes(out, p.order, regions);
     out.ends = ends(g, p.order, support, outlines, options.heads);
     out.facts = facts(out, p, c, hits.size(), work.assumed, rims.size());
+    if (options.from_inside)
+        out.facts.push_back({"", "outer-first", static_cast<double>(outer_first(g, p.order, around)), "strokes"});
     out.bound_by = bound_by(p);
     out.order = std::move(p.order);
     return out;

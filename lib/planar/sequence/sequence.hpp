@@ -17,6 +17,7 @@ struct Options {
     machine::Heads heads;               // of the tools
     Priority first = Priority::strokes; // what is reduced first in jobs with several tools
     std::uint64_t budget = 600'000'000; // steps for searches and bounds
+    bool from_inside = false;           // of nested strokes the inner ones come first, where they can
 };
 
 struct SequenceResult {
@@ -32,7 +33,8 @@ struct SequenceResult {
     // its order optimal; planned-strokes; gap (% of the strokes between lower-bound and planned-strokes); ends-...:
     // strokes by the cause of their end (ends.hpp); steps (millions) of search and bounds; search-complete (1 if the
     // search was exhaustive, so no order has fewer strokes).
-    // With several tools also: tools; tool-changes; tool-changes-bound: no order changes the tool less often.
+    // With from_inside: outer-first, the strokes that come before one that they surround. With several tools also:
+    // tools; tool-changes; tool-changes-bound: no order changes the tool less often.
     Facts facts;
     std::string bound_by; // method that proved lower-bound: path-cover, relaxation-bound or search
 };

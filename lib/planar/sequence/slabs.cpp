@@ -40,7 +40,22 @@ Slab slab(const Graph& g, const Columns& columns, Index first, Index last) {
 
 } // namespace
 
+namespace {
+
+// Per layer: whether a link leads over it, from a layer below to one above. A slab must not end there, as it would
+// miss the link.
+std::vector<char> crossed(const Graph& g) {
+    std::vector<char> out(g.size() == 0 ? 0 : g.node.back().layer + 1, 0);
+    for (Index u = 0; u < g.size(); ++u)
+        for (const Index v : g.up[u])
+            for (Index layer = g.node[u].layer + 1; layer < g.node[v].layer; ++layer) out[layer] = 1;
+    return out;
+}
+
+} // namespace
+
 std::vector<Slab> slabs(const Graph& g, const Columns& columns, std::size_t most) {
+    const std::vector<char> closed = crossed(g);
     std::vector<Index> layer; // the first region of each, and one past the end
     for (Index v = 0; v < g.size(); ++v)
         while (layer.size() <= g.node[v].layer) layer.push_back(v);
@@ -57,7 +72,7 @@ std::vector<Slab> slabs(const Graph& g, const Columns& columns, std::size_t most
                     s = out.size() + 1;
                     ++more;
                 }
-            if (top > bottom + 1 && more * (layer[top + 1] - layer[bottom]) > most) break;
+            if (top > bottom + 1 && closed[top - 1] == 0 && more * (layer[top + 1] - layer[bottom]) > most) break;
             many = more;
         }
         out.push_back(slab(g, columns, layer[bottom], layer[top]));

@@ -45,7 +45,10 @@ void add_facts(const Facts& of, Facts& to) {
 
 SequenceResult sequence_apart(const std::vector<polygon::Region>& regions, const Options& options,
                               const machine::Pauses& pauses) {
-    const auto before = [&](std::size_t i) { return pauses.before(regions[i].layer, regions[i].z, regions[i].height); };
+    // A region that is several layers high belongs to the uppermost of them.
+    const auto before = [&](std::size_t i) {
+        return pauses.before(regions[i].layer, regions[i].z, regions[i].height / regions[i].layers);
+    };
     SequenceResult out;
     std::uint32_t strokes = 0;
     for (std::size_t first = 0, last = 0; first < regions.size(); first = last) {

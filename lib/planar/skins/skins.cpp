@@ -188,8 +188,8 @@ void tell_solid(Region& r, const std::vector<LoopIndex>& layers, const Options& 
     const geom::Box2 box = polygon::bounds(outline);
     put(polygon::AreaKind::skin_top,
         seen(outline, r.layer + 1 < layers.size() ? layers[r.layer + 1].near(box) : Loops{}, o));
-    Loops free = seen(outline, r.layer > 0 ? layers[r.layer - 1].near(box) : Loops{}, o);
-    if (r.layer > 0 && o.bottom > 0 && !free.empty()) {
+    Loops free = seen(outline, r.rests_on() >= 0 ? layers[static_cast<std::size_t>(r.rests_on())].near(box) : Loops{}, o);
+    if (r.rests_on() >= 0 && o.bottom > 0 && !free.empty()) {
         const Loops within = within_walls(r, depth(r, o, o.bead_width));
         const geom::Vec2 bead{o.bead_width, o.bead_width}; // the ends of a bridge lie on beads beside it
         const Loops below = layers[r.layer - 1].near({box.lo - bead, box.hi + bead});
@@ -225,7 +225,7 @@ SparseLines lines_of(const std::vector<Region>& regions, const std::vector<Loops
         for (std::size_t i = 0; i < regions.size(); ++i)
             if (!(*areas)[i].empty())
                 tasks.push_back(
-                    {&(*areas)[i], {o.pattern, direction_of(regions[i].layer), 0, w, regions[i].z, 0, &rims[i]}});
+                    {&(*areas)[i], {o.pattern, direction_of(regions[i].own_layer()), 0, w, regions[i].z, 0, &rims[i]}});
         if (tasks.empty()) continue;
         const double spacing = infill::spacing_for(tasks, o.infill, w);
         facts.push_back({"", whose + "infill-spacing", spacing, "mm"});
@@ -259,7 +259,9 @@ std::vector<Loops> inner_of(const std::vector<Loops>& layers, const Options& o) 
 void part_dense(std::vector<Sparse>& settings, const std::vector<Region>& regions, std::size_t layers) {
     std::vector<Loops> of_layer(layers);
     for (const Sparse& s : settings)
-        for (std::size_t i = 0; i < regions.size(); ++i) of_layer[regions[i].layer].add(s.plain[i]);
+        for (std::size_t i = 0; i < regions.size(); ++i)
+            for (std::int64_t k = regions[i].rests_on() + 1; k <= regions[i].layer; ++k)
+                of_layer[static_cast<std::size_t>(k)].add(s.plain[i]);
     const auto sparse_of = indexed(of_layer);
     for (Sparse& s : settings)
         parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
@@ -277,7 +279,7 @@ void take_squares(Sparse& s, const std::vector<Region>& regions, double spacing)
         const Loops all = polygon::unite(s.plain[i], s.dense[i]);
         s.dense[i] = infill::whole_squares(
             s.dense[i], all,
-            {.direction = direction_of(regions[i].layer), .spacing = spacing, .bead_width = infill_width(s.how)});
+            {.direction = direction_of(regions[i].own_layer()), .spacing = spacing, .bead_width = infill_width(s.how)});
         s.plain[i] = beside(all, s.dense[i], s.how);
     });
 }
@@ -291,7 +293,7 @@ void put_sparse(Sparse& s, std::vector<Region>& regions, const std::string& whos
         Region& r = regions[i];
         const auto put = [&](Loops& loops, double gap) {
             if (loops.empty()) return;
-            r.areas.push_back({polygon::AreaKind::sparse, std::move(loops), direction_of(r.layer), lines.spacing,
+            r.areas.push_back({polygon::AreaKind::sparse, std::move(loops), direction_of(r.own_layer()), lines.spacing,
                                s.how.pattern, gap});
             if (r.width == 0 && lines.width != inner_width(s.how)) r.areas.back().width = lines.width;
         };

@@ -172,7 +172,6 @@ polygon::Layer layer(const RawFrame& frame) {
     if (!usable(m.plane())) bad_frame("layer", "its plane is not a number");
     polygon::Layer out{m.index(), m.z(), m.height(), m.plane(), loops(m.contours(), "layer")};
     read_owner(m, out, "layer");
-    out.width = owner_width(m, "layer");
     return out;
 }
 
@@ -184,7 +183,6 @@ RawFrame frame(const polygon::Layer& layer) {
     m.set_plane(layer.plane);
     put_loops(*m.mutable_contours(), layer.contours);
     put_owner(layer, m);
-    m.set_width(layer.width);
     return raw(Tag::layer, m);
 }
 
@@ -218,7 +216,6 @@ polygon::Region region(const RawFrame& frame) {
     out.is = static_cast<polygon::RegionClass>(m.purpose());
     out.brim = m.has_brim() ? m.brim() : -1;
     read_owner(m, out, "region");
-    out.width = owner_width(m, "region");
     return out;
 }
 
@@ -247,7 +244,6 @@ RawFrame frame(const polygon::Region& region) {
     m.set_purpose(static_cast<proto::RegionClass>(region.is));
     m.set_brim(region.brim);
     put_owner(region, m);
-    m.set_width(region.width);
     return raw(Tag::region, m);
 }
 

@@ -13,6 +13,8 @@ namespace filum::polygon {
 
 // The highest numbers of a tool and of a body.
 inline constexpr std::uint32_t kMostTool = 1000, kMostBody = 100000;
+// The most layers of the job that one layer of a tool may be high.
+inline constexpr std::uint32_t kMostLayers = 16;
 
 // One slice of the solid.
 struct Layer {
@@ -24,6 +26,9 @@ struct Layer {
     // Several bodies: the layer comes once for each body. Areas of bodies with different tools do not overlap.
     std::uint32_t body = 0, tool = 0; // numbers of the body and of the tool that prints it
     double width = 0;                 // mm, of its beads; 0: as the stages' options say
+    // The number of layers of the job that it is high; `index` is the uppermost of these.
+    std::uint32_t layers = 1;
+    std::uint32_t skipped = 0; // number of lower layers on which its body has no layer of its own for this reason
 };
 
 // How a region lies on one region of the layer below.
@@ -95,10 +100,19 @@ struct Region {
     // Number of its body (the lowest, if several became one region) and of the tool that prints it.
     std::uint32_t body = 0, tool = 0;
     double width = 0; // mm, of its beads; 0: as the stages' options say
+    // As in Layer: the number of layers that it is high, and of layers without its body.
+    std::uint32_t layers = 1, skipped = 0;
+
+    // The layer on which it rests; -1: the bed.
+    [[nodiscard]] std::int64_t rests_on() const {
+        return static_cast<std::int64_t>(layer) - static_cast<std::int64_t>(layers);
+    }
+    // The number of the layer among those of its body: neighbours above each other differ by 1.
+    [[nodiscard]] std::uint32_t own_layer() const { return layer - skipped; }
 };
 
 // The outlines of the material, per layer from the first to the last, of all regions or of one class (`only`). Empty
-// for a missing layer.
+// for a missing layer. A region that is several layers high counts on each of them.
 std::vector<Loops> materials(std::span<const Region> regions, std::optional<RegionClass> only = {});
 
 } // namespace filum::polygon

@@ -1,5 +1,6 @@
 #include "polygon/stack.hpp"
 
+#include "base/error.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/simple.hpp"
 
@@ -12,7 +13,8 @@ namespace filum::polygon {
 std::vector<std::uint32_t> close_gaps(std::vector<Region>& regions, std::uint32_t most) {
     std::vector<std::uint32_t> given;
     given.reserve(regions.size());
-    for (const Region& r : regions) given.push_back(r.layer);
+    for (const Region& r : regions)
+        for (std::int64_t k = r.rests_on() + 1; k <= r.layer; ++k) given.push_back(static_cast<std::uint32_t>(k));
     std::sort(given.begin(), given.end());
     given.erase(std::unique(given.begin(), given.end()), given.end());
     // original: old numbers by new number; now: new numbers by place in `given`
@@ -70,6 +72,14 @@ std::string fault(const std::vector<Region>& regions) {
         }
     }
     return "";
+}
+
+void refuse_high(const std::vector<Region>& regions, const std::string& what) {
+    const auto high = std::ranges::find_if(regions, [](const Region& r) { return r.layers > 1; });
+    if (high == regions.end()) return;
+    throw Error(Exit::bad_input, "cannot " + what + " of layers with several heights: those of tool " +
+                                     number(high->tool) + " are " + number(high->layers) +
+                                     " layers high; leave out height= of --body");
 }
 
 std::string fault(const Loops& loops) {

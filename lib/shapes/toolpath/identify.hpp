@@ -6,7 +6,8 @@
 
 namespace filum::toolpath {
 
-// Copies id, layer, z, height, area, stroke, join, body and tool from `region` to `paths`. The curves stay as they are.
+// Copies id, layer, z, height, area, stroke, join, body, tool and skipped layers from `region` to `paths`. The curves
+// stay as they are.
 inline void identify(RegionPaths& paths, const polygon::Region& region) {
     paths.region = region.id;
     paths.layer = region.layer;
@@ -17,6 +18,7 @@ inline void identify(RegionPaths& paths, const polygon::Region& region) {
     paths.join = region.join;
     paths.body = region.body;
     paths.tool = region.tool;
+    paths.skipped = region.skipped;
 }
 
 } // namespace filum::toolpath

@@ -80,6 +80,10 @@ struct RegionPaths {
     // the volume stays the same.
     std::vector<std::vector<Vec2>> stacked;
     std::uint32_t body = 0, tool = 0; // numbers of the body and of the tool that prints it
+    std::uint32_t skipped = 0;        // number of lower layers without its body, whose layers are several layers high
+
+    // The number of the layer among those of its body: neighbours above each other differ by 1.
+    [[nodiscard]] std::uint32_t own_layer() const { return layer - skipped; }
 };
 
 // Fraction of a layer's height: beads with a smaller common part of their heights lie above each other without

@@ -106,13 +106,16 @@ std::string value_of(const std::string& name, const std::vector<StageArguments>&
 // Sets options that follow from others.  The single wall of a vase is a helix.  Two or more walls side by side are
 // printed flat, layer by layer, since a helix cannot return to its start.  A bead is as wide as the nozzle.  Parts in
 // wells and grids stay in place, and travels rise above the walls of wells.  Of several materials each body gets its
-// volume.  In a bath the order keeps the distance of the travels.
+// volume.  In a bath the order keeps the distance of the travels, and inner shells come before outer ones.
 void hand_on_meant(const Request& request, const std::vector<Stage>& stages, std::vector<StageArguments>& to) {
     const std::string walls = value_of("walls", to), nozzle = value_of("nozzle", to), wells = value_of("wells", to);
     if (request.vase) hand_on("lift", walls.empty() || walls == "1" ? "helical" : "ramp", stages, to);
     if (!nozzle.empty()) hand_on("bead-width", nozzle, stages, to);
     if (!wells.empty() || !value_of("grid", to).empty()) hand_on("place", "as-is", stages, to);
-    if (const std::string bath = value_of("bath", to); !bath.empty()) hand_on("clearance", bath, stages, to);
+    if (const std::string bath = value_of("bath", to); !bath.empty()) {
+        hand_on("clearance", bath, stages, to);
+        hand_on("from-inside", "true", stages, to);
+    }
     if (!value_of("body", to).empty() && value_of("pattern", to) != "scaffold") hand_on("volume", "exact", stages, to);
     if (!wells.empty() && wells.size() <= 2 && wells.find_first_not_of("0123456789") == std::string::npos)
         hand_on("wall-height", shortest_text(plate::well_plate(std::stol(wells)).depth), stages, to);

@@ -24,6 +24,7 @@ void run(const Work& work, const cli::Io& given) {
     if (how.first != filum::sequence::Priority::strokes) io.settings.push_back({"tool-changes", "first", true});
     for (const auto& [name, value, changed] : machine::settings(how.heads.common))
         io.settings.push_back({name, value, changed});
+    if (how.from_inside) io.settings.push_back({"from-inside", "true", true});
     if (work.clearance > 0) {
         how.heads.common = machine::widened(how.heads.common, work.clearance);
         for (auto& [tool, head] : how.heads.own) head = machine::widened(head, work.clearance);
@@ -49,6 +50,9 @@ void run(const Work& work, const cli::Io& given) {
     for (const Fact& fact : result.facts)
         if (fact.name == "collisions-assumed")
             output.add(Note{.code = NoteCode::distance_not_measured, .count = static_cast<std::uint64_t>(fact.value)});
+    for (const Fact& fact : result.facts)
+        if (fact.name == "outer-first" && fact.value > 0)
+            output.add(Note{.code = NoteCode::outer_first, .count = static_cast<std::uint64_t>(fact.value)});
     if (work.report) report(result, io);
     if (!work.ends.empty()) {
         stream::Sink table(work.ends, stream::Sink::Content::text);

@@ -1,6 +1,7 @@
 #include "app/slice/bodies.hpp"
 
 #include "app/slice/grid.hpp"
+#include "app/slice/heights.hpp"
 #include "app/slice/sizes.hpp"
 #include "base/number.hpp"
 #include "cli/step_options.hpp"
@@ -37,10 +38,11 @@ void set(const std::string& item, const std::string& setting, BodyItem& to) {
     } else if (name == "width") {
         if (!(number >= 0.01 && number <= 100)) refuse(item, "a width is between 0.01 and 100 mm");
         to.width = number;
-    } else if (name == "height" || name == "layer-height") {
-        refuse(item, "the bodies carry each other layer by layer, so all have the height of --layer-height");
+    } else if (name == "height") {
+        if (!(number >= 0.001 && number <= 1000)) refuse(item, "a height is between 0.001 and 1000 mm");
+        to.height = number;
     } else {
-        refuse(item, "its settings are tool and width, not '" + name + "'");
+        refuse(item, "its settings are tool, width and height, not '" + name + "'");
     }
 }
 
@@ -84,17 +86,18 @@ struct BodyMesh {
     Notes notes;
 };
 
-// Bodies of one tool have one width: that of those that state one.  Throws Error(usage) for two different widths.
-void share_widths(std::vector<BodyMesh>& bodies) {
-    std::map<std::uint32_t, double> width;
+// Bodies of one tool have one size of beads: that of those that state one.  `what` names it, as "beads".  Throws
+// Error(usage) for two different sizes.
+void share(std::vector<BodyMesh>& bodies, double BodyItem::*size, const std::string& what) {
+    std::map<std::uint32_t, double> of_tool;
     for (const BodyMesh& b : bodies) {
-        double& own = width[b.item.tool];
-        if (b.item.width > 0 && own > 0 && b.item.width != own)
-            refuse(b.item.file,
-                   "tool " + std::to_string(b.item.tool) + " has beads of " + shortest_text(own) + " mm already");
-        own = std::max(own, b.item.width);
+        double& own = of_tool[b.item.tool];
+        if (b.item.*size > 0 && own > 0 && b.item.*size != own)
+            refuse(b.item.file, "tool " + std::to_string(b.item.tool) + " has " + what + " of " + shortest_text(own) +
+                                    " mm already");
+        own = std::max(own, b.item.*size);
     }
-    for (BodyMesh& b : bodies) b.item.width = width[b.item.tool];
+    for (BodyMesh& b : bodies) b.item.*size = of_tool[b.item.tool];
 }
 
 // Reads the files of the bodies.  `states_unit`: all of them state their unit.
@@ -116,7 +119,8 @@ std::vector<BodyMesh> read(const std::vector<BodyItem>& items, const Options& o,
             out.back().item.tool = tool;
         }
     }
-    share_widths(out);
+    share(out, &BodyItem::width, "beads");
+    share(out, &BodyItem::height, "layers");
     states_unit = stating == items.size();
     if (stating > 0 && !states_unit && o.place.unit != "mm")
         throw Error(Exit::usage, "cannot use --unit " + o.place.unit +
@@ -149,7 +153,8 @@ std::vector<OnBed> read_bodies(const Options& o, cli::Io& self) {
     for (const BodyMesh& b : meshes) {
         const BodyItem& i = b.item;
         said += (said.empty() ? "FILE:tool=" : ";FILE:tool=") + std::to_string(i.tool) +
-                (i.width > 0 ? ",width=" + shortest_text(i.width) : "");
+                (i.width > 0 ? ",width=" + shortest_text(i.width) : "") +
+                (i.height > 0 ? ",height=" + shortest_text(i.height) : "");
     }
     self.settings.push_back({"bodies", said, true});
     mesh::Mesh whole;
@@ -177,6 +182,7 @@ std::vector<OnBed> read_bodies(const Options& o, cli::Io& self) {
         body.name = label(b.item.file);
         body.tool = b.item.tool;
         body.width = b.item.width;
+        if (b.item.height > 0) body.layers = layers_of_height(b.item.file, b.item.height, o.slice);
         body.notes = std::move(b.notes);
         body.placement = placed;
         body.box = mesh::bounds(b.mesh);

@@ -8,11 +8,12 @@
 
 namespace filum::app::slice {
 
-// One item of --body: "FILE", "FILE:tool=1" or "FILE:tool=1,width=0.6"; without a tool it is tool 0.
+// One item of --body: "FILE", "FILE:tool=1" or "FILE:tool=1,width=0.6,height=0.4"; without a tool it is tool 0.
 struct BodyItem {
     std::string file;
     std::uint32_t tool = 0;
     double width = 0;   // mm; 0: as the stages say
+    double height = 0;  // mm, of its layers; 0: as all
     bool named = false; // the tool is named; otherwise each material of a 3MF is a body with a tool of its number
 };
 
@@ -20,8 +21,8 @@ struct BodyItem {
 std::vector<BodyItem> body_items(const std::string& text);
 
 // Reads the input, if there is one, as body 0 with tool 0, and the bodies of options.body after it.  Throws Error as
-// the readers, and Error(usage) for several inputs, for bodies of one tool with different widths, and for negative
-// bodies.
+// the readers, and Error(usage) for several inputs, for bodies of one tool with different widths or heights, for
+// heights that are no whole number of layers, and for negative bodies.
 std::vector<OnBed> read_bodies(const Options& options, cli::Io& self);
 
 // All bodies together as one thing on the bed.

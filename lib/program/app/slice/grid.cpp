@@ -26,9 +26,10 @@ std::vector<cli::Option> plate_options(Options& o) {
                "(default: marlin's)"}
             .not_a_setting(),
         Option{"set", &o.set, "KEY=VALUE,...", "changes keys of the profile, such as bed.x=[0,300]"}.not_a_setting(),
-        Option{"body", &o.body, "FILE:tool=N",
-               "a body of the part that another tool prints, as core.stl:tool=1 or core.stl:tool=1,width=0.6; several "
-               "times for several; later ones are cut from earlier ones"}
+        Option{
+            "body", &o.body, "FILE:tool=N",
+            "a body of the part that another tool prints, as core.stl:tool=1 or core.stl:tool=1,width=0.6,height=0.4; "
+            "several times for several; later ones are cut from earlier ones"}
             .repeated()
             .not_a_setting(),
         Option{"plate", &o.plate, "N", "plate of a slicer's project, counted from 1"}.within(1, 1000),

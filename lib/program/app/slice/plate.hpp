@@ -29,8 +29,10 @@ struct OnBed {
     std::vector<polygon::Loops> bores; // of each layer: outlines of bores that the layer leaves open
     Notes notes;                       // on the mesh, in the coordinates before copies are placed
     // Of bodies (bodies.hpp): the tool that prints it, and the width of its beads in mm (0: as the stages say).
+    // The number of layers of the job that one of its layers covers (heights.hpp).
     std::uint32_t tool = 0;
     double width = 0;
+    std::uint32_t layers = 1;
 };
 
 // The name of a part on the bed: the file's name without folder and ending, of letters, digits, '-' and '_' only.

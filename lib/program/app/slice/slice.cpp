@@ -3,6 +3,7 @@
 #include "app/modifier/modifier.hpp"
 #include "app/slice/bodies.hpp"
 #include "app/slice/fitting.hpp"
+#include "app/slice/heights.hpp"
 #include "app/slice/plate.hpp"
 #include "parallel/parallel.hpp"
 #include "polygon/clip.hpp"
@@ -33,6 +34,7 @@ struct Job {
     LayerRange wanted;
     std::atomic<bool> holed = false;         // a layer has a hole
     std::vector<std::vector<double>> kept{}; // of several bodies, per body and layer: mm2 that are left of it
+    HighLayers high{};
 
     // The width of the beads of a part in a layer, mm; 0: as the stages' options say.
     [[nodiscard]] double width(const OnBed& part, std::size_t layer) const {
@@ -40,7 +42,7 @@ struct Job {
         return first > 0 && above_bed(layer) == 0 ? first : part.width;
     }
 
-    [[nodiscard]] bool bodies() const { return !o.body.empty() && parts.size() > 1; }
+    [[nodiscard]] bool bodies() const { return !o.body.empty() && (parts.size() > 1 || parts[0].layers > 1); }
 
     // 0 for the layer on the bed, which has an elephant's foot, and 1 for layers above.  The lowest layer of a print
     // that continues another (from_layer) is not on the bed.
@@ -75,6 +77,17 @@ void find_bores(Job& job, int threads, Notes& notes) {
     }
 }
 
+// A layer of a body that is several layers high. Below --from-layer nothing is left of it to rest on.
+polygon::Layer high_layer(const Job& job, const HighLayer& high) {
+    const OnBed& body = job.parts[high.body];
+    const auto index = static_cast<std::uint32_t>(high.last - job.wanted.first);
+    polygon::Layer out{index,     job.levels[high.last].z - job.wanted.down, high.height, high.plane - job.wanted.down,
+                       high.area, static_cast<std::uint32_t>(high.body),     body.tool,   body.width};
+    out.layers = std::min(static_cast<std::uint32_t>(high.last - high.first + 1), index + 1);
+    out.skipped = std::min(high.skipped, index);
+    return out;
+}
+
 // The contours of a layer with those of all copies, for each body.  Later bodies are cut from earlier ones; a note
 // reports what that takes.
 std::vector<polygon::Layer> body_layers(Job& job, std::size_t i, std::vector<polygon::Loops> contours, Notes& notes) {
@@ -83,8 +96,14 @@ std::vector<polygon::Layer> body_layers(Job& job, std::size_t i, std::vector<pol
     std::vector<std::uint32_t> tools;
     for (const OnBed& part : job.parts) tools.push_back(part.tool);
     cut_by_later(contours, tools, level.height, job.o.slice.hairline, index, notes);
+    job.high.share(i, job.parts, contours);
     std::vector<polygon::Layer> out;
     for (std::size_t b = 0; b < contours.size(); ++b) {
+        if (const HighLayer* high = job.high.of(b, i); high != nullptr && high->last == i && !high->area.empty()) {
+            job.kept[b][i] = polygon::signed_area(high->area);
+            out.push_back(high_layer(job, *high));
+            continue;
+        }
         job.kept[b][i] = polygon::signed_area(contours[b]);
         if (contours[b].empty() && !(b + 1 == contours.size() && out.empty())) continue;
         out.push_back({index, level.z - job.wanted.down, level.height, level.plane - job.wanted.down,
@@ -178,6 +197,10 @@ void run(const Options& o, const cli::Io& io) {
     else
         header.expected = job.wanted.last - job.wanted.first;
     find_bores(job, io.threads, notes);
+    if (job.bodies()) {
+        const std::size_t bottom = job.wanted.first - static_cast<std::size_t>(o.from_layer);
+        job.high = HighLayers(parts, levels, bottom, job.wanted.last, o, io.threads);
+    }
     const std::size_t chunks = (levels.size() + filum::slice::kChunk - 1) / filum::slice::kChunk;
     cli::source_stage(
         io, header, chunks, std::move(notes),

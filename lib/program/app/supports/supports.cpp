@@ -25,6 +25,7 @@ std::vector<std::uint32_t> usable_as_indices(std::vector<polygon::Region>& regio
                                              const filum::supports::Options& options) {
     if (const std::string fault = polygon::fault(regions); !fault.empty())
         throw Error(Exit::bad_input, "cannot support these regions: " + fault);
+    if (options.carries() || options.raft > 0) polygon::refuse_high(regions, "support a part");
     if (!options.carries()) return polygon::close_gaps(regions, static_cast<std::uint32_t>(options.gap + 1));
     std::uint32_t before = 0;
     for (const polygon::Region& r : regions) {

@@ -21,7 +21,7 @@ Layer body(std::uint32_t index, std::uint32_t number, std::uint32_t tool, polygo
 
 std::vector<Region> regions_of(const std::vector<Layer>& bodies, Gaps& gaps) {
     Notes notes;
-    return body_regions(bodies, {}, gaps, notes);
+    return body_regions(bodies, {}, &gaps, notes);
 }
 
 TEST(Bodies, TouchingOnesOfOneToolAreOneRegion) {
@@ -103,11 +103,11 @@ TEST(Bodies, BeadsOfTheirOwnWidthDecideWhatIsThin) {
     Gaps gaps;
     Notes notes;
     Layer thin = body(0, 0, 0, rectangle(0, 0, 0.06, 5));
-    EXPECT_EQ(body_regions(std::vector{thin}, {}, gaps, notes).size(), 1U);
+    EXPECT_EQ(body_regions(std::vector{thin}, {}, &gaps, notes).size(), 1U);
     thin.width = 1; // a hairline of 0.1 mm
-    EXPECT_EQ(body_regions(std::vector{thin}, {}, gaps, notes).size(), 0U);
+    EXPECT_EQ(body_regions(std::vector{thin}, {}, &gaps, notes).size(), 0U);
     thin.contours = rectangle(0, 0, 3, 5);
-    EXPECT_EQ(body_regions(std::vector{thin}, {}, gaps, notes).at(0).width, 1);
+    EXPECT_EQ(body_regions(std::vector{thin}, {}, &gaps, notes).at(0).width, 1);
 }
 
 } // namespace

@@ -74,5 +74,58 @@ TEST(Stack, GivesWhatOneLayerAfterTheOtherGives) {
     }
 }
 
+// Two boxes side by side: one on every layer, the other, of tool 1, on every n-th one and n layers high.
+std::vector<polygon::Layer> with_high_layers(std::uint32_t n, std::uint32_t count, std::uint32_t bottom) {
+    std::vector<polygon::Layer> out;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        polygon::Layer low = regions::layer(box(0, 0, 10, 10));
+        low.index = i;
+        low.z = 0.2 * (i + 1);
+        out.push_back(low);
+        if (i < bottom || (i - bottom + 1) % n != 0) continue;
+        polygon::Layer high = regions::layer(box(10, 0, 10, 10));
+        high.index = i;
+        high.z = low.z;
+        high.height = 0.2 * n;
+        high.layers = n;
+        high.body = high.tool = 1;
+        high.width = 2 * n;
+        out.push_back(high);
+    }
+    return out;
+}
+
+TEST(Stack, HighLayersLieOnTheLayerWhereTheyBegin) {
+    for (const std::uint32_t n : {2U, 3U, 5U, 16U})
+        for (const std::uint32_t bottom : {0U, 1U, 7U, 20U})
+            for (const int threads : {1, 8}) {
+                Stack stack({}, threads);
+                Notes notes;
+                std::vector<polygon::Region> got;
+                for (const auto& layer : with_high_layers(n, 70, bottom))
+                    for (auto& r : stack.add(layer, notes)) got.push_back(std::move(r));
+                for (auto& r : stack.end(notes)) got.push_back(std::move(r));
+                std::size_t high = 0;
+                for (const auto& r : got) {
+                    ASSERT_LE(r.below.size(), 1U);
+                    const bool lowest = r.tool == 1 && r.layer + 1 < bottom + 2 * n;
+                    if (r.rests_on() < 0 || lowest) {
+                        EXPECT_TRUE(r.below.empty());
+                        EXPECT_EQ(r.unsupported > 0, r.rests_on() >= 0); // the first high layer may begin in the air
+                        continue;
+                    }
+                    ASSERT_EQ(r.below.size(), 1U);
+                    const auto& below = got[r.below[0].below];
+                    EXPECT_EQ(below.layer, r.rests_on());
+                    EXPECT_EQ(below.tool, r.tool);
+                    EXPECT_TRUE(r.below[0].link);
+                    EXPECT_EQ(r.unsupported, 0);
+                    high += r.tool == 1 ? 1 : 0;
+                }
+                EXPECT_GT(high, 0U);
+                EXPECT_EQ(stack.gaps().layers, 0U);
+            }
+}
+
 } // namespace
 } // namespace filum::regions

@@ -222,7 +222,7 @@ TEST(Record, HasUnitsAndPutsValuesFirstThenTablesThenRecords) {
     EXPECT_EQ(order,
               (std::vector<std::string>{"id ", "layer ", "z mm", "height mm", "area mm2", "parent ", "unsupported mm2",
                                         "stroke ", "join ", "inradius mm", "walls ", "purpose ", "brim ", "body ",
-                                        "tool ", "width mm", "loops ", "below ", "areas "}));
+                                        "tool ", "width mm", "layers ", "skipped ", "loops ", "below ", "areas "}));
     EXPECT_TRUE(std::get<Word>(entry(r, "join").value).named);
     const auto& loops = std::get<std::vector<Record>>(entry(r, "loops").value);
     ASSERT_EQ(loops.size(), 2U);
