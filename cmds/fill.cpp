@@ -63,11 +63,14 @@ std::vector<cli::Option> options(Options& all) {
         Option{"spacing", &o.spacing, "MM", "from strand to strand, centre to centre; 0: two and a half bead widths"}
             .within(0, 1e6)
             .when("pattern=scaffold"),
-        Option{"pore-size", &all.pore_size, "MM[@Z,...]",
-               "width of a scaffold's pores, bead to bead; replaces --spacing. 0.3@0,0.8@10: changes from z = 0 to 10"}
+        Option{
+            "pore-size", &all.pore_size, "MM[@Z,...]",
+            "width of a scaffold's pores, bead to bead; replaces --spacing. 0.3@0,0.8@10: changes from z = 0 to 10; or "
+            "a formula of x, y, z and r, as 0.3+0.02*r"}
             .when("pattern=scaffold !spacing"),
         Option{"porosity", &all.porosity, "PERCENT[@Z,...]",
-               "empty share of a scaffold; replaces --spacing. 40@0,80@10: changes from z = 0 to 10"}
+               "empty share of a scaffold; replaces --spacing. 40@0,80@10: changes from z = 0 to 10; or a formula, as "
+               "--pore-size takes"}
             .when("pattern=scaffold !spacing/pore-size"),
         Option{"stagger", &o.stagger, "SPACINGS", "how far the strands of every other round of angles are shifted"}
             .within(0, 1)
@@ -123,9 +126,7 @@ void run(const Options& o, const cli::Io& io) {
     if (o.how.pattern == fill::Pattern::scaffold) {
         const fill::scaffold::Pores pores(o.pore_size, o.porosity);
         const auto options_at = [&](double width, double z) {
-            fill::Options out = with_width(o, width);
-            if (pores.given()) out.spacing = pores.spacing(width, z);
-            return out;
+            return fill::with_pores(with_width(o, width), pores, z);
         };
         fill::strand_spacing(options_at(usual, 0));
         std::map<std::uint32_t, fill::ScaffoldState> before; // by tool

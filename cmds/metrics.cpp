@@ -29,6 +29,9 @@ cli::Spec spec(app::metrics::Options& all) {
              Option{"per-layer", &o.per_layer, "FILE", "writes a line per layer, as TSV"}.not_a_setting().when(
                  "!surface"),
              Option{"pores", &o.pores, "", "measures the pores of a scaffold, too"}.when("!surface regions"),
+             Option{"per-pore", &o.per_pore, "FILE", "writes a line per pore with its place, as TSV"}
+                 .not_a_setting()
+                 .when("pores"),
              Option{"pixel", &o.pixel, "MM", "spacing of the rows; 0: a sixteenth of the bead width"}
                  .zero_or_at_least(0.001)
                  .at_most(1000)
@@ -69,7 +72,8 @@ cli::Spec spec(app::metrics::Options& all) {
              Option{"min-radius", &c.min_radius, "MM", "path that turns tighter is tight; 0: 1 / --max-curvature"}
                  .within(0, 1e5)
                  .when("surface")},
-        .groups = {{"planar toolpaths", {"regions", "per-region", "per-layer", "pores", "pixel", "turn-samples"}},
+        .groups = {{"planar toolpaths",
+                    {"regions", "per-region", "per-layer", "pores", "per-pore", "pixel", "turn-samples"}},
                    {"time and mass", {"machine", "set", "density"}},
                    {"paths on a surface",
                     {"surface", "voids", "map", "spacing", "step", "max-curvature", "min-radius"}}},

@@ -29,6 +29,8 @@ make_more_inputs() {
     half_ball 6 > round.off
     without_triangles 3 < round.off > holed.off
     slice two.stl | regions --output two.regions
+    boxes nested.stl 0,0,0,20,2,1 0,18,0,20,20,1 0,0,0,2,20,1 18,0,0,20,20,1 9,9,0,11,11,1
+    slice nested.stl | regions --output nested.regions
     boxes ink-a.stl 0,0,0,4,4,0.4 6,0,0,10,4,0.2 3,0,0.4,10,4,0.6 # and the other ink's: few strokes or few tool changes
     boxes ink-b.stl 6,0,0.2,10,4,0.4 0,0,0.4,2.5,4,0.6
     slice --body ink-a.stl --body ink-b.stl:tool=1 | regions --output inks.regions

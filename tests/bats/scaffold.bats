@@ -78,6 +78,37 @@ unbroken() { "$FILUM_SOURCE/scripts/gcode-strokes" "$1" | awk -F'\t' 'NR == 2 { 
     done
 }
 
+@test "pores by a formula of the place have in each zone the size asked for there, in one stroke" {
+    $FILUM_SOURCE/examples/scaffold/make-part block 20 20 1.6 low.stl
+    slice -q low.stl | regions -q > low.regions
+    for formula in "0.55 + 0.025 * x" "0.3 + 0.05 * r" "0.5 + 0.02 * (x + y)" "0.5 + 0.1 * sin(x / 3)" "0.4 + 0.2 * z"; do
+        sequence -q low.regions | fill -q --pattern scaffold --pore-size "$formula" | link3d -q -o low.toolpath
+        metrics --pores --per-pore pores.tsv --regions low.regions --format tsv low.toolpath > m.tsv
+        echo "$formula: $(value strokes) $(value crossings)"
+        [[ $(value strokes) -eq 1 && $(value crossings) -eq 0 ]]
+        [[ $formula == *z* ]] && continue
+        "$FILUM_SOURCE/tests/bodies/pores-by-zone" pores.tsv "$formula" 10 10 > zones.tsv
+        cat zones.tsv
+        awk '$1 == "worst" && $2 > 0.03 { exit 1 }' zones.tsv
+    done
+    for wrong in "0.5 - 0.1 * r" "0.5 * q" "(x" "max(0.01, 0.05 + 50 * (x + 10))"; do
+        expect 2 fill --pattern scaffold --pore-size "$wrong" low.regions
+    done
+}
+
+@test "the porosity of small discs is the one asked for" {
+    for d in 8 14; do
+        $FILUM_SOURCE/examples/scaffold/make-part disc $d 2 small.stl
+        slice -q small.stl | regions -q > small.regions
+        for p in 50 60 75; do
+            sequence -q small.regions | fill -q --pattern scaffold --porosity $p | link3d -q |
+                metrics --pores --regions small.regions --format tsv > m.tsv
+            echo "$d $p: $(value porosity_volume)"
+            awk -v got="$(value porosity_volume)" -v p=$p 'BEGIN { exit !(got > p / 100 - 0.02 && got < p / 100 + 0.02) }'
+        done
+    done
+}
+
 @test "curved scaffolds take no more strokes than planned" {
     for scale in 1,1,1 1.3,0.8,0.6; do
         "$FILUM_SOURCE/tests/bodies/make-bodies" ear ear

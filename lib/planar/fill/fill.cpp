@@ -21,7 +21,7 @@ namespace {
 
 double angle(const polygon::Region& r, const Options& o) {
     if (o.angles_deg.empty()) return 0;
-    return geom::radians(o.angles_deg[r.layer % o.angles_deg.size()]);
+    return geom::radians(o.angles_deg[r.own_layer() % o.angles_deg.size()]);
 }
 
 double least_width(const Options& o) { return o.min_width > 0 ? o.min_width : o.bead_width / 4; }
@@ -115,7 +115,7 @@ void place(const polygon::Region& r, Notes& notes, std::size_t first, toolpath::
 }
 
 // The index of the column that r belongs to. Adds a column if r begins one.
-std::size_t column(const polygon::Region& r, ScaffoldState& before) {
+std::size_t column_of(const polygon::Region& r, ScaffoldState& before) {
     if (r.join == Join::vertical && !before.columns.empty()) return before.column;
     const auto box = polygon::bounds(r.loops[0]);
     const auto middle = geom::lerp(box.lo, box.hi, 0.5);
@@ -160,6 +160,16 @@ toolpath::RegionPaths fill_by(const Lay& lay, const polygon::Region& r, Notes& n
     return out;
 }
 
+Options with_pores(Options o, const scaffold::Pores& pores, double z) {
+    if (!pores.given()) return o;
+    const double width = o.bead_width;
+    o.by_share = pores.by_share();
+    o.spacing = pores.spacing(width, {0, 0, z}, !pores.within_layers());
+    if (pores.within_layers())
+        o.spacing_at = [&pores, width](const geom::Vec3& p, bool strict) { return pores.spacing(width, p, strict); };
+    return o;
+}
+
 double strand_spacing(const Options& o) {
     const double spacing = o.spacing > 0 ? o.spacing : 2.5 * o.bead_width;
     if (spacing < o.bead_width)
@@ -169,21 +179,110 @@ double strand_spacing(const Options& o) {
     return spacing;
 }
 
+namespace {
+
+// The options of the scaffold of a region, without the way from and to its neighbours.
+scaffold::ScaffoldOptions scaffold_options(const polygon::Region& r, const Options& o,
+                                           const ScaffoldState::Column& column) {
+    const bool shifted = r.own_layer() / o.angles_deg.size() % 2 != 0;
+    scaffold::ScaffoldOptions out{.bead_width = o.bead_width,
+                                  .spacing = column.factor * strand_spacing(o),
+                                  .angle = angle(r, o),
+                                  .shift = shifted ? o.stagger : 0,
+                                  .rings = rings(o, 0)};
+    if (o.spacing_at)
+        out.spacing_at = [at = o.spacing_at, factor = column.factor, z = r.z,
+                          origin = geom::lerp(column.box.lo, column.box.hi, 0.5)](geom::Vec2 p) {
+            return factor * at({p.x - origin.x, p.y - origin.y, z}, false);
+        };
+    return out;
+}
+
+// The share of endless strands in the area of a region: the mean of width / spacing. Throws Error(usage) if a place in
+// the region has no spacing.
+double endless_share(const polygon::Region& r, const Options& o, const ScaffoldState::Column& column) {
+    if (!o.spacing_at) return o.bead_width / strand_spacing(o);
+    constexpr int kSamples = 24; // per side of the box; formulas change little between them
+    const geom::Vec2 origin = geom::lerp(column.box.lo, column.box.hi, 0.5), size = r.box.hi - r.box.lo;
+    double sum = 0, count = 0;
+    for (int i = 0; i < kSamples * kSamples; ++i) {
+        const geom::Vec2 p =
+            r.box.lo + geom::Vec2{size.x * (i % kSamples + 0.5) / kSamples, size.y * (i / kSamples + 0.5) / kSamples};
+        if (!polygon::contains(r.loops, p)) continue;
+        sum += o.bead_width / o.spacing_at({p.x - origin.x, p.y - origin.y, r.z}, true);
+        ++count;
+    }
+    return count > 0 ? sum / count : o.bead_width / strand_spacing(o);
+}
+
+// The area of a curve's beads, mm2.
+double bead_area(const toolpath::Curve& c) {
+    double sum = 0;
+    for (std::size_t i = c.closed ? 0 : 1; i < c.points.size(); ++i) {
+        const std::size_t before = i == 0 ? c.points.size() - 1 : i - 1;
+        sum += geom::distance(c.points[before], c.points[i]) * (c.width_at(before) + c.width_at(i)) / 2;
+    }
+    return sum;
+}
+
+// Finds the factor on the spacings with which the region has the share of material of endless strands. Turns along the
+// rim add material, and the number of strands is whole; so a lattice with the spacing of endless strands has too much.
+// The mean of all angles counts.
+void fit_share(const polygon::Region& r, const Options& o, ScaffoldState::Column& column) {
+    constexpr int kHalvings = 12;        // to a thousandth of the factor
+    constexpr std::uint32_t kRounds = 4; // of angles; later layers begin where others ended, and repeat other stretches
+    const auto round = static_cast<std::uint32_t>(o.angles_deg.size());
+    const double wanted = endless_share(r, o, column);
+    const auto share = [&](double factor) {
+        ScaffoldState::Column tried = column;
+        tried.factor = factor;
+        double material = 0;
+        std::optional<geom::Vec2> from;
+        for (std::uint32_t k = 0; k < kRounds * round; ++k) {
+            polygon::Region layer = r;
+            layer.layer = k;
+            layer.skipped = 0;
+            scaffold::ScaffoldOptions how = scaffold_options(layer, o, tried);
+            how.from = from;
+            Notes notes; // those of the region itself count
+            const auto curves = scaffold::scaffold(r.loops, column.region, how, notes);
+            if (!curves.empty()) from = curves.back().points.back();
+            for (const auto& curve : curves)
+                if (k >= round) material += bead_area(curve); // the first round does not begin where a layer ended
+        }
+        return material / static_cast<double>((kRounds - 1) * round) / r.area;
+    };
+    double dense = 0.5, open = 2; // factors: too much material, too little
+    double least = std::abs(share(1) - wanted);
+    column.factor = 1;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double factor = (dense + open) / 2, got = share(factor);
+        if (std::abs(got - wanted) < least) {
+            least = std::abs(got - wanted);
+            column.factor = factor;
+        }
+        (got > wanted ? dense : open) = factor;
+    }
+}
+
+} // namespace
+
 toolpath::RegionPaths fill_scaffold(const polygon::Region& region, const Options& options, ScaffoldState& before,
                                     Notes& notes, const polygon::Region* after) {
     Options o = options;
     if (o.angles_deg.empty()) o.angles_deg = {0, 90};
     const auto lay = [&](const polygon::Region& r, Notes& told) {
-        before.column = column(r, before);
-        const bool shifted = r.layer / o.angles_deg.size() % 2 != 0;
-        scaffold::ScaffoldOptions s{.bead_width = o.bead_width,
-                                    .spacing = strand_spacing(o),
-                                    .angle = angle(r, o),
-                                    .shift = shifted ? o.stagger : 0,
-                                    .rings = rings(o, 0)};
+        before.column = column_of(r, before);
+        ScaffoldState::Column& column = before.columns[before.column];
+        if (o.spacing_at) endless_share(r, o, column); // refuses places without a spacing
+        if (o.by_share && column.fitted != strand_spacing(o)) {
+            fit_share(r, o, column);
+            column.fitted = strand_spacing(o);
+        }
+        scaffold::ScaffoldOptions s = scaffold_options(r, o, column);
         if (r.join == Join::vertical) s.from = before.exit;
         if (after != nullptr && after->join == Join::vertical) s.above = &after->loops;
-        auto curves = scaffold::scaffold(r.loops, before.columns[before.column].region, s, told);
+        auto curves = scaffold::scaffold(r.loops, column.region, s, told);
         join::lay_on_grid(curves, o.bead_width, told);
         return curves;
     };

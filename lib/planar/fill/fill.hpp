@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/note.hpp"
+#include "fill/scaffold/gradient.hpp"
 #include "polygon/region.hpp"
 #include "toolpath/path.hpp"
 
@@ -38,7 +39,17 @@ struct Options {
     Thin thin = Thin::lanes;
     double spacing = 0; // scaffold: mm between strands; 0: 2.5 bead widths
     double stagger = 0; // scaffold: shift of every other round of angles, in spacings
+    // scaffold: mm between strands at a place, whose x and y count from the middle of the box of the column's first
+    // region; none: `spacing`. With `true` it is an Error(usage) if the place has none, else the nearest that is
+    // possible.
+    std::function<double(geom::Vec3, bool)> spacing_at = {};
+    // scaffold: spacings are changed by one factor, so that the first region of a column gets the share of material
+    // that endless strands would have
+    bool by_share = false;
 };
+
+// Options for the layer at z whose strands leave `pores`, which must outlive them. `options` if no pores are given.
+Options with_pores(Options options, const scaffold::Pores& pores, double z);
 
 // Fills `region`. The result carries the id, layer, height, stroke and join of the region. Order and ties of curves are
 // those of the pattern's header. spiral, zigzag and spiral+zigzag give one closed curve, except where rings cannot be
@@ -54,6 +65,8 @@ struct ScaffoldState {
     struct Column {
         geom::Box2 box;        // bounding box of the outline of its first region
         polygon::Loops region; // its first region
+        // The factor on spacings (Options::by_share), and the spacing for which it was found; 0: not yet.
+        double factor = 1, fitted = 0;
     };
     std::vector<Column> columns;
     std::size_t column = 0;         // index of the column of the previous region

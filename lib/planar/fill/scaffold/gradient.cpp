@@ -4,23 +4,56 @@
 #include "base/number.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace filum::fill::scaffold {
 
-double Gradient::at(double z) const {
-    const auto above = std::find_if(stops.begin(), stops.end(), [z](const Stop& s) { return s.z > z; });
+namespace {
+
+const std::vector<std::string> kVariables{"x", "y", "z", "r"};
+constexpr std::size_t kX = 0, kY = 1, kR = 3; // numbers of variables
+
+} // namespace
+
+bool Gradient::within_layers() const {
+    return formula.given() && (formula.uses(kX) || formula.uses(kY) || formula.uses(kR));
+}
+
+double Gradient::at(const geom::Vec3& p, bool strict) const {
+    if (formula.given()) {
+        const std::array<double, 4> place{p.x, p.y, p.z, std::hypot(p.x, p.y)};
+        const double value = formula(place);
+        if (value >= least && value <= most) return value;
+        if (!strict) return value > most ? most : least;
+        throw Error(Exit::usage, "cannot use '" + formula.text() + "' for --" + name +
+                                     ": at x = " + fixed_text(p.x, 2) + ", y = " + fixed_text(p.y, 2) +
+                                     ", z = " + fixed_text(p.z, 2) + " it is " + fixed_text(value, 4) +
+                                     ", not between " + shortest_text(least) + " and " + shortest_text(most) +
+                                     "; bound it by min() and max()");
+    }
+    const auto above = std::find_if(stops.begin(), stops.end(), [&](const Stop& s) { return s.z > p.z; });
     if (above == stops.begin()) return stops.front().value;
     if (above == stops.end()) return stops.back().value;
     const Stop &a = *std::prev(above), &b = *above;
-    return a.value + (b.value - a.value) * (z - a.z) / (b.z - a.z);
+    return a.value + (b.value - a.value) * (p.z - a.z) / (b.z - a.z);
 }
 
 Gradient parse_gradient(const std::string& text, const std::string& name, double least, double most) {
     const auto refuse = [&](const std::string& why) {
         throw Error(Exit::usage, "cannot use '" + text + "' for --" + name + ": " + why +
-                                     "; give one number, or VALUE@Z,VALUE@Z with ascending heights in mm");
+                                     "; give one number, VALUE@Z,VALUE@Z with ascending heights in mm, or a formula of "
+                                     "x, y, z and r");
     };
     Gradient out;
+    out.name = name;
+    out.least = least;
+    out.most = most;
+    const bool operators = text.find('@') == std::string::npos && text.find_first_of("xyzrp(*/^") != std::string::npos;
+    if (operators) {
+        out.formula = Formula(text, kVariables, name);
+        return out;
+    }
     for (std::size_t from = 0; from < text.size() || (from == text.size() && from > 0);) {
         const std::size_t end = std::min(text.find(',', from), text.size());
         const std::string item = text.substr(from, end - from);

@@ -18,6 +18,7 @@
 
 namespace filum::fill::scaffold {
 
+using geom::Box2;
 using toolpath::kLeastMove; // mm: a strand on the very edge of the area moves inwards by this
 
 namespace {
@@ -38,11 +39,45 @@ std::vector<double> heights(const Loops& part, const Loops& frame, const Scaffol
     return out;
 }
 
+// The strands of `part` if their spacing changes within the layer.
+StrandGraph bent_strands(const Loops& part, const Loops& frame, std::optional<Vec2> from, const ScaffoldOptions& o) {
+    const Box2 whole = polygon::bounds(frame);
+    Box2 box = polygon::bounds(part);
+    box.add(whole.lo);
+    box.add(whole.hi);
+    // The frame's middle stays in the middle of the box, so that line 0 is the same in all layers.
+    const Vec2 middle = geom::lerp(whole.lo, whole.hi, 0.5);
+    box.add(middle + (middle - box.lo));
+    box.add(middle + (middle - box.hi));
+    const Vec2 u{std::cos(o.angle), std::sin(o.angle)};
+    const Fronts fronts(box, o.bead_width / 2, [&](Vec2 p) {
+        return o.spacing_at({p.x * u.x - p.y * u.y, p.x * u.y + p.y * u.x});
+    });
+    const double margin = (0.5 + o.rings) * o.bead_width;
+    double low = 0, high = 0; // levels between which the strands of the frame lie
+    for (double x = whole.lo.x; x <= whole.hi.x; x += fronts.column_width()) {
+        low = std::min(low, fronts.level({x, std::min(middle.y, whole.lo.y + margin)}));
+        high = std::max(high, fronts.level({x, std::max(middle.y, whole.hi.y - margin)}));
+    }
+    const double base = (low + high - std::floor(high - low + 1e-6)) / 2 + o.shift;
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest; // of the part
+    for (const Vec2 p : part.points) {
+        const double level = fronts.level(p);
+        lowest = std::min(lowest, level);
+        highest = std::max(highest, level);
+    }
+    std::vector<double> levels;
+    for (double k = std::ceil(lowest - base); base + k <= highest; k += 1) levels.push_back(base + k);
+    if (levels.empty()) levels.push_back((lowest + highest) / 2);
+    return bent_strand_graph(part, fronts, levels, o.bead_width, from);
+}
+
 // Adds the curves of one connected part: its strands and the turns between them.
 void fill_with_strands(const Loops& part, const Loops& frame, std::optional<Vec2> from, const ScaffoldOptions& o,
                        std::vector<toolpath::Curve>& out, double& again) {
     const double w = o.bead_width;
-    StrandGraph graph = strand_graph(part, heights(part, frame, o), w, from);
+    StrandGraph graph =
+        o.spacing_at ? bent_strands(part, frame, from, o) : strand_graph(part, heights(part, frame, o), w, from);
     if (graph.strands == 0) {
         const auto box = polygon::bounds(part);
         graph = strand_graph(part, std::vector{(box.lo.y + box.hi.y) / 2}, kLeastMove, from);

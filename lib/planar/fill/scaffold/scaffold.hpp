@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/note.hpp"
+#include "fill/scaffold/fronts.hpp"
 #include "polygon/loops.hpp"
 #include "toolpath/path.hpp"
 
@@ -14,8 +15,11 @@ using geom::Vec2;
 using polygon::Loops;
 
 struct ScaffoldOptions {
-    double bead_width = 0.4;       // mm
-    double spacing = 1;            // mm between the centre lines of strands, >= bead_width
+    double bead_width = 0.4; // mm
+    double spacing = 1;      // mm between the centre lines of strands, >= bead_width
+    // The spacing at a place in the coordinates of the region; none: `spacing` everywhere. With it, `spacing` only
+    // limits the radius of turns.
+    SpacingAt spacing_at = {};
     double angle = 0;              // rad, of the strands from the x axis
     double shift = 0;              // sideways shift of the strands, in spacings
     int rings = 0;                 // closed rings along the outline and the holes, in the same stroke
@@ -29,6 +33,7 @@ struct ScaffoldOptions {
 // The strands lie on a lattice centred in `frame`. As many as fit are used, across the extent of the frame less the
 // beads and rings at its sides. With the outline of a column's first region as `frame`, the strands of all its layers
 // line up. A connected part that no line of the lattice meets gets one strand in its middle.
+// With `spacing_at`, the strands are fronts (fronts.hpp).
 //
 // Where holes or notches interrupt strands, the curve follows the boundary to the remaining strands (strand_walk.hpp).
 // A stretch of boundary that is passed k times gets k beads of 1 / k of the width, one on the other. So the amount of

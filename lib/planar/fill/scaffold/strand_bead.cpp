@@ -33,7 +33,7 @@ void add_tapers(Leg& leg, double taper) {
 Leg leg(const StrandGraph& g, const Step& s, const Passes& passes, double width) {
     Leg out;
     out.strand = s.strand;
-    out.line = s.strand ? std::vector<Vec2>{g.node[2 * s.id], g.node[2 * s.id + 1]} : g.arcs[s.id].line;
+    out.line = s.strand ? g.strand(s.id) : g.arcs[s.id].line;
     out.length = s.strand ? g.strand_length(s.id) : g.arcs[s.id].length;
     const std::uint32_t times = s.strand ? passes.strand[s.id] : passes.arc[s.id];
     out.width = width / times;

@@ -2,6 +2,7 @@
 // is routed.
 #pragma once
 
+#include "geom/polyline.hpp"
 #include "polygon/loops.hpp"
 
 #include <array>
@@ -29,8 +30,14 @@ struct StrandGraph {
     std::vector<Arc> arcs;                             //
     std::vector<std::array<std::uint32_t, 2>> arcs_at; // per node: the arc that ends there, the arc that begins there
     std::optional<std::uint32_t> start;                // the node to begin at
+    std::vector<std::vector<Vec2>> line;               // of strands that bend; empty: all are straight
 
-    [[nodiscard]] double strand_length(std::size_t k) const { return node[2 * k + 1].x - node[2 * k].x; }
+    [[nodiscard]] double strand_length(std::size_t k) const {
+        return line.empty() ? node[2 * k + 1].x - node[2 * k].x : geom::length(line[k]);
+    }
+    [[nodiscard]] std::vector<Vec2> strand(std::size_t k) const {
+        return line.empty() ? std::vector<Vec2>{node[2 * k], node[2 * k + 1]} : line[k];
+    }
 };
 
 // The strands and boundary arcs of `area`. Strands are the stretches of the lines y = const (ascending) inside `area`

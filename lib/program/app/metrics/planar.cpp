@@ -28,6 +28,7 @@ filum::figures::Figures planar(const filum::metrics::planar::Options& given, con
     filum::metrics::planar::Input input;
     filum::metrics::planar::Beads beads;
     beads.marks = filum::metrics::planar::layer_marks(regions);
+    beads.layers = filum::metrics::planar::high_regions(regions);
     stream::Reader reader(io.input, stream::Payload::unknown);
     const auto payload = reader.header().payload;
     if (payload != stream::Payload::toolpath && payload != stream::Payload::paths)
@@ -65,6 +66,8 @@ filum::figures::Figures planar(const filum::metrics::planar::Options& given, con
     if (!options.per_region.empty()) cli::write_text(options.per_region, filum::metrics::planar::region_table(layers));
     if (!options.per_layer.empty())
         cli::write_text(options.per_layer, filum::metrics::planar::layer_table(layers, input.pores));
+    if (input.pores && !options.per_pore.empty())
+        cli::write_text(options.per_pore, filum::metrics::planar::pore_table(*input.pores));
     return measured;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace filum::metrics::planar {
 
@@ -21,12 +22,13 @@ struct Track {
     double mean = 0;           // mm, of their widths
 };
 
-Track track(const LayerBeads* from) {
+// The beads of regions that are `layers` layers high; 0: of all.
+Track track(const LayerBeads* from, unsigned layers) {
     Track out;
     double length = 0, area = 0;
     for (std::size_t k = 0; from != nullptr && k < from->runs.size(); ++k) {
         const BeadRun& p = from->runs[k];
-        if (p.role == toolpath::Role::connector) continue;
+        if (p.role == toolpath::Role::connector || (layers > 0 && p.layers != layers)) continue;
         for (std::size_t i = p.first; i + 1 < from->end(k); ++i) {
             const Bead b{from->points[i], from->points[i + 1], from->width[i], 0, 0};
             const bool after_bead = k > 0 && from->runs[k - 1].role != toolpath::Role::connector;
@@ -150,16 +152,40 @@ void stretches(const Track& upper, const std::vector<Bead>& carriers, Air& air) 
     }
 }
 
-Air hanging(const LayerBeads& layer, const LayerBeads* below, double pixel) {
+// Of the beads of regions that are `layers` layers high and begin on `below`.
+Air hanging(const LayerBeads& layer, unsigned layers, const LayerBeads* below, double pixel) {
     Air air;
-    const Track upper = track(&layer);
+    const Track upper = track(&layer, layers);
     if (upper.beads.empty()) return air;
-    const std::vector<Bead> held = carriers(track(below), upper.mean / 2);
+    const std::vector<Bead> held = carriers(track(below, 0), upper.mean / 2);
     air.area = uncovered(upper.beads, held, pixel > 0 ? pixel : upper.mean / kRowsPerBead);
     stretches(upper, held, air);
     if (air.area < kFaint) air.area = 0;
     if (air.length < kFaint) air.length = air.longest = 0;
     return air;
+}
+
+void add_worst(const Air& further, std::uint32_t layer, Air& to) {
+    to.area += further.area;
+    to.length += further.length;
+    if (further.longest <= to.longest) return;
+    to.longest = further.longest;
+    to.layer = layer;
+    to.at = further.at;
+}
+
+// All beads of a layer, each on the layer where its region begins. `lowest`: the number of the lowest layer.
+Air hanging(const Beads& beads, std::uint32_t layer, std::uint32_t lowest, double pixel) {
+    const LayerBeads& own = beads.layer.at(layer);
+    std::set<std::uint8_t> heights;
+    for (const BeadRun& run : own.runs) heights.insert(run.layers);
+    Air out;
+    for (const std::uint8_t layers : heights) {
+        if (layer < lowest + layers) continue; // on the bed
+        const auto below = beads.layer.find(layer - layers);
+        add_worst(hanging(own, layers, below == beads.layer.end() ? nullptr : &below->second, pixel), layer, out);
+    }
+    return out;
 }
 
 } // namespace
@@ -168,22 +194,12 @@ Air measure_air(const Beads& beads, double pixel, int threads) {
     std::vector<std::uint32_t> index;
     for (const auto& [layer, b] : beads.layer) index.push_back(layer);
     std::vector<Air> each(index.size());
-    parallel::for_chunks(index.size(), 1, threads, [&](std::size_t i, std::size_t) {
-        if (i == 0) return; // on the bed
-        const bool next = index[i - 1] + 1 == index[i];
-        each[i] = hanging(beads.layer.at(index[i]), next ? &beads.layer.at(index[i - 1]) : nullptr, pixel);
-    });
+    parallel::for_chunks(index.size(), 1, threads,
+                         [&](std::size_t i, std::size_t) { each[i] = hanging(beads, index[i], index.front(), pixel); });
     Air out;
     for (std::size_t i = 0; i < each.size(); ++i) {
-        const Air& a = each[i];
-        out.area += a.area;
-        out.length += a.length;
-        out.layers += a.area > 0 || a.length > 0 ? 1 : 0;
-        if (a.longest > out.longest) {
-            out.longest = a.longest;
-            out.layer = index[i];
-            out.at = a.at;
-        }
+        out.layers += each[i].area > 0 || each[i].length > 0 ? 1 : 0;
+        add_worst(each[i], index[i], out);
     }
     return out;
 }

@@ -47,18 +47,22 @@ void add(Beads& beads, const Segment& s) {
     }
     std::uint32_t layer = s.layer;
     double height = s.height;
+    std::uint8_t layers = 1;
     if (!beads.marks.empty()) {
         bool above = false;
         const LayerMark& mark = mark_of(beads.marks, s, above);
         layer = mark.index;
         height = mark.height;
+        if (const auto high = beads.layers.find(s.region); high != beads.layers.end()) layers = high->second;
         beads.misplaced += above ? 1 : 0;
     }
     LayerBeads& to = beads.layer[layer];
     to.height = std::max(to.height, height);
     const bool follows = beads.moving && s.a == beads.at && layer == beads.last_layer && s.region == beads.last_region;
+    height *= layers;
     if (!follows || to.runs.empty() || to.runs.back().role != s.role) {
-        to.runs.push_back({static_cast<std::uint32_t>(to.points.size()), s.region, beads.segments, s.role, follows});
+        to.runs.push_back(
+            {static_cast<std::uint32_t>(to.points.size()), s.region, beads.segments, s.role, follows, layers});
         add(to, s.a);
     }
     to.width.back() = static_cast<float>(s.section / s.height);
@@ -78,10 +82,17 @@ void add(Beads& beads, const Segment& s) {
 
 std::vector<LayerMark> layer_marks(const std::vector<polygon::Region>& regions) {
     std::map<std::uint32_t, LayerMark> by_index;
-    for (const auto& r : regions) by_index.try_emplace(r.layer, LayerMark{r.layer, r.z, r.height});
+    for (const auto& r : regions) by_index.try_emplace(r.layer, LayerMark{r.layer, r.z, r.height / r.layers});
     std::vector<LayerMark> out;
     for (const auto& [index, mark] : by_index) out.push_back(mark);
     std::stable_sort(out.begin(), out.end(), [](const LayerMark& a, const LayerMark& b) { return a.z < b.z; });
+    return out;
+}
+
+std::map<std::uint32_t, std::uint8_t> high_regions(const std::vector<polygon::Region>& regions) {
+    std::map<std::uint32_t, std::uint8_t> out;
+    for (const auto& r : regions)
+        if (r.layers > 1) out.emplace(r.id, static_cast<std::uint8_t>(r.layers));
     return out;
 }
 

@@ -24,7 +24,8 @@ struct BeadRun {
     std::uint32_t region = 0;
     std::uint32_t order = 0; // of its first segment, among all extruding segments in printing order
     toolpath::Role role = toolpath::Role::bead;
-    bool continues = false; // begins, without a stop, at the end of the run before
+    bool continues = false;  // begins, without a stop, at the end of the run before
+    std::uint8_t layers = 1; // the number of layers that its region is high
 };
 
 // The segments of one layer: run k is points[runs[k].first .. runs[k + 1].first).
@@ -33,7 +34,7 @@ struct LayerBeads {
     std::vector<Vec2> points;  //
     std::vector<float> width;  // mm, of the segment from a point to the next
     std::vector<float> z;      // mm, of points; empty if all have the z of the first
-    std::vector<float> thick;  // fraction of the layer's height, per segment as width; 1 beyond the last entry
+    std::vector<float> thick;  // fraction of the region's height, per segment as width; 1 beyond the last entry
     double first_z = 0;        // mm
     std::vector<BeadRun> runs; //
 
@@ -47,7 +48,8 @@ struct LayerBeads {
 
 // All layers by number: 20 bytes per segment, 28 if z or thickness vary.
 struct Beads {
-    std::vector<LayerMark> marks; // ascending z; empty without Regions
+    std::vector<LayerMark> marks;                 // ascending z; empty without Regions
+    std::map<std::uint32_t, std::uint8_t> layers; // of the regions that are several layers high: how many, by id
     std::map<std::uint32_t, LayerBeads> layer;
     std::uint32_t segments = 0;  // so far
     std::uint64_t misplaced = 0; // segments above the top layer, counted there
@@ -59,6 +61,9 @@ struct Beads {
 
 // Layers as the Regions define them: one mark per layer number.
 std::vector<LayerMark> layer_marks(const std::vector<polygon::Region>& regions);
+
+// The regions that are several layers high, by id, with the number of these layers.
+std::map<std::uint32_t, std::uint8_t> high_regions(const std::vector<polygon::Region>& regions);
 
 // Adds the extruding segments of `span`. A segment belongs to the layer that contains its upper end, even if the
 // span states another one; without marks, to the layer that the span states. Segments shorter than 1 nm in XY deposit

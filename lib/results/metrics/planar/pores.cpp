@@ -146,21 +146,28 @@ double deposited(const LayerBeads& beads) {
     for (std::size_t k = 0; k < beads.runs.size(); ++k) {
         if (beads.runs[k].role == Role::connector) continue;
         for (std::size_t i = beads.runs[k].first; i + 1 < beads.end(k); ++i)
-            sum += beads.width[i] * beads.thickness(i) * geom::distance(beads.points[i], beads.points[i + 1]);
+            sum += beads.width[i] * beads.thickness(i) * beads.runs[k].layers *
+                   geom::distance(beads.points[i], beads.points[i + 1]);
     }
     return sum;
 }
 
 // The circles in the openings that the united beads enclose within `outline`.
-std::vector<double> openings(const Loops& beads, const Loops& outline, double least) {
-    std::vector<double> out;
+std::vector<Opening> openings(const Loops& beads, const Loops& outline, double least) {
+    std::vector<Opening> out;
     Loops filled;
     for (std::size_t i = 0; i < beads.size(); ++i)
         if (polygon::signed_area(beads[i]) > 0) filled.add(beads[i]);
     const Loops enclosed = polygon::intersect(polygon::subtract(filled, beads), outline);
     for (const auto& part : polygon::split(enclosed).part)
-        if (const double d = inscribed_circle(part); d >= least) out.push_back(d);
-    std::sort(out.begin(), out.end());
+        if (const double d = inscribed_circle(part); d >= least) out.push_back({d, polygon::centroid(part)});
+    std::ranges::stable_sort(out, {}, &Opening::diameter);
+    return out;
+}
+
+std::vector<double> diameters(const std::vector<Opening>& openings) {
+    std::vector<double> out;
+    for (const Opening& o : openings) out.push_back(o.diameter);
     return out;
 }
 
@@ -203,7 +210,7 @@ void through_all(const std::vector<SweptLayer*>& list, Pores& out) {
         if (i > 0) outline = polygon::intersect(outline, list[i]->outline);
         width.push_back(out.layers[i].width);
     }
-    out.through = openings(beads, outline, kChink * median(width));
+    out.through = diameters(openings(beads, outline, kChink * median(width)));
 }
 
 } // namespace
@@ -247,7 +254,7 @@ Pores measure_pores(const Beads& beads, const std::vector<polygon::Region>& regi
     for (const auto& r : regions) {
         SweptLayer& w = work[r.layer];
         for (std::size_t i = 0; i < r.loops.size(); ++i) w.outline.add(r.loops[i]);
-        w.height = r.height;
+        w.height = r.height / r.layers;
         out.part += r.area * r.height;
     }
     for (const auto& l : layers) {
@@ -281,7 +288,7 @@ Pores measure_pores(const Beads& beads, const std::vector<polygon::Region>& regi
             beads_seen = polygon::unite(beads_seen, list[k]->swept);
             outline = polygon::intersect(outline, list[k]->outline);
         }
-        out.layers[i].circles = openings(beads_seen, outline, kChink * out.layers[i].width);
+        out.layers[i].openings = openings(beads_seen, outline, kChink * out.layers[i].width);
     });
     through_all(list, out);
     return out;
@@ -293,7 +300,7 @@ void pore_figures(const Pores& p, Figures& out) {
     for (const auto& l : p.layers) {
         count += l.strands;
         strands.push_back(static_cast<double>(l.strands));
-        circles.insert(circles.end(), l.circles.begin(), l.circles.end());
+        for (const Opening& o : l.openings) circles.push_back(o.diameter);
         if (l.spacing <= 0) continue;
         spacing.push_back(l.spacing);
         width.push_back(l.width);
@@ -334,11 +341,20 @@ std::string pore_cells(const Pores& p, std::uint32_t layer) {
     const auto at = std::lower_bound(p.layers.begin(), p.layers.end(), layer,
                                      [](const LayerPores& a, std::uint32_t number) { return a.layer < number; });
     if (at != p.layers.end() && at->layer == layer) l = *at;
-    const auto& c = l.circles;
+    const std::vector<double> c = diameters(l.openings);
     return std::to_string(l.strands) + "\t" + fixed_text(l.direction / kDegree, 2) + "\t" + fixed_text(l.width, 4) +
            "\t" + fixed_text(l.spacing, 4) + "\t" + fixed_text(l.lateral, 4) + "\t" + std::to_string(c.size()) + "\t" +
            fixed_text(median(c), 4) + "\t" + fixed_text(c.empty() ? 0 : c.front(), 4) + "\t" +
            fixed_text(c.empty() ? 0 : c.back(), 4);
+}
+
+std::string pore_table(const Pores& p) {
+    std::string out = "layer\tx_mm\ty_mm\tpore_mm\n";
+    for (const LayerPores& l : p.layers)
+        for (const Opening& o : l.openings)
+            out += std::to_string(l.layer) + "\t" + fixed_text(o.at.x, 4) + "\t" + fixed_text(o.at.y, 4) + "\t" +
+                   fixed_text(o.diameter, 4) + "\n";
+    return out;
 }
 
 } // namespace filum::metrics::planar

@@ -30,15 +30,21 @@ namespace filum::metrics::planar {
 
 using figures::Figures;
 
+// An opening that is visible from a layer.
+struct Opening {
+    double diameter = 0; // mm, of the largest circle in it
+    Vec2 at;             // the centroid of its area
+};
+
 struct LayerPores {
     std::uint32_t layer = 0;
-    double height = 0;           // mm
-    std::size_t strands = 0;     //
-    double direction = 0;        // rad, [0, pi), of the strands
-    double width = 0;            // mm, median of the strands
-    double spacing = 0;          // mm; 0 with fewer than two lines
-    double lateral = 0;          // throat, mm; 0 without a channel
-    std::vector<double> circles; // diameters, mm, ascending: one per opening visible from this layer
+    double height = 0;             // mm
+    std::size_t strands = 0;       //
+    double direction = 0;          // rad, [0, pi), of the strands
+    double width = 0;              // mm, median of the strands
+    double spacing = 0;            // mm; 0 with fewer than two lines
+    double lateral = 0;            // throat, mm; 0 without a channel
+    std::vector<Opening> openings; // by ascending diameter: those visible from this layer
 };
 
 struct Pores {
@@ -58,6 +64,9 @@ void pore_figures(const Pores& pores, Figures& out);
 // Strands, spacing, throat and pores of a layer as cells of TSV, and the column names.
 std::string pore_columns();
 std::string pore_cells(const Pores& pores, std::uint32_t layer);
+
+// A line for each opening of each layer, as TSV: layer, place, diameter.
+std::string pore_table(const Pores& pores);
 
 // Measures the strands of one layer: sets strands, direction, width, spacing.
 LayerPores find_strands(const LayerBeads& beads);

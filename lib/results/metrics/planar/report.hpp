@@ -17,10 +17,10 @@
 namespace filum::metrics::planar {
 
 struct Options {
-    std::string regions, per_region, per_layer; // files
-    bool pores = false;                         // measure pores
-    std::string format = "table";               // table | tsv | json
-    std::string machine = "marlin", set;        // profile for the print time, and changes to it
+    std::string regions, per_region, per_layer, per_pore; // files
+    bool pores = false;                                   // measure pores
+    std::string format = "table";                         // table | tsv | json
+    std::string machine = "marlin", set;                  // profile for the print time, and changes to it
     double pixel = 0; // mm between the rows along which areas are integrated; 0: a sixteenth of the bead width
     double filament_diameter = 0; // mm, from the profile; 0: the machine uses no filament
     double density = 1.24;        // g/cm3, except for fibre
