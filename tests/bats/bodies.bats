@@ -164,7 +164,7 @@ END
 
 @test "in a bath the needle keeps its distance from what is printed, and goes in and out beside the part" {
     local needle="--machine syringe --flat-radius 0.25 --cone-angle 0 --cone-height 60"
-    for part in vessels ear; do
+    for part in vessels ear shells; do
         "$FILUM_SOURCE/tests/bodies/make-bodies" $part $part
         filum print -q $part/a.stl $needle --bath 0.2 -o $part.gcode
         collide $needle --margin 0.2 --program $part.gcode > /dev/null
@@ -172,6 +172,11 @@ END
         cat $part.tsv
         awk -F'\t' '$2 < 0.2 { exit 1 } END { exit NR != 4 }' $part.tsv # side, under, entry, exit
     done
+    # shells on a common floor: it goes on to the innermost, and the others follow from the inside
+    slice -q shells/a.stl | regions -q | sequence --clearance 0.2 --from-inside --flat-radius 0.25 --cone-angle 0 --cone-height 60 --report -o shells.sequence 2> shells.report
+    [[ $(value planned-strokes shells.report) == 3 && $(value outer-first shells.report) == 0 ]]
+    peek --text shells.sequence | awk '/^region/ { for (i = 1; i < NF; i++) v[$i] = $(i + 1)
+        if (v["layer"] == 10) { if (v["area"] < last) exit 1; last = v["area"] } }'
     # the checks can fail: planned for a needle without a shaft, the shaft is too near to the tower beside it
     boxes beside.stl 0,0,0,4,4,3 4.1,0,0,8,4,3
     slice -q beside.stl | regions -q | sequence --head none | fill -q | link3d -q -o blind.toolpath

@@ -3,6 +3,7 @@
 #include "geom/nearest_points.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace filum::sequence {
@@ -191,24 +192,56 @@ struct ReadyStrokes {
         for (const Index o : outer[i])
             if (--within[o] == 0 && ready[o] != 0) open.insert(o);
     }
-    // The nearest of the strokes that are not held back. Strokes that surround each other on different layers are all
-    // held back; then the first one.
+    // The nearest of the strokes that are not held back; the number of strokes if none is ready. Strokes that surround
+    // each other on different layers are all held back; then the first one.
     [[nodiscard]] Index next(geom::Vec2 from) const {
         if (!open.empty()) return *open.nearest(from);
         return static_cast<Index>(std::find(ready.begin(), ready.end(), 1) - ready.begin());
     }
 };
 
-} // namespace
+bool surrounds(Index outer, Index inner, std::span<const Index> around) {
+    while (inner != kNone && inner != outer) inner = around[inner];
+    return inner == outer;
+}
 
-Order from_inside(const Graph& g, Order order, std::span<const Index> around) {
-    if (order.empty() || tools(g).size() > 1) return order;
+// The same number of strokes that rather go on inwards: where one goes on from u to v, and another one begins with a
+// region w that u carries as well and v surrounds, both exchange the rest.
+Order inwards(const Graph& g, const Order& order, std::span<const Index> around) {
+    const Strokes s = strokes_of(g, order);
+    std::vector<Order> strokes;
+    std::vector<Index> begins(g.size(), kNone); // per region the stroke that begins with it
+    for (std::size_t i = 0; i + 1 < s.first.size(); ++i) {
+        begins[order[s.first[i]]] = static_cast<Index>(i);
+        strokes.emplace_back(order.begin() + s.first[i], order.begin() + s.first[i + 1]);
+    }
+    for (Index i = 0; i < strokes.size(); ++i)
+        for (std::size_t k = 0; k + 1 < strokes[i].size(); ++k) {
+            const Index v = strokes[i][k + 1];
+            Index best = kNone;
+            for (const Index w : g.up[strokes[i][k]])
+                if (w != v && begins[w] != kNone && begins[w] != i && surrounds(best == kNone ? v : best, w, around))
+                    best = w;
+            if (best == kNone) continue;
+            const Index other = begins[best];
+            Order rest(strokes[i].begin() + static_cast<std::ptrdiff_t>(k) + 1, strokes[i].end());
+            strokes[i].resize(k + 1);
+            strokes[i].insert(strokes[i].end(), strokes[other].begin(), strokes[other].end());
+            strokes[other] = std::move(rest);
+            begins[best] = kNone;
+            begins[v] = other;
+        }
+    Order out;
+    for (const Order& stroke : strokes) out.insert(out.end(), stroke.begin(), stroke.end());
+    return out;
+}
+
+// The strokes of `order`, which need not be in an order that precedences allow; nothing if no order of them is allowed.
+std::optional<Order> from_inside_of(const Graph& g, const Order& order, std::span<const Index> around) {
     const Strokes s = strokes_of(g, order);
     StrokePrecedence p = precedence(g, s);
     const auto n = static_cast<Index>(p.waiting.size());
-    std::vector<Pair> inwards = nested(g, s, around);
-    if (inwards.empty()) return order;
-    const Arcs outer = reversed(arcs(n, std::move(inwards)));
+    const Arcs outer = reversed(arcs(n, nested(g, s, around)));
     std::vector<geom::Vec2> start;
     for (Index i = 0; i < n; ++i) start.push_back(g.node[order[s.first[i]]].centre);
     ReadyStrokes ready{outer, geom::NearestPoints(start), std::vector<Index>(n, 0), std::vector<char>(n, 0)};
@@ -218,13 +251,25 @@ Order from_inside(const Graph& g, Order order, std::span<const Index> around) {
     geom::Vec2 at = start.front();
     while (out.size() < order.size()) {
         const Index i = ready.next(at);
+        if (i == n) return std::nullopt;
         ready.take(i);
         out.insert(out.end(), order.begin() + s.first[i], order.begin() + s.first[i + 1]);
         at = g.node[out.back()].centre;
         for (const Index j : p.after[i])
             if (--p.waiting[j] == 0) ready.put(j);
     }
-    return cost(g, out).strokes > cost(g, order).strokes ? order : out;
+    return out;
+}
+
+} // namespace
+
+Order from_inside(const Graph& g, Order order, std::span<const Index> around) {
+    if (order.empty() || tools(g).size() > 1 || nested(g, strokes_of(g, order), around).empty()) return order;
+    for (const Order& tried : {inwards(g, order, around), order}) {
+        const auto out = from_inside_of(g, tried, around);
+        if (out && cost(g, *out).strokes <= cost(g, order).strokes) return *out;
+    }
+    return order;
 }
 
 std::size_t outer_first(const Graph& g, const Order& order, std::span<const Index> around) {

@@ -17,9 +17,9 @@ Order arranged(const Graph& g, Order order);
 // always the nearest stroke follows. `order` itself if that has no more changes and travels less.
 Order by_tools(const Graph& g, Order order);
 
-// The strokes of `order` unchanged, from the inside outwards: a stroke waits while another one that it surrounds is
-// ready. Among the others the nearest follows. `around`: per region the one whose hole holds it, kNone if none. `order`
-// itself for several tools, or if the new order has more strokes.
+// As many strokes as `order` has, from the inside outwards: strokes rather go on to an inner region, and a stroke waits
+// while another one that it surrounds is ready. Among the others the nearest follows. `around`: per region the one
+// whose hole holds it, kNone if none. `order` itself for several tools, or if the new order has more strokes.
 Order from_inside(const Graph& g, Order order, std::span<const Index> around);
 
 // The number of strokes that begin before a stroke that they surround.

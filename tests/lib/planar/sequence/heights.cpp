@@ -172,6 +172,55 @@ TEST(FromInside, NestedShellsArePrintedFromTheInnermost) {
     }
 }
 
+TEST(FromInside, AFloorUnderAllShellsGoesOnToTheInnermost) {
+    for (const int count : {2, 3, 5}) {
+        auto regions = shells(5, count, 3);
+        Region floor = regions[0];
+        floor.loops = polygon::Loops{};
+        floor.loops.add(regions[0].loops[0]);
+        floor.area = polygon::signed_area(floor.loops);
+        for (Region& r : regions) {
+            ++r.layer;
+            ++r.id;
+            r.z += 0.2;
+            if (r.parent >= 0) ++r.parent;
+            for (auto& o : r.below) ++o.below;
+            if (r.layer == 1) r.below.push_back({0, r.area, 0.2, true});
+        }
+        regions.insert(regions.begin(), floor);
+        Options o;
+        o.heads.common.flat_radius = 0.2;
+        o.heads.common.cone_angle = 0;
+        o.heads.common.cone_height = 100;
+        o.heads.common.carriage_x = o.heads.common.carriage_y = 0;
+        o.from_inside = true;
+        const SequenceResult got = sequence(regions, o);
+        EXPECT_EQ(fact(got, "planned-strokes"), count);
+        EXPECT_EQ(fact(got, "outer-first"), 0);
+        EXPECT_EQ(got.order[1], static_cast<Index>(count)); // the innermost shell on the floor
+    }
+}
+
+// Orders from the inside keep precedences and strokes in worlds with any nesting.
+TEST(FromInside, RandomWorldsKeepTheirStrokes) {
+    Random random(23);
+    for (int trial = 0; trial < trials(150); ++trial) {
+        auto regions = random_world(random, any(random, 2, 6), 4, uniform(random, 3, 8));
+        for (Region& r : regions) { // any nesting of a layer's regions will do
+            const Region* outer = nullptr;
+            for (const Region& u : regions)
+                if (u.layer == r.layer && u.area > r.area && random() % 2 == 0) outer = &u;
+            r.parent = outer == nullptr ? -1 : static_cast<std::int64_t>(outer->id);
+        }
+        Options o;
+        o.heads.common.flat_radius = uniform(random, 0, 1);
+        const SequenceResult before = sequence(regions, o);
+        o.from_inside = true;
+        const SequenceResult got = sequence(regions, o); // checks its precedences
+        EXPECT_LE(got.stroke.back(), before.stroke.back()) << trial;
+    }
+}
+
 TEST(FromInside, AnOuterShellThatMustComeFirstIsCounted) {
     auto regions = shells(3, 2, 3);
     regions[1 * 2 + 1].below.push_back({0, 0.5, 0.2, false}); // the outer shell carries the inner one
