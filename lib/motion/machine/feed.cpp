@@ -1,8 +1,11 @@
 #include "machine/feed.hpp"
 
+#include "base/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
 #include <utility>
 
 namespace filum::machine {
@@ -76,6 +79,9 @@ double share_kept(const std::map<LayerTimes::Feed, double>& lengths, double leas
     return 0; // all beads are at their least feeds
 }
 
+// Highest number of a layer: a list of times has an entry for each number.
+constexpr std::uint32_t kHighestLayer = 4'000'000;
+
 } // namespace
 
 double bead_feed(const Profile& p, const ExtrudingMove& move) {
@@ -86,6 +92,10 @@ double bead_feed(const Profile& p, const ExtrudingMove& move) {
 
 void LayerTimes::add(const Profile& profile, const toolpath::Span& span) {
     if (!toolpath::extrudes(span.role) || profile.fibre.lays(span.tool)) return;
+    if (span.layer > kHighestLayer)
+        throw Error(Exit::bad_input, "cannot time layer " + std::to_string(span.layer) +
+                                         ": layers are numbered from 0 to " + std::to_string(kHighestLayer) +
+                                         " at most; number them without gaps");
     if (span.layer >= layers.size()) layers.resize(span.layer + 1);
     const Profile& own = of_tool(profile, span.tool);
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {

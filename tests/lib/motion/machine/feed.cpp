@@ -1,5 +1,7 @@
 #include "machine/feed.hpp"
 
+#include "base/error.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,6 +72,20 @@ TEST(BeadFeed, FirstLayerHasASpeedForAreas) {
     EXPECT_DOUBLE_EQ(bead_feed(profile, {.feature = toolpath::Feature::bottom}), 40);
     profile.feeds.first_layer_infill = 0;
     EXPECT_DOUBLE_EQ(bead_feed(profile, {.feature = toolpath::Feature::bottom}), 20);
+}
+
+// A stream can name any number; the list of times must not take the machine's memory.
+TEST(LayerTimes, RefusesNumbersOfLayersThatNoPartHas) {
+    toolpath::Span lift;
+    lift.role = toolpath::Role::lift;
+    lift.points = {{0, 0, 0.2}, {0, 0, 0.4}};
+    lift.width = {0.4};
+    lift.height = {0.2};
+    for (const std::uint32_t layer : {4294967294U, 4294967295U, 100000000U}) {
+        LayerTimes times;
+        lift.layer = layer;
+        EXPECT_THROW(times.add({}, lift), Error);
+    }
 }
 
 } // namespace
