@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace filum::polygon {
 
@@ -83,11 +84,25 @@ Loops combine(cl::ClipType kind, const Loops& a, const Loops& b, Fill rule, bool
     return combine(kind, both, rule, strict);
 }
 
+// The loops without those that an offset by `delta` closes. An area that holds no circle of radius |delta| vanishes
+// when it shrinks, as does a hole of such an area when it is filled. Moved past its middle, a small loop of many points
+// would cross itself as often as it has pairs of points.
+Loops without_closing(const Loops& tile, double delta) {
+    const double least = std::numbers::pi * delta * delta; // mm2, of a circle
+    Loops out;
+    for (std::size_t l = 0; l < tile.size(); ++l) {
+        const double area = polygon::signed_area(tile[l]);
+        if (delta < 0 ? area <= 0 || area >= least : area >= 0 || -area >= least) out.add(tile[l]);
+    }
+    return out;
+}
+
 // The offset of a tile: the places around which the moved outlines wind counter-clockwise.
 Loops offset_tile(const Loops& tile, double delta, double arc_tolerance) {
-    if (tile.empty()) return {};
+    const Loops moving = without_closing(tile, delta);
+    if (moving.empty()) return {};
     cl::Clipper clipper;
-    clipper.AddPaths(to_clipper(moved_outlines(tile, delta, arc_tolerance)), cl::ptSubject, true);
+    clipper.AddPaths(to_clipper(moved_outlines(moving, delta, arc_tolerance)), cl::ptSubject, true);
     cl::Paths out;
     clipper.Execute(cl::ctUnion, out, cl::pftPositive, cl::pftPositive);
     return from_clipper(out);
