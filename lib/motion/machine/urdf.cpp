@@ -45,9 +45,8 @@ class Tree {
         if (!done) fail(std::string("it is no XML: ") + done.description());
         const pugi::xml_node robot = doc.child("robot");
         if (!robot) fail("it has no <robot>");
-        for (const pugi::xml_attribute& a : robot.attributes())
-            if (std::string_view(a.name()) == "xmlns:xacro" && robot.child("xacro:macro"))
-                fail("it is a xacro; run xacro on it first");
+        for (const pugi::xml_node& node : robot.children())
+            if (std::string_view(node.name()).starts_with("xacro:")) fail("it is a xacro; run xacro on it first");
         for (const pugi::xml_node& node : robot.children("joint")) joints_.push_back(joint(node));
         for (const Joint& j : joints_)
             if (std::ranges::count(joints_, j.child, &Joint::child) > 1)
@@ -57,7 +56,10 @@ class Tree {
     [[nodiscard]] kinematics::Arm arm(const RobotLinks& links) const {
         const std::string flange = links.flange.empty() ? end() : known(links.flange);
         const auto chain = up(flange);
-        for (const Joint* j : chain) check_turns(*j);
+        for (const Joint* j : chain) {
+            check_turns(*j);
+            check_limits(*j);
+        }
         if (axes_of(chain) != kAxes)
             fail("the way to link '" + flange + "' has " + std::to_string(axes_of(chain)) +
                  " turning axes, and robots of 6 are known; name another link by robot.flange_link");
@@ -159,16 +161,20 @@ class Tree {
         if (!out.turns()) return;
         const pugi::xml_node limit = node.child("limit");
         const auto value = [&](const char* name) { return number(limit.attribute(name).value(), name); };
-        if (!limit && out.type == "revolute") fail("joint '" + out.name + "' has no limit");
         out.axis.min = -std::numeric_limits<double>::infinity();
         out.axis.max = -out.axis.min;
         if (out.type == "revolute") {
             out.axis.min = limit.attribute("lower") ? value("lower") : 0;
             out.axis.max = limit.attribute("upper") ? value("upper") : 0;
         }
-        out.axis.speed = limit ? value("velocity") : 0;
-        if (!(out.axis.min < out.axis.max)) fail("the limits of joint '" + out.name + "' leave it no room");
-        if (!(out.axis.speed > 0)) fail("joint '" + out.name + "' needs a limit of its velocity, above 0");
+        out.axis.speed = limit.attribute("velocity") ? value("velocity") : 0;
+    }
+
+    // Throws for an axis without room or speed. Joints beside the chain may have neither, as those of a cylinder.
+    void check_limits(const Joint& j) const {
+        if (!j.turns()) return;
+        if (!(j.axis.min < j.axis.max)) fail("the limits of joint '" + j.name + "' leave it no room");
+        if (!(j.axis.speed > 0)) fail("joint '" + j.name + "' needs a limit of its velocity, above 0");
     }
 
     [[nodiscard]] const Joint* above(const std::string& link) const {
@@ -215,13 +221,28 @@ class Tree {
         return prefixed.empty() ? "" : *prefixed.begin();
     }
 
+    // A joint behind the link that moves on its own; nullptr if there is none.
+    [[nodiscard]] const Joint* beyond(const std::string& link) const {
+        for (const Joint& j : joints_)
+            if (!j.fixed() && !j.mimics && j.child != link)
+                if (const auto chain = up(j.child); std::ranges::find(chain, link, &Joint::child) != chain.end())
+                    return &j;
+        return nullptr;
+    }
+
     [[nodiscard]] std::string end() const {
         for (const char* name : {"tool0", "flange"})
             if (auto link = tip(name); !link.empty()) return link;
         std::set<std::string> last; // last links of chains with six axes, without fixed links after them
         for (const Joint& j : joints_)
             if (j.turns() && axes_of(up(j.child)) == kAxes) last.insert(j.child);
-        if (last.size() == 1) return *last.begin();
+        if (last.size() == 1) {
+            if (const Joint* more = beyond(*last.begin()))
+                fail("joint '" + more->name +
+                     "' moves behind the sixth axis, and robots of 6 turning axes are known; if "
+                     "it belongs to a tool, name the flange by robot.flange_link");
+            return *last.begin();
+        }
         if (!last.empty()) fail("it has several chains of 6 axes; name the last link by robot.flange_link");
         for (const Joint& j : joints_) {
             const auto chain = up(j.child);

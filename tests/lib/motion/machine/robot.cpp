@@ -181,6 +181,19 @@ TEST(RobotModel, WhatIsNoRobotOfSixAxesSaysWhy) {
     has(model_error(changed(changed(urdf(kIrb), "parent link=\"base_link\"", "parent link=\"tool0\""),
                             "<link name=\"base_link\"/>", "")),
         "go round in a circle");
+    // seven axes without a name for the flange: it is not the sixth link
+    const std::string seventh = "<joint name=\"axis_7\" type=\"revolute\"><parent link=\"link_6\"/><child "
+                                "link=\"link_7\"/><axis xyz=\"0 0 1\"/><limit lower=\"-3\" upper=\"3\" "
+                                "velocity=\"3\"/></joint>";
+    const std::string nameless = changed(urdf(kIrb, seventh), "\"tool0\"", "\"plate\"");
+    has(model_error(nameless), "joint 'axis_7' moves behind the sixth axis");
+    EXPECT_EQ(model_error(nameless, {"", "link_6"}), "");
+    // a joint beside the chain needs no limits
+    EXPECT_EQ(model_error(urdf(kIrb, "<joint name=\"cylinder\" type=\"revolute\"><parent link=\"link_1\"/><child "
+                                     "link=\"cylinder\"/><axis xyz=\"0 1 0\"/><limit lower=\"-1\" upper=\"1\" "
+                                     "velocity=\"0\"/></joint>")),
+              "");
+    has(model_error(urdf(kIrb, "<xacro:include filename=\"x.xacro\"/>")), "it is a xacro");
     EXPECT_EQ(model_error(kTable), "");
     has(model_error(changed(kTable, "900, ", "")), "key 'dh.a': it must be 6 numbers in brackets");
     has(model_error(changed(kTable, "max_deg = [1,", "max_deg = [-2,")), "each must be below that of max_deg");
