@@ -2,6 +2,7 @@
 // in the program.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
