@@ -188,7 +188,8 @@ void tell_solid(Region& r, const std::vector<LoopIndex>& layers, const Options& 
     const geom::Box2 box = polygon::bounds(outline);
     put(polygon::AreaKind::skin_top,
         seen(outline, r.layer + 1 < layers.size() ? layers[r.layer + 1].near(box) : Loops{}, o));
-    Loops free = seen(outline, r.rests_on() >= 0 ? layers[static_cast<std::size_t>(r.rests_on())].near(box) : Loops{}, o);
+    Loops free =
+        seen(outline, r.rests_on() >= 0 ? layers[static_cast<std::size_t>(r.rests_on())].near(box) : Loops{}, o);
     if (r.rests_on() >= 0 && o.bottom > 0 && !free.empty()) {
         const Loops within = within_walls(r, depth(r, o, o.bead_width));
         const geom::Vec2 bead{o.bead_width, o.bead_width}; // the ends of a bridge lie on beads beside it

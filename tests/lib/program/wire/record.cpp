@@ -219,10 +219,10 @@ TEST(Record, HasUnitsAndPutsValuesFirstThenTablesThenRecords) {
     const Record r = record(region_frame());
     std::vector<std::string> order;
     for (const Entry& e : r.entries) order.push_back(e.name + " " + e.unit);
-    EXPECT_EQ(order,
-              (std::vector<std::string>{"id ", "layer ", "z mm", "height mm", "area mm2", "parent ", "unsupported mm2",
-                                        "stroke ", "join ", "inradius mm", "walls ", "purpose ", "brim ", "body ",
-                                        "tool ", "width mm", "layers ", "skipped ", "loops ", "below ", "areas "}));
+    EXPECT_EQ(order, (std::vector<std::string>{
+                         "id ",     "layer ",   "z mm",        "height mm", "area mm2", "parent ", "unsupported mm2",
+                         "stroke ", "join ",    "inradius mm", "walls ",    "purpose ", "brim ",   "body ",
+                         "tool ",   "width mm", "layers ",     "skipped ",  "loops ",   "below ",  "areas "}));
     EXPECT_TRUE(std::get<Word>(entry(r, "join").value).named);
     const auto& loops = std::get<std::vector<Record>>(entry(r, "loops").value);
     ASSERT_EQ(loops.size(), 2U);
