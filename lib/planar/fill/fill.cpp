@@ -206,8 +206,9 @@ double endless_share(const polygon::Region& r, const Options& o, const ScaffoldS
     const geom::Vec2 origin = geom::lerp(column.box.lo, column.box.hi, 0.5), size = r.box.hi - r.box.lo;
     double sum = 0, count = 0;
     for (int i = 0; i < kSamples * kSamples; ++i) {
+        const int row = i / kSamples, column_of_row = i % kSamples;
         const geom::Vec2 p =
-            r.box.lo + geom::Vec2{size.x * (i % kSamples + 0.5) / kSamples, size.y * (i / kSamples + 0.5) / kSamples};
+            r.box.lo + geom::Vec2{size.x * (column_of_row + 0.5) / kSamples, size.y * (row + 0.5) / kSamples};
         if (!polygon::contains(r.loops, p)) continue;
         sum += o.bead_width / o.spacing_at({p.x - origin.x, p.y - origin.y, r.z}, true);
         ++count;

@@ -143,6 +143,7 @@ std::vector<stream::RawFrame> cut_all(Job& job, std::size_t chunk, Notes& notes)
     for (std::size_t i = std::max(first, job.wanted.first); i < std::min(first + n, job.wanted.last); ++i) {
         if (job.bodies()) {
             std::vector<polygon::Loops> each;
+            each.reserve(contours.size());
             for (auto& of_body : contours) each.push_back(std::move(of_body[i - first]));
             for (const polygon::Layer& layer : body_layers(job, i, std::move(each), notes))
                 frames.push_back(wire::frame(layer));

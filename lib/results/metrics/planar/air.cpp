@@ -118,6 +118,7 @@ class CarrierBeads {
     }
     static std::vector<geom::Segment> segments(const std::vector<Bead>& carriers) {
         std::vector<geom::Segment> out;
+        out.reserve(carriers.size());
         for (const Bead& b : carriers) out.push_back({b.a, b.b});
         return out;
     }

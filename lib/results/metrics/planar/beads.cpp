@@ -84,6 +84,7 @@ std::vector<LayerMark> layer_marks(const std::vector<polygon::Region>& regions) 
     std::map<std::uint32_t, LayerMark> by_index;
     for (const auto& r : regions) by_index.try_emplace(r.layer, LayerMark{r.layer, r.z, r.height / r.layers});
     std::vector<LayerMark> out;
+    out.reserve(by_index.size());
     for (const auto& [index, mark] : by_index) out.push_back(mark);
     std::stable_sort(out.begin(), out.end(), [](const LayerMark& a, const LayerMark& b) { return a.z < b.z; });
     return out;

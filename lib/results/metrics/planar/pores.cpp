@@ -167,6 +167,7 @@ std::vector<Opening> openings(const Loops& beads, const Loops& outline, double l
 
 std::vector<double> diameters(const std::vector<Opening>& openings) {
     std::vector<double> out;
+    out.reserve(openings.size());
     for (const Opening& o : openings) out.push_back(o.diameter);
     return out;
 }
