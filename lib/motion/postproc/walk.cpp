@@ -28,8 +28,9 @@ void Joins::add(const toolpath::Span& span) {
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
         const geom::Segment s{span.points[i].xy(), span.points[i + 1].xy()};
         if (s.a == s.b) continue;
-        for (std::uint32_t layer = std::max(span.layer, 1U) - 1; layer <= span.layer + 1; ++layer)
-            of_layer[layer].push_back(s);
+        const std::uint64_t above = std::uint64_t{span.layer} + 1; // wider, so that the highest number has one above
+        for (std::uint64_t layer = std::max(span.layer, 1U) - 1; layer <= above; ++layer)
+            of_layer[static_cast<std::uint32_t>(layer)].push_back(s);
     }
 }
 
