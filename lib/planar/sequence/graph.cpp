@@ -65,7 +65,9 @@ Graph support_graph(std::span<const polygon::Region> regions) {
             if (o.link && !carries) bad(r, "its link does not lead to a region of the layer below");
             if (o.link && regions[o.below].tool != r.tool) bad(r, "its link leads to a region of another tool");
             if (o.link) links.emplace_back(o.below, r.id);
-            if (carries) support.emplace_back(o.below, r.id);
+            if (!carries) continue;
+            support.emplace_back(o.below, r.id);
+            g.node.back().carried = true;
         }
     }
     g.up = arcs(g.size(), std::move(links));

@@ -30,11 +30,12 @@ Arcs arcs(std::size_t n, std::vector<Pair> pairs);
 Arcs reversed(const Arcs& a);
 
 struct Node {
-    Index layer = 0;   // number of the layer among those with regions, from 0
-    double z = 0;      // mm, top of the region
-    geom::Vec2 centre; // of its area
-    Index tool = 0;    // number of the tool that prints it
-    bool bed = false;  // it begins below the top of the lowest region, so nothing can carry it
+    Index layer = 0;      // number of the layer among those with regions, from 0
+    double z = 0;         // mm, top of the region
+    geom::Vec2 centre;    // of its area
+    Index tool = 0;       // number of the tool that prints it
+    bool bed = false;     // it begins below the top of the lowest region, so nothing can carry it
+    bool carried = false; // a region ends where it begins, and carries it
 };
 
 // Every arc leads to a higher layer, so printing layer by layer is always possible.

@@ -35,7 +35,7 @@ struct SupportedParts {
         first.push_back(g.size());
     }
 
-    [[nodiscard]] bool hangs(Index v) const { return !g.node[v].bed && g.before[v].empty(); }
+    [[nodiscard]] bool hangs(Index v) const { return !g.node[v].bed && !g.node[v].carried; }
 
     // Distance between the boxes of two regions, a lower bound for that of their outlines.
     [[nodiscard]] double box_distance(Index v, Index u) const {
@@ -73,7 +73,7 @@ struct SupportedParts {
             return !std::binary_search(present.begin(), present.end(), below);
         };
         for (Index v = first[1]; v < g.size(); ++v)
-            if (!g.node[v].bed && hangs(v) && misses_layer_below(v))
+            if (hangs(v) && misses_layer_below(v))
                 for (const Index u : nearest_below(v)) set.unite(u, v);
     }
 

@@ -43,11 +43,12 @@ TEST(Peek, TextIsALinePerRecordAndPerPoint) {
     const Folder at;
     const auto file = write_stream(at("s"), Payload::regions, {column()[1]});
     const std::string text = peeked(at, file, {.text = true});
-    EXPECT_TRUE(tells(text,
-                      "region id 1 layer 1 z 0.4 height 0.2 area 4 parent -1 unsupported 0 stroke 1 join vertical "
-                      "inradius 1 walls 0 purpose part brim -1 body 0 tool 0 width 0 loops 1 below 1 areas 0\n"
-                      "  loop points x,y 4\n    0 0\n    2 0\n    2 2\n    0 2\n"
-                      "  overlap below 0 area 4 inradius 1 link yes\n"))
+    EXPECT_TRUE(tells(
+        text,
+        "region id 1 layer 1 z 0.4 height 0.2 area 4 parent -1 unsupported 0 stroke 1 join vertical "
+        "inradius 1 walls 0 purpose part brim -1 body 0 tool 0 width 0 layers 0 skipped 0 loops 1 below 1 areas 0\n"
+        "  loop points x,y 4\n    0 0\n    2 0\n    2 2\n    0 2\n"
+        "  overlap below 0 area 4 inradius 1 link yes\n"))
         << text;
 }
 
