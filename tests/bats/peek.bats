@@ -15,7 +15,7 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
 @test "the layers of a box, as text" {
     slice part.stl --layer-height 0.5 | peek --text > got
     [[ $(grep -c '^layer ' got) == 2 && $(grep -c '^  loop ' got) == 2 ]]
-    [[ $(grep '^layer ' got | head -n 1) == 'layer index 0 z 0.5 height 0.5 plane 0.25 body 0 tool 0 width 0 contours 1' ]]
+    [[ $(grep '^layer ' got | head -n 1) == 'layer index 0 z 0.5 height 0.5 plane 0.25 body 0 tool 0 width 0 layers 0 skipped 0 contours 1' ]]
     grep '^    [-0-9]' got | awk '!(($1 == 0 || $1 == 9) && $2 >= 0 && $2 <= 9 || ($2 == 0 || $2 == 9) && $1 >= 0 && $1 <= 9) { exit 1 }'
 }
 

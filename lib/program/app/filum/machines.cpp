@@ -119,13 +119,13 @@ void add_codes(const Profile& p, std::vector<std::string>& out) {
         out.push_back("its name, '" + p.name + "', is that of a profile that comes with Filum: choose one of your own");
 }
 
-// Names the values that a profile marks as placeholders, each with its section.
+// Names the values that a profile marks by the remark "placeholder: ...", each with its section.
 void add_placeholders(const std::string& text, std::vector<std::string>& out) {
     std::istringstream lines(text);
     std::string section;
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with("[")) section = line.substr(1, line.find(']') - 1);
-        if (line.starts_with("#") || line.find("# placeholder") == std::string::npos) continue;
+        if (line.starts_with("#") || line.find("# placeholder: ") == std::string::npos) continue;
         const std::string key = line.substr(0, line.find_first_of(" ="));
         out.push_back(section + "." + key +
                       " is a placeholder: measure it as the profile says, then delete the remark "
