@@ -1,6 +1,8 @@
 #include "fill/hollow/hollow.hpp"
 
 #include "base/density.hpp"
+#include "base/error.hpp"
+#include "base/number.hpp"
 #include "fill/finish.hpp"
 #include "fill/hollow/over_air.hpp"
 #include "fill/hollow/pieces.hpp"
@@ -280,8 +282,17 @@ fill::join::Hanging hanging(const Region& r, double w) {
     return [inside, deep](Vec2 p) { return !inside(p) ? 0 : deep(p) ? fill::join::kHangsMost : 1; };
 }
 
-// Throws Error(bad_input) for areas with too many lines, or with lines nearer than a bead.
-void check_densities(const Region& r, double narrowest) {
+// The greatest ratio of bead widths in a region. A machine's beads differ by far less; where two beads meet, one tapers
+// to the other in as many pieces as the ratio asks for.
+constexpr double kMostWider = 100;
+
+// Throws Error(bad_input) for areas with too many lines, with lines nearer than a bead, or with widths too different to
+// be joined.
+void check_densities(const Region& r, const Widths& width) {
+    if (width.widest > kMostWider * width.narrowest)
+        throw Error(Exit::bad_input, "cannot fill region '" + std::to_string(r.id) + "': its beads are " +
+                                         shortest_text(width.narrowest) + " to " + shortest_text(width.widest) +
+                                         " mm wide; give widths that differ by at most a factor of 100");
     for (const Area& a : r.areas) {
         const double area = polygon::signed_area(a.loops);
         if (a.kind == AreaKind::zone) check_density(area, a.width, Exit::bad_input, "the bead width of a zone");
@@ -289,20 +300,20 @@ void check_densities(const Region& r, double narrowest) {
         if (a.kind == AreaKind::sparse && a.width > 0)
             check_density(area, a.width, Exit::bad_input, "the bead width of an area");
         if (a.kind != AreaKind::sparse) continue;
-        check_spacing(a.spacing, narrowest, Exit::bad_input, "the spacing of an area");
+        check_spacing(a.spacing, width.narrowest, Exit::bad_input, "the spacing of an area");
         check_density(area, a.spacing, Exit::bad_input, "the spacing of an area");
-        if (a.gap > 0) check_spacing(a.gap, narrowest, Exit::bad_input, "the gap of an area");
+        if (a.gap > 0) check_spacing(a.gap, width.narrowest, Exit::bad_input, "the gap of an area");
     }
 }
 
 } // namespace
 
 toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
-    check_densities(r, widths(r, o.bead_width).narrowest);
+    const Widths width = widths(r, o.bead_width);
+    check_densities(r, width);
     toolpath::RegionPaths out;
     toolpath::identify(out, r);
     const std::size_t first = notes.size();
-    const Widths width = widths(r, o.bead_width);
     const auto hung = hanging(r, width.widest);
     const auto inside = fill::Rounded::inside; // outer walls are visible and keep sharp corners
     LooseCurves loose;

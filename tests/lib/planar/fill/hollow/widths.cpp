@@ -1,4 +1,5 @@
 // Regions whose walls, solid parts and sparse lines have widths of their own.
+#include "base/error.hpp"
 #include "cases.hpp"
 
 #include <map>
@@ -73,6 +74,18 @@ TEST(HollowWidths, EveryRoleHasItsWidth) {
         if (!hollow) {
             EXPECT_NEAR(test::laid(paths.curves), r.area, 0.01 * r.area);
         }
+    }
+}
+
+// A stream may hold any widths: beads that taper over a factor of millions would take all memory.
+TEST(HollowWidths, WidthsThatCannotBeJoinedAreRefused) {
+    for (const auto& [solid, refused] : {std::pair{1e-4, true}, {40.0, true}, {0.2, false}, {2.0, false}}) {
+        const polygon::Region r = as_planned(plate(60, 50), {0.38, 0.4, 0.4, solid, 2}, {});
+        Notes notes;
+        if (refused)
+            EXPECT_THROW(fill(r, {.bead_width = 0.38}, notes), Error) << solid;
+        else
+            EXPECT_NO_THROW(fill(r, {.bead_width = 0.38}, notes)) << solid;
     }
 }
 
