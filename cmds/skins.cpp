@@ -10,6 +10,11 @@ using namespace filum;
 
 using app::skins::Options;
 
+// The width of the beads of one role.
+cli::Option role_width(const char* name, double* width, const char* help) {
+    return cli::Option{name, width, "MM", help}.zero_or_at_least(0.01).at_most(100).a_limit();
+}
+
 std::vector<cli::Option> options(Options& all) {
     using cli::Option;
     skins::Options& o = all.how;
@@ -37,20 +42,11 @@ std::vector<cli::Option> options(Options& all) {
                "several with ';' between"}
             .not_a_setting()
             .a_limit(),
-        Option{"inner-width", &o.inner_width, "MM",
-               "width of beads inside the outer wall; 0: as --bead-width, which the outer wall has"}
-            .zero_or_at_least(0.01)
-            .at_most(100)
-            .a_limit(),
-        Option{"infill-width", &o.infill_width, "MM", "width of the lines of sparse parts; 0: as --inner-width"}
-            .zero_or_at_least(0.01)
-            .at_most(100)
-            .a_limit(),
-        Option{"solid-width", &o.solid_width, "MM",
-               "width of beads in solid parts inside the walls; 0: as --inner-width"}
-            .zero_or_at_least(0.01)
-            .at_most(100)
-            .a_limit(),
+        role_width("inner-width", &o.inner_width,
+                   "width of beads inside the outer wall; 0: as --bead-width, which the outer wall has"),
+        role_width("infill-width", &o.infill_width, "width of the lines of sparse parts; 0: as --inner-width"),
+        role_width("solid-width", &o.solid_width,
+                   "width of beads in solid parts inside the walls; 0: as --inner-width"),
         Option{"bead-width", &o.bead_width, "MM", "width of a bead"}
             .within(0.01, 100)
             .same_as({"regions.bead-width"})

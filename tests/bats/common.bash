@@ -46,7 +46,14 @@ box_stl() {
     stl_triangle 0 9 0  0 0 0  0 0 1; stl_triangle 0 9 0  0 0 1  0 9 1
 }
 
-# A box of 20 x 10 x 1 mm, likewise: corner i at x = bit 0, y = bit 1, z = bit 2.
+# What tests of the front command share: the contracts of all programs, and a box as part.stl in the file's folder.
+make_part_and_contracts() {
+    cd "$BATS_FILE_TMPDIR" || exit 1
+    ask_all
+    box_stl > part.stl
+}
+
+# A box of 20 x 10 x 1 mm, in the same form: corner i at x = bit 0, y = bit 1, z = bit 2.
 # shellcheck disable=SC2059
 flat_box_stl() {
     local zero='\0\0\0\0' one='\0\0\x80\x3f' ten='\0\0\x20\x41' twenty='\0\0\xa0\x41' i x y z count=0

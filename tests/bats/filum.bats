@@ -4,11 +4,7 @@
 
 load common
 
-setup_file() {
-    cd "$BATS_FILE_TMPDIR" || exit 1
-    ask_all
-    box_stl > part.stl
-}
+setup_file() { make_part_and_contracts; }
 
 setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
 

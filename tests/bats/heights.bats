@@ -6,26 +6,6 @@ load common
 
 setup() { cd "$BATS_TEST_TMPDIR" || exit 1; }
 
-# volumes FOLDER PROGRAM: checks that the program has the volume of each body, within half a percent.
-volumes() {
-    "$FILUM_SOURCE/tests/bodies/read-tools" "$2" > made.tsv
-    python3 - "$1" << 'END'
-import struct, sys
-def volume(name):
-    data = open(name, "rb").read()
-    out = 0.0
-    for k in range(struct.unpack_from("<I", data, 80)[0]):
-        a, b, c = (struct.unpack_from("<3f", data, 84 + 50 * k + 12 + 12 * i) for i in range(3))
-        out += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6
-    return out
-made = {int(r[1]): float(r[2]) for r in map(str.split, open("made.tsv")) if r[0] == "tool"}
-for tool, name in ((0, "a.stl"), (1, "b.stl")):
-    off = made[tool] / volume(sys.argv[1] + "/" + name) - 1
-    print("tool", tool, "off", off)
-    assert abs(off) < 0.005
-END
-}
-
 @test "random stacks of bodies: beads of each height lie on material, none is struck, volumes and bounds hold" {
     local height=(0.4 0.6)
     for seed in $(seq 1 "${FILUM_BODIES:-3}"); do
@@ -40,7 +20,7 @@ END
         cat stacks.tsv
         [[ $(awk '$1 != "heights" { sum += $2 } END { print sum }' stacks.tsv) == 0 ]]
         awk -v h="$h" '$1 == "heights" && $2 == 0 && $NF > 0.201 { exit 1 } $1 == "heights" && $2 == 1 && $NF > h + 0.001 { exit 1 }' stacks.tsv
-        volumes stacks stacks.gcode
+        "$FILUM_SOURCE/tests/bodies/check-volumes" stacks stacks.gcode
         peek --text kept/*-sequence.* | awk '/^fact stage sequence/ { value[$5] = $7 }
             END { exit value["planned-strokes"] < value["lower-bound"] || value["tool-changes"] < value["tool-changes-bound"] }'
     done
@@ -53,7 +33,7 @@ END
         "--body twisted/a.stl:tool=0,width=0.6,height=0.4 --body twisted/b.stl:tool=1"; do
         # shellcheck disable=SC2086
         filum print -q $bodies --set 'tools.change=T{tool_no}' -o twisted.gcode
-        volumes twisted twisted.gcode
+        "$FILUM_SOURCE/tests/bodies/check-volumes" twisted twisted.gcode
     done
 }
 

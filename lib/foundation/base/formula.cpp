@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace filum {
 
@@ -67,32 +68,22 @@ class Parser {
 
     void sum() {
         if (++depth_ > kDeepest) fail("too many brackets");
-        product();
-        for (;;) {
-            if (take('+')) {
-                product();
-                put(What::add);
-            } else if (take('-')) {
-                product();
-                put(What::subtract);
-            } else {
-                break;
-            }
-        }
+        chain(&Parser::product, {{{'+', What::add}, {'-', What::subtract}}});
         --depth_;
     }
-    void product() {
-        sign();
-        for (;;) {
-            if (take('*')) {
-                sign();
-                put(What::multiply);
-            } else if (take('/')) {
-                sign();
-                put(What::divide);
-            } else {
-                return;
-            }
+    void product() { chain(&Parser::sign, {{{'*', What::multiply}, {'/', What::divide}}}); }
+
+    // Operands with one of two signs between them, from left to right.
+    void chain(void (Parser::*operand)(), const std::array<std::pair<char, What>, 2>& signs) {
+        (this->*operand)();
+        for (bool more = true; more;) {
+            more = false;
+            for (const auto& [sign, what] : signs)
+                if (!more && take(sign)) {
+                    (this->*operand)();
+                    put(what);
+                    more = true;
+                }
         }
     }
     void sign() {

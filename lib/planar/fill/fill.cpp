@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "fill/join/crossings.hpp"
+#include "fill/rings/lanes.hpp"
 #include "fill/rows/rectilinear.hpp"
 #include "fill/rows/zigzag.hpp"
 #include "fill/scaffold/scaffold.hpp"
@@ -216,16 +217,6 @@ double endless_share(const polygon::Region& r, const Options& o, const ScaffoldS
     return count > 0 ? sum / count : o.bead_width / strand_spacing(o);
 }
 
-// The area of a curve's beads, mm2.
-double bead_area(const toolpath::Curve& c) {
-    double sum = 0;
-    for (std::size_t i = c.closed ? 0 : 1; i < c.points.size(); ++i) {
-        const std::size_t before = i == 0 ? c.points.size() - 1 : i - 1;
-        sum += geom::distance(c.points[before], c.points[i]) * (c.width_at(before) + c.width_at(i)) / 2;
-    }
-    return sum;
-}
-
 // Finds the factor on the spacings with which the region has the share of material of endless strands. Turns along the
 // rim add material, and the number of strands is whole; so a lattice with the spacing of endless strands has too much.
 // The mean of all angles counts.
@@ -249,7 +240,8 @@ void fit_share(const polygon::Region& r, const Options& o, ScaffoldState::Column
             const auto curves = scaffold::scaffold(r.loops, column.region, how, notes);
             if (!curves.empty()) from = curves.back().points.back();
             for (const auto& curve : curves)
-                if (k >= round) material += bead_area(curve); // the first round does not begin where a layer ended
+                if (k >= round)
+                    material += rings::laid_area(curve); // the first round does not begin where a layer ended
         }
         return material / static_cast<double>((kRounds - 1) * round) / r.area;
     };

@@ -82,11 +82,8 @@ class WallsOverAir {
         if (length > w_)
             grid_.near({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)},
                        [&](std::uint32_t k) {
-                           const Vec2 d = b - a, e = edge_[k].b - edge_[k].a, between = edge_[k].a - a;
-                           const double turn = geom::cross(d, e);
-                           if (turn == 0) return;
-                           const double t = geom::cross(between, e) / turn, s = geom::cross(between, d) / turn;
-                           if (t > 0 && t < 1 && s >= 0 && s <= 1) cuts.push_back(t);
+                           const auto hit = geom::ray_parameters(a, b - a, edge_[k].a, edge_[k].b);
+                           if (hit && hit->t < 1) cuts.push_back(hit->t);
                        });
         std::ranges::sort(cuts);
         std::vector<Piece> out;

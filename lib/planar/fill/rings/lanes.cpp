@@ -18,12 +18,13 @@ constexpr double kTips = 10; // tips of a small region that may together leave k
 // not in step (parabolas at random places gape by 4/15).
 constexpr double kSeam = 2.0 / 15;
 
-// Area of a closed bead, mm2.
-double area_of(std::span<const Vec2> points, std::span<const double> width) {
+// Area of a bead, mm2; width(i) is that at point i.
+template <class Width>
+double area_of(std::span<const Vec2> points, bool closed, const Width& width) {
     double out = 0;
-    for (std::size_t i = 0, n = points.size(); i < n; ++i) {
+    for (std::size_t i = 0, n = points.size(); i + (closed ? 0 : 1) < n; ++i) {
         const std::size_t next = i + 1 == n ? 0 : i + 1;
-        out += (width[i] + width[next]) / 2 * geom::distance(points[i], points[next]);
+        out += (width(i) + width(next)) / 2 * geom::distance(points[i], points[next]);
     }
     return out;
 }
@@ -58,13 +59,16 @@ std::vector<toolpath::Curve> curves_of(const Rings& rings) {
     return out;
 }
 
-double laid_area(const toolpath::Curve& c) { return area_of(c.points, c.width); }
+double laid_area(const toolpath::Curve& c) {
+    return area_of(c.points, c.closed, [&](std::size_t i) { return c.width_at(i); });
+}
 
 double laid_area(const Rings& rings) {
     double out = 0;
     for (std::size_t i = 0; i < rings.size(); ++i) {
         const std::size_t first = rings.start[i], n = rings.start[i + 1] - first;
-        out += area_of(std::span(rings.points).subspan(first, n), std::span(rings.width).subspan(first, n));
+        out += area_of(std::span(rings.points).subspan(first, n), true,
+                       [&](std::size_t k) { return rings.width[first + k]; });
     }
     return out;
 }

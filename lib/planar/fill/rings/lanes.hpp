@@ -44,7 +44,7 @@ FirstLanes first_lanes(const Loops& region, const LaneOptions& o);
 // The rings as curves, in their order.
 std::vector<toolpath::Curve> curves_of(const Rings& rings);
 
-// Area of closed beads, mm2; every point has its width.
+// Area of beads, mm2.
 double laid_area(const toolpath::Curve& bead);
 double laid_area(const Rings& rings);
 

@@ -75,11 +75,7 @@ class Sections {
                                             options_.compensation, on_bed ? 0 : 1, known);
         }
         Loops out;
-        for (const plate::Place& place : body_.at)
-            for (std::size_t i = 0; i < own.size(); ++i) {
-                for (const Vec2& p : own[i]) out.points.push_back(place(p));
-                out.close();
-            }
+        add_copies(own, body_.at, out);
         return out;
     }
 

@@ -220,6 +220,14 @@ std::vector<stream::Object> place_on_bed(std::vector<OnBed>& parts, const Option
     return out;
 }
 
+void add_copies(const polygon::Loops& loops, const std::vector<plate::Place>& at, polygon::Loops& to) {
+    for (const plate::Place& place : at)
+        for (std::size_t i = 0; i < loops.size(); ++i) {
+            for (const Vec2& p : loops[i]) to.points.push_back(place(p));
+            to.close();
+        }
+}
+
 Notes as_placed(const OnBed& part, Notes notes) {
     for (Note& note : notes) {
         note.count *= part.at.size();

@@ -50,6 +50,9 @@ std::vector<OnBed> read_parts(const Options& options, cli::Io& self);
 std::vector<stream::Object> place_on_bed(std::vector<OnBed>& parts, const Options& options, const cli::Io& io,
                                          Notes& notes);
 
+// Appends the contours of one layer of a part, once for each of its copies.
+void add_copies(const polygon::Loops& loops, const std::vector<plate::Place>& at, polygon::Loops& to);
+
 // The notes on a part, with count and amount for all copies and the place of the first copy.
 Notes as_placed(const OnBed& part, Notes notes);
 

@@ -18,15 +18,6 @@ namespace filum::app::slice {
 
 namespace {
 
-// Appends the contours of one layer of a part, once for each of its copies.
-void add_copies(const polygon::Loops& loops, const std::vector<plate::Place>& at, polygon::Loops& to) {
-    for (const plate::Place& place : at)
-        for (std::size_t i = 0; i < loops.size(); ++i) {
-            for (const Vec2& p : loops[i]) to.points.push_back(place(p));
-            to.close();
-        }
-}
-
 struct Job {
     const Options& o;
     std::vector<OnBed>& parts;
