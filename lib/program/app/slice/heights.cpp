@@ -200,6 +200,7 @@ HighLayers::HighLayers(const std::vector<OnBed>& bodies, std::span<const Level> 
         const ToolLayers& tool = tools.at(bodies[b].tool);
         const auto own = within(cells(tool.extent, bodies[b].layers, tool.begins, first_alone), extents[b]);
         std::vector<Level> middles;
+        middles.reserve(own.size());
         for (const Cell& cell : own) middles.push_back(joined(levels, cell));
         const Cuts cuts(bodies, b, o, middles, threads);
         for (std::size_t k = 0; k < own.size(); ++k) {
