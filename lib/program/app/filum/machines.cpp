@@ -127,9 +127,8 @@ void add_placeholders(const std::string& text, std::vector<std::string>& out) {
         if (line.starts_with("[")) section = line.substr(1, line.find(']') - 1);
         if (line.starts_with("#") || line.find("# placeholder: ") == std::string::npos) continue;
         const std::string key = line.substr(0, line.find_first_of(" ="));
-        out.push_back(section + "." + key +
-                      " is a placeholder: measure it as the profile says, then delete the remark "
-                      "behind it");
+        out.push_back(std::string(section).append(".").append(key) +
+                      " is a placeholder: measure it as the profile says, then delete the remark behind it");
     }
 }
 

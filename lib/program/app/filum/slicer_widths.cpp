@@ -69,7 +69,7 @@ class RoleWidths {
     }
     // The key that makes the option of the role.
     [[nodiscard]] std::string maker(Role role) const {
-        if (const std::string own = own_key(role); !own.empty()) return own;
+        if (std::string own = own_key(role); !own.empty()) return own;
         const std::string general = general_key();
         return role == kFirst ? "" : general.empty() ? "nozzle_diameter" : general;
     }

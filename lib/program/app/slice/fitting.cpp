@@ -29,6 +29,7 @@ mesh::Box3 file_box(const OnBed& part) {
 std::vector<polygon::Loops> sections(const OnBed& part, const std::vector<double>& heights, int threads) {
     const auto& t = part.placement.map.t;
     std::vector<Level> levels;
+    levels.reserve(heights.size());
     for (const double z : heights) levels.push_back({z + t[2], kTouch, z + t[2]});
     const auto sweep = filum::slice::sweep_over(*part.part, {}, levels, threads);
     std::vector<polygon::Loops> out;
@@ -52,6 +53,7 @@ bool fit(const OnBed& a, const OnBed& b, int threads) {
     }
     if (flat > 0) return flat == 1;
     std::vector<double> heights;
+    heights.reserve(kSections);
     for (int k = 0; k < kSections; ++k) heights.push_back(lo.z + (k + 0.5) / kSections * common.z);
     const auto first = sections(a, heights, threads), second = sections(b, heights, threads);
     double own = 0, other = 0, shared = 0; // mm2
