@@ -1,7 +1,7 @@
 // Pores of a scaffold that change with the place, as the user types them.
 #pragma once
 
-#include "base/formula.hpp"
+#include "fill/scaffold/formula.hpp"
 #include "geom/vec.hpp"
 
 #include <string>

@@ -1,4 +1,4 @@
-#include "base/formula.hpp"
+#include "fill/scaffold/formula.hpp"
 
 #include "base/error.hpp"
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace filum {
+namespace filum::fill::scaffold {
 namespace {
 
 const std::vector<std::string> kNames{"x", "y", "r"};
@@ -29,6 +29,8 @@ TEST(Formula, HasTheValuesOfArithmetic) {
     EXPECT_DOUBLE_EQ(value("max(1, min(x, y)) + r", 3, 4), 8);
     EXPECT_DOUBLE_EQ(value("sqrt(16) + abs(-2) + exp(0) + cos(0) + sin(pi / 2)"), 9);
     EXPECT_DOUBLE_EQ(value("1e-3*x", 1e3), 1);
+    EXPECT_DOUBLE_EQ(value("x >= 2 ? 0.3 : 0.4", 1), 0.4);
+    EXPECT_DOUBLE_EQ(value("x == y ? 1 : 2", 3, 3), 1);
 }
 
 TEST(Formula, KnowsItsVariables) {
@@ -39,8 +41,8 @@ TEST(Formula, KnowsItsVariables) {
 }
 
 TEST(Formula, RefusesWhatIsNone) {
-    for (const char* text : {"", "x +", "(x", "x)", "1 2", "q", "sin x", "max(1)", "min(1, 2, 3)", "x ** 2", "1..2",
-                             "@", "sqrt()", "inf", "nan", "1e999"})
+    for (const char* text : {"", "x +", "(x", "x)", "1 2", "q", "sin x", "max()", "1, 2", "x ** 2", "1..2", "@",
+                             "sqrt()", "inf", "nan", "1e999", "x = 3", "(r=3)+x"})
         EXPECT_THROW(Formula(text, kNames, "pore-size"), Error) << text;
     EXPECT_THROW(Formula(std::string(100000, '('), kNames, "pore-size"), Error);
     EXPECT_THROW(Formula(std::string(100000, '-') + "1", kNames, "pore-size"), Error);
@@ -64,4 +66,4 @@ TEST(Formula, RandomTextIsReadOrRefused) {
 }
 
 } // namespace
-} // namespace filum
+} // namespace filum::fill::scaffold
