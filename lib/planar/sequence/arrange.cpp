@@ -3,6 +3,7 @@
 #include "geom/nearest_points.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <set>
 
@@ -43,115 +44,147 @@ StrokePrecedence precedence(const Graph& g, const Strokes& s) {
     return out;
 }
 
+// Where each stroke begins: the centre of its first region.
+std::vector<geom::Vec2> starts(const Graph& g, const Order& order, const Strokes& s) {
+    std::vector<geom::Vec2> out;
+    for (std::size_t i = 0; i + 1 < s.first.size(); ++i) out.push_back(g.node[order[s.first[i]]].centre);
+    return out;
+}
+
+// Lists the strokes of `order` one after the other, each after all that it must follow. `ready` holds the strokes that
+// may come next: put(stroke) adds one, and take(from) takes one out; `from` is the centre of the last region, if there
+// is one. Fewer regions than `order` has if `take` returns nothing.
+template <class Ready>
+Order listed(const Graph& g, const Order& order, const Strokes& s, StrokePrecedence p, Ready ready) {
+    for (Index i = 0; i < p.waiting.size(); ++i)
+        if (p.waiting[i] == 0) ready.put(i);
+    Order out;
+    while (out.size() < order.size()) {
+        const std::optional<Index> i =
+            ready.take(out.empty() ? std::nullopt : std::optional<geom::Vec2>(g.node[out.back()].centre));
+        if (!i) return out;
+        out.insert(out.end(), order.begin() + s.first[*i], order.begin() + s.first[*i + 1]);
+        for (const Index j : p.after[*i])
+            if (--p.waiting[j] == 0) ready.put(j);
+    }
+    return out;
+}
+
+// Ready strokes, of which the nearest comes next. Ties, and the first one of all: the lowest id of the first region.
+class NearestReady {
+  public:
+    NearestReady(const Graph& g, const Order& order, const Strokes& s) : by_id_(s.first.size() - 1), rank_(by_id_) {
+        std::iota(by_id_.begin(), by_id_.end(), 0);
+        std::sort(by_id_.begin(), by_id_.end(),
+                  [&](Index a, Index b) { return order[s.first[a]] < order[s.first[b]]; });
+        const std::vector<geom::Vec2> start = starts(g, order, s);
+        std::vector<geom::Vec2> sorted;
+        for (Index i = 0; i < by_id_.size(); ++i) {
+            rank_[by_id_[i]] = i;
+            sorted.push_back(start[by_id_[i]]);
+        }
+        points_ = geom::NearestPoints(std::move(sorted));
+    }
+    void put(Index stroke) {
+        points_.insert(rank_[stroke]);
+        first_ = std::min(first_, rank_[stroke]);
+    }
+    std::optional<Index> take(std::optional<geom::Vec2> from) {
+        const Index next = from ? points_.nearest(*from).value() : first_;
+        points_.remove(next);
+        return by_id_[next];
+    }
+
+  private:
+    std::vector<Index> by_id_, rank_; // strokes in order of the id of their first region; the place of each there
+    geom::NearestPoints<geom::Vec2> points_{{}}; // by rank
+    Index first_ = kNone;                        // the lowest rank that has been ready
+};
+
 } // namespace
 
 Order arranged(const Graph& g, Order order) {
     if (order.empty()) return order;
     const Strokes s = strokes_of(g, order);
-    StrokePrecedence p = precedence(g, s);
-    const auto n = static_cast<Index>(p.waiting.size());
-    std::vector<Index> by_id(n), number(n); // so that ties go to the lower id of the first region
-    for (Index i = 0; i < n; ++i) by_id[i] = i;
-    std::sort(by_id.begin(), by_id.end(), [&](Index a, Index b) { return order[s.first[a]] < order[s.first[b]]; });
-    std::vector<geom::Vec2> start;
-    for (Index i = 0; i < n; ++i) {
-        number[by_id[i]] = i;
-        start.push_back(g.node[order[s.first[by_id[i]]]].centre);
-    }
-    geom::NearestPoints ready(start);
-    for (Index i = 0; i < n; ++i)
-        if (p.waiting[i] == 0) ready.insert(number[i]);
-    Order out;
-    const auto first = std::find_if(by_id.begin(), by_id.end(), [&](Index i) { return p.waiting[i] == 0; });
-    for (auto next = number[*first];; next = *ready.nearest(g.node[out.back()].centre)) {
-        const Index i = by_id[next];
-        ready.remove(next);
-        out.insert(out.end(), order.begin() + s.first[i], order.begin() + s.first[i + 1]);
-        for (const Index j : p.after[i])
-            if (--p.waiting[j] == 0) ready.insert(number[j]);
-        if (ready.empty()) break;
-    }
+    Order out = listed(g, order, s, precedence(g, s), NearestReady(g, order, s));
     return cost(g, out) < cost(g, order) ? out : order;
 }
 
 namespace {
 
-// The strokes of an order as `by_tools` prints them.
-struct ToolOrder {
-    const Graph& g;
-    const Order& order;
-    const Strokes& s;
-    const StrokePrecedence& p;
-    std::vector<Index> tools;   // ascending
+// The tool of each stroke, and how often it changes.
+struct StrokeTools {
+    std::vector<Index> of;      // per stroke: the index of its tool among all, ascending
     std::vector<Index> changes; // per stroke: the most changes of the tool on a way of precedences from it
+};
 
-    // The index of the stroke's tool among `tools`.
-    [[nodiscard]] Index tool(Index stroke) const {
-        const Index number = g.node[order[s.first[stroke]]].tool;
-        return static_cast<Index>(std::lower_bound(tools.begin(), tools.end(), number) - tools.begin());
+// Strokes are numbered as in `order`, which keeps the precedences, so later ones have higher numbers.
+StrokeTools stroke_tools(const Graph& g, const Order& order, const Strokes& s, const StrokePrecedence& p,
+                         std::span<const Index> all) {
+    StrokeTools out;
+    for (std::size_t i = 0; i + 1 < s.first.size(); ++i) {
+        const Index number = g.node[order[s.first[i]]].tool;
+        out.of.push_back(static_cast<Index>(std::lower_bound(all.begin(), all.end(), number) - all.begin()));
+    }
+    out.changes.assign(out.of.size(), 0);
+    for (std::size_t i = out.of.size(); i-- > 0;)
+        for (const Index j : p.after[static_cast<Index>(i)])
+            out.changes[i] = std::max(out.changes[i], out.changes[j] + (out.of[i] != out.of[j] ? 1 : 0));
+    return out;
+}
+
+// Ready strokes, of which those of the present tool come first, always the nearest one.
+class ToolReady {
+  public:
+    // `first`: the index of the first tool.
+    ToolReady(const StrokeTools& tools, std::size_t count, Index first, const std::vector<geom::Vec2>& start)
+        : tools_(tools), now_(first), ready_(count), near_(count, geom::NearestPoints<geom::Vec2>(start)) {}
+    void put(Index stroke) {
+        ready_[tools_.of[stroke]].insert(stroke);
+        near_[tools_.of[stroke]].insert(stroke);
+    }
+    std::optional<Index> take(std::optional<geom::Vec2> from) {
+        if (ready_[now_].empty()) now_ = next_tool();
+        const Index stroke = from ? near_[now_].nearest(*from).value() : *ready_[now_].begin();
+        ready_[now_].erase(stroke);
+        near_[now_].remove(stroke);
+        return stroke;
     }
 
-    // Strokes are numbered as in `order`, which keeps the precedences, so later ones have higher numbers.
-    void count_changes() {
-        const auto n = static_cast<Index>(p.waiting.size());
-        changes.assign(n, 0);
-        for (Index i = n; i-- > 0;)
-            for (const Index j : p.after[i])
-                changes[i] = std::max(changes[i], changes[j] + (tool(i) != tool(j) ? 1 : 0));
-    }
-
+  private:
     // Of the ready strokes the one from which most changes follow has the tool that comes next. Ties: the lower number.
-    [[nodiscard]] Index next_tool(const std::vector<std::set<Index>>& ready) const {
+    [[nodiscard]] Index next_tool() const {
         Index best = kNone;
-        for (const auto& set : ready)
+        for (const auto& set : ready_)
             for (const Index i : set)
-                if (best == kNone || changes[i] > changes[best] || (changes[i] == changes[best] && i < best)) best = i;
-        return tool(best);
+                if (best == kNone || tools_.changes[i] > tools_.changes[best] ||
+                    (tools_.changes[i] == tools_.changes[best] && i < best))
+                    best = i;
+        return tools_.of[best];
     }
 
-    // The order that begins with the tool `now`.
-    [[nodiscard]] Order from(Index now) const {
-        std::vector<Index> waiting = p.waiting;
-        std::vector<std::set<Index>> ready(tools.size());
-        std::vector<geom::Vec2> start;
-        for (Index i = 0; i < waiting.size(); ++i) start.push_back(g.node[order[s.first[i]]].centre);
-        std::vector<geom::NearestPoints<geom::Vec2>> near(tools.size(), geom::NearestPoints<geom::Vec2>(start));
-        const auto put = [&](Index i) {
-            ready[tool(i)].insert(i);
-            near[tool(i)].insert(i);
-        };
-        for (Index i = 0; i < waiting.size(); ++i)
-            if (waiting[i] == 0) put(i);
-        Order out;
-        while (out.size() < order.size()) {
-            if (ready[now].empty()) now = next_tool(ready);
-            const Index i = out.empty() ? *ready[now].begin() : *near[now].nearest(g.node[out.back()].centre);
-            ready[now].erase(i);
-            near[now].remove(i);
-            out.insert(out.end(), order.begin() + s.first[i], order.begin() + s.first[i + 1]);
-            for (const Index j : p.after[i])
-                if (--waiting[j] == 0) put(j);
-        }
-        return out;
-    }
+    const StrokeTools& tools_;
+    Index now_;                                         // the index of the present tool
+    std::vector<std::set<Index>> ready_;                // per tool
+    std::vector<geom::NearestPoints<geom::Vec2>> near_; // the same, by place
 };
 
 } // namespace
 
 Order by_tools(const Graph& g, Order order) {
-    std::vector<Index> all = tools(g);
+    const std::vector<Index> all = tools(g);
     if (all.size() < 2) return arranged(g, std::move(order));
     const Strokes s = strokes_of(g, order);
     const StrokePrecedence p = precedence(g, s);
-    ToolOrder t{g, order, s, p, std::move(all), {}};
-    t.count_changes();
+    const StrokeTools t = stroke_tools(g, order, s, p, all);
+    const std::vector<geom::Vec2> start = starts(g, order, s);
     Order best;
     Cost least;
-    for (Index first = 0; first < t.tools.size(); ++first) {
+    for (Index first = 0; first < all.size(); ++first) {
         bool ready = false;
-        for (Index i = 0; i < p.waiting.size(); ++i) ready = ready || (p.waiting[i] == 0 && t.tool(i) == first);
+        for (Index i = 0; i < p.waiting.size(); ++i) ready = ready || (p.waiting[i] == 0 && t.of[i] == first);
         if (!ready) continue;
-        Order out = t.from(first);
+        Order out = listed(g, order, s, p, ToolReady(t, all.size(), first, start));
         const Cost c = cost(g, out);
         if (!best.empty() && !(c < least)) continue;
         best = std::move(out);
@@ -173,31 +206,39 @@ std::vector<Pair> nested(const Graph& g, const Strokes& s, std::span<const Index
     return out;
 }
 
-// The strokes that are ready. Those that surround a ready one are held back.
-struct ReadyStrokes {
-    const Arcs& outer; // of each stroke: those that surround it
-    geom::NearestPoints<geom::Vec2> open;
-    std::vector<Index> within; // per stroke: the number of ready strokes within
-    std::vector<char> ready;
-
+// Ready strokes, of which the nearest comes next. Those that surround a ready one are held back. Strokes that surround
+// each other on different layers are all held back; then the first one of them comes next.
+class InnerReady {
+  public:
+    // `outer`: of each stroke those that surround it.
+    InnerReady(const Arcs& outer, const std::vector<geom::Vec2>& start)
+        : outer_(outer), start_(start.front()), open_(start), within_(start.size(), 0), ready_(start.size(), 0) {}
     void put(Index i) {
-        ready[i] = 1;
-        if (within[i] == 0) open.insert(i);
-        for (const Index o : outer[i])
-            if (within[o]++ == 0 && ready[o] != 0) open.remove(o);
+        ready_[i] = 1;
+        if (within_[i] == 0) open_.insert(i);
+        for (const Index o : outer_[i])
+            if (within_[o]++ == 0 && ready_[o] != 0) open_.remove(o);
     }
-    void take(Index i) {
-        ready[i] = 0;
-        if (within[i] == 0) open.remove(i);
-        for (const Index o : outer[i])
-            if (--within[o] == 0 && ready[o] != 0) open.insert(o);
+    std::optional<Index> take(std::optional<geom::Vec2> from) {
+        const Index i = !open_.empty() ? open_.nearest(from.value_or(start_)).value() : first();
+        if (i == ready_.size()) return std::nullopt;
+        ready_[i] = 0;
+        if (within_[i] == 0) open_.remove(i);
+        for (const Index o : outer_[i])
+            if (--within_[o] == 0 && ready_[o] != 0) open_.insert(o);
+        return i;
     }
-    // The nearest of the strokes that are not held back; the number of strokes if none is ready. Strokes that surround
-    // each other on different layers are all held back; then the first one.
-    [[nodiscard]] Index next(geom::Vec2 from) const {
-        if (!open.empty()) return *open.nearest(from);
-        return static_cast<Index>(std::find(ready.begin(), ready.end(), 1) - ready.begin());
+
+  private:
+    [[nodiscard]] Index first() const {
+        return static_cast<Index>(std::find(ready_.begin(), ready_.end(), 1) - ready_.begin());
     }
+
+    const Arcs& outer_;
+    geom::Vec2 start_;
+    geom::NearestPoints<geom::Vec2> open_; // those that are not held back
+    std::vector<Index> within_;            // per stroke: the number of ready strokes within
+    std::vector<char> ready_;
 };
 
 bool surrounds(Index outer, Index inner, std::span<const Index> around) {
@@ -236,29 +277,12 @@ Order inwards(const Graph& g, const Order& order, std::span<const Index> around)
     return out;
 }
 
-// The strokes of `order`, which need not be in an order that precedences allow; nothing if no order of them is allowed.
-std::optional<Order> from_inside_of(const Graph& g, const Order& order, std::span<const Index> around) {
+// The strokes of `order`, which need not be in an order that precedences allow; fewer regions if no order of them is
+// allowed.
+Order listed_from_inside(const Graph& g, const Order& order, std::span<const Index> around) {
     const Strokes s = strokes_of(g, order);
-    StrokePrecedence p = precedence(g, s);
-    const auto n = static_cast<Index>(p.waiting.size());
-    const Arcs outer = reversed(arcs(n, nested(g, s, around)));
-    std::vector<geom::Vec2> start;
-    for (Index i = 0; i < n; ++i) start.push_back(g.node[order[s.first[i]]].centre);
-    ReadyStrokes ready{outer, geom::NearestPoints(start), std::vector<Index>(n, 0), std::vector<char>(n, 0)};
-    for (Index i = 0; i < n; ++i)
-        if (p.waiting[i] == 0) ready.put(i);
-    Order out;
-    geom::Vec2 at = start.front();
-    while (out.size() < order.size()) {
-        const Index i = ready.next(at);
-        if (i == n) return std::nullopt;
-        ready.take(i);
-        out.insert(out.end(), order.begin() + s.first[i], order.begin() + s.first[i + 1]);
-        at = g.node[out.back()].centre;
-        for (const Index j : p.after[i])
-            if (--p.waiting[j] == 0) ready.put(j);
-    }
-    return out;
+    const Arcs outer = reversed(arcs(s.first.size() - 1, nested(g, s, around)));
+    return listed(g, order, s, precedence(g, s), InnerReady(outer, starts(g, order, s)));
 }
 
 } // namespace
@@ -266,8 +290,8 @@ std::optional<Order> from_inside_of(const Graph& g, const Order& order, std::spa
 Order from_inside(const Graph& g, Order order, std::span<const Index> around) {
     if (order.empty() || tools(g).size() > 1 || nested(g, strokes_of(g, order), around).empty()) return order;
     for (const Order& tried : {inwards(g, order, around), order}) {
-        const auto out = from_inside_of(g, tried, around);
-        if (out && cost(g, *out).strokes <= cost(g, order).strokes) return *out;
+        Order out = listed_from_inside(g, tried, around);
+        if (out.size() == order.size() && cost(g, out).strokes <= cost(g, order).strokes) return out;
     }
     return order;
 }
