@@ -3,63 +3,14 @@
 #include "geom/segment.hpp"
 
 #include <algorithm>
-#include <queue>
-#include <tuple>
 
 namespace filum::link3d {
 
 namespace {
 
-constexpr std::uint32_t kFan = 4;
-
 constexpr double kOnSegment = 1e-6; // mm; a point closer than this lies on the segment
 
-constexpr double kRounding = 1e-9; // mm; more than the rounding of a turned point, so that no box is missed
-
 } // namespace
-
-void SegmentIndex::TurnedBox::add(Vec2 p) { box.add({geom::dot(p, x), geom::dot(p, geom::left_of(x))}); }
-
-double SegmentIndex::TurnedBox::distance(Vec2 p) const {
-    return std::sqrt(distance2(box, {geom::dot(p, x), geom::dot(p, geom::left_of(x))})) - kRounding;
-}
-
-// Whether no side of the turned box separates the two. The sides of `other` are not tried; they separate few more.
-bool SegmentIndex::TurnedBox::may_meet(const Box2& other) const {
-    const Vec2 middle = 0.5 * (other.lo + other.hi), half = 0.5 * (other.hi - other.lo);
-    const Vec2 at{geom::dot(middle, x), geom::dot(middle, geom::left_of(x))};
-    const double c = std::abs(x.x), s = std::abs(x.y);
-    const Vec2 reach{c * half.x + s * half.y + kRounding, s * half.x + c * half.y + kRounding};
-    return meet(box, {at - reach, at + reach});
-}
-
-// Boxes of `segments` segments each, turned to the mean of their directions, as doubled angles weighted by length.
-std::vector<SegmentIndex::TurnedBox> SegmentIndex::boxes_of(std::uint32_t segments) const {
-    const std::uint32_t count = first_.back();
-    std::vector<TurnedBox> out((count + segments - 1) / segments);
-    std::vector<Vec2> doubled(out.size());
-    const auto each = [&](const auto& f) {
-        for (std::uint32_t c = 0; c + 1 < first_.size(); ++c)
-            for (std::uint32_t s = first_[c]; s < first_[c + 1]; ++s)
-                f(s / segments, points_[s + c], points_[s + c + 1]);
-    };
-    each([&](std::uint32_t i, Vec2 a, Vec2 b) {
-        const Vec2 d = b - a;
-        if (const double l = geom::norm(d); l > 0)
-            doubled[i] = doubled[i] + (1 / l) * Vec2{d.x * d.x - d.y * d.y, 2 * d.x * d.y};
-    });
-    for (std::size_t i = 0; i < out.size(); ++i)
-        if (const double l = geom::norm(doubled[i]); l > 0) { // halves the angle
-            const Vec2 u = (1 / l) * doubled[i];
-            const double c = std::sqrt(std::max(0.0, (1 + u.x) / 2)), s = std::sqrt(std::max(0.0, (1 - u.x) / 2));
-            out[i].x = {c, u.y < 0 ? -s : s};
-        }
-    each([&](std::uint32_t i, Vec2 a, Vec2 b) {
-        out[i].add(a);
-        out[i].add(b);
-    });
-    return out;
-}
 
 SegmentIndex::SegmentIndex(std::span<const toolpath::Curve> curves) {
     std::size_t n = 0;
@@ -75,8 +26,12 @@ SegmentIndex::SegmentIndex(std::span<const toolpath::Curve> curves) {
     const std::uint32_t count = first_.back();
     if (count == 0) return;
     for (const Vec2 p : points_) bounds_.add(p);
-    for (std::uint64_t segments = kFan; levels_.empty() || levels_.back().size() > 1; segments *= kFan)
-        levels_.push_back(boxes_of(static_cast<std::uint32_t>(std::min<std::uint64_t>(segments, count))));
+    std::vector<geom::CapsuleTree::Segment> segments;
+    segments.reserve(count);
+    for (std::size_t c = 0; c + 1 < first_.size(); ++c)
+        for (std::uint32_t s = first_[c]; s < first_[c + 1]; ++s)
+            segments.emplace_back(points_[s + c], points_[s + c + 1]);
+    tree_ = geom::CapsuleTree(segments);
 }
 
 std::uint32_t SegmentIndex::curve_of(std::uint32_t segment) const {
@@ -109,25 +64,11 @@ std::vector<Place> SegmentIndex::extremes() const {
 
 std::optional<Place> SegmentIndex::nearest(Vec2 p, double limit, std::span<const char> skip) const {
     if (empty()) return std::nullopt;
-    using Node = std::tuple<double, std::size_t, std::uint32_t>; // distance, level, box
-    std::priority_queue<Node, std::vector<Node>, std::greater<>> open;
-    open.emplace(levels_.back().front().distance(p), levels_.size() - 1, 0U);
     double best = limit;
     std::optional<std::uint32_t> found;
-    while (!open.empty()) {
-        const auto [d, level, box] = open.top();
-        open.pop();
-        if (d > best) break;
-        const std::uint32_t from = box * kFan;
-        if (level > 0) {
-            const auto& below = levels_[level - 1];
-            const auto to = std::min<std::uint32_t>(from + kFan, static_cast<std::uint32_t>(below.size()));
-            for (std::uint32_t i = from; i < to; ++i)
-                if (const double e = below[i].distance(p); e <= best) open.emplace(e, level - 1, i);
-            continue;
-        }
-        const auto to = std::min(from + kFan, first_.back());
-        for (std::uint32_t s = from, c = curve_of(from); s < to; ++s) {
+    tree_.near(p, best, [&](const geom::CapsuleTree::Run& run) {
+        auto s = static_cast<std::uint32_t>(run.first);
+        for (std::uint32_t c = curve_of(s); s < run.last; ++s) {
             while (s >= first_[c + 1]) ++c;
             if (!skip.empty() && skip[c] != 0) continue;
             const double e = geom::point_segment_distance(points_[s + c], points_[s + c + 1], p);
@@ -136,7 +77,8 @@ std::optional<Place> SegmentIndex::nearest(Vec2 p, double limit, std::span<const
                 found = s;
             }
         }
-    }
+        return best;
+    });
     if (!found) return std::nullopt;
     const auto [a, b] = ends(*found);
     return place(*found, geom::nearest_parameter(a, b, p), p);
@@ -162,26 +104,17 @@ std::optional<Place> SegmentIndex::follow(Vec2 p, const std::optional<Place>& la
 
 void SegmentIndex::within(const Box2& box, const std::function<bool(std::uint32_t, Vec2, Vec2)>& visit) const {
     if (empty()) return;
-    std::vector<std::pair<std::size_t, std::uint32_t>> open{{levels_.size() - 1, 0U}}; // a stack: ascending order
-    while (!open.empty()) {
-        const auto [level, at] = open.back();
-        open.pop_back();
-        if (!levels_[level][at].may_meet(box)) continue;
-        const std::uint32_t from = at * kFan;
-        if (level > 0) {
-            const auto to = std::min<std::uint32_t>(from + kFan, static_cast<std::uint32_t>(levels_[level - 1].size()));
-            for (std::uint32_t i = to; i-- > from;) open.emplace_back(level - 1, i);
-            continue;
-        }
-        const auto to = std::min(from + kFan, first_.back());
-        for (std::uint32_t s = from, c = curve_of(from); s < to; ++s) {
+    tree_.visit(box, [&](const geom::CapsuleTree::Run& run) {
+        auto s = static_cast<std::uint32_t>(run.first);
+        for (std::uint32_t c = curve_of(s); s < run.last; ++s) {
             while (s >= first_[c + 1]) ++c;
             Box2 own;
             own.add(points_[s + c]);
             own.add(points_[s + c + 1]);
-            if (meet(own, box) && !visit(s, points_[s + c], points_[s + c + 1])) return;
+            if (meet(own, box) && !visit(s, points_[s + c], points_[s + c + 1])) return false;
         }
-    }
+        return true;
+    });
 }
 
 bool is_free(const SegmentIndex& index, Vec2 a, Vec2 b, double margin, double skip_a, double skip_b) {

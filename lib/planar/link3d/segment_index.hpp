@@ -1,10 +1,7 @@
-// Finds nearest places on bead lines, and the segments in a box: a packed hierarchy of boxes over consecutive segments.
-//
-// Consecutive segments of a curve lie together, so their boxes are tight without any sorting. Each box is turned to the
-// mean direction of its segments. Without that the boxes of slanting rows would overlap, and a query would look at all
-// rows. Building takes O(n log n); a query on fill curves takes logarithmic time.
+// Finds nearest places on bead lines, and the segments in a box.
 #pragma once
 
+#include "geom/capsule_tree.hpp"
 #include "geom/vec.hpp"
 #include "toolpath/path.hpp"
 
@@ -58,22 +55,13 @@ class SegmentIndex {
     [[nodiscard]] Place place(std::uint32_t segment, double t, Vec2 from) const;
 
   private:
-    // A box with sides along x and left_of(x).
-    struct TurnedBox {
-        Vec2 x{1, 0}; // unit
-        Box2 box;     // in the coordinates along x and left_of(x)
-        void add(Vec2 p);
-        [[nodiscard]] double distance(Vec2 p) const; // lower bound on the distance to the segments
-        [[nodiscard]] bool may_meet(const Box2& other) const;
-    };
-    [[nodiscard]] std::vector<TurnedBox> boxes_of(std::uint32_t segments) const;
     [[nodiscard]] std::pair<Vec2, Vec2> ends(std::uint32_t segment) const;
     [[nodiscard]] std::uint32_t curve_of(std::uint32_t segment) const;
 
     std::vector<Vec2> points_;         // of all curves; the first point of a closed curve is repeated at its end
     std::vector<std::uint32_t> first_; // segment numbers: curve c has [first_[c], first_[c + 1])
     Box2 bounds_;
-    std::vector<std::vector<TurnedBox>> levels_; // levels_[0]: boxes of kFan segments; levels_[k]: of kFan boxes below
+    geom::CapsuleTree tree_; // of all segments
 };
 
 // Whether a -> b stays more than `margin` mm away from every segment, without its first `skip_a` mm and its last

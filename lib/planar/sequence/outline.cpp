@@ -3,7 +3,6 @@
 #include "geom/segment.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace filum::sequence {
@@ -11,12 +10,11 @@ namespace filum::sequence {
 namespace {
 
 using geom::Box2;
+using geom::Capsule;
 using geom::Vec2;
 
-constexpr std::size_t kRun = 2;    // edges per leaf
-constexpr double kNeedle = 1e-3;   // mm: without a head, regions this near are touched, as they are above or below
-constexpr double kRounding = 1e-9; // mm, by which chords are thicker than their edges need
-constexpr double kLevel = 1e-6;    // mm: heights this near are equal, since sums of layers are not exact
+constexpr double kNeedle = 1e-3; // mm: without a head, regions this near are touched, as they are above or below
+constexpr double kLevel = 1e-6;  // mm: heights this near are equal, since sums of layers are not exact
 
 inline double gap_x(const Box2& a, const Box2& b) { return std::max(0.0, std::max(a.lo.x - b.hi.x, b.lo.x - a.hi.x)); }
 inline double gap_y(const Box2& a, const Box2& b) { return std::max(0.0, std::max(a.lo.y - b.hi.y, b.lo.y - a.hi.y)); }
@@ -79,15 +77,10 @@ struct EdgeCursor {
     }
 };
 
-std::pair<std::size_t, std::size_t> run(const Outline& o, std::size_t node) {
-    const std::size_t leaf = node - (o.leaves - 1), n = o.loops.points.size();
-    return {std::min(n, leaf * kRun), std::min(n, (leaf + 1) * kRun)};
-}
-
 constexpr double kShare = 0.25; // of the difference to the limit, the error of a distance; it never affects a decision
 
 // Both are lower bounds on the distance between edges of both runs, mm. From `enough` on, a simpler bound will do.
-double gap(const Chord& a, const Chord& b, double enough) {
+double gap(const Capsule& a, const Capsule& b, double enough) {
     if (a.radius < 0 || b.radius < 0) return std::numeric_limits<double>::infinity();
     const double thickness = a.radius + b.radius;
     const double boxes = std::max(apart({1, 0}, a.from, a.to, b.from, b.to), apart({0, 1}, a.from, a.to, b.from, b.to));
@@ -97,7 +90,7 @@ double gap(const Chord& a, const Chord& b, double enough) {
                std::min(squared_distance(a.from, a.to, b.from, b.to), squared_distance(b.from, b.to, a.from, a.to))) -
            thickness;
 }
-double carriage_gap(const Chord& a, const Chord& b, Vec2 share, double enough) {
+double carriage_gap(const Capsule& a, const Capsule& b, Vec2 share, double enough) {
     if (a.radius < 0 || b.radius < 0) return std::numeric_limits<double>::infinity();
     const double thickness = a.radius + b.radius;
     const double boxes = std::max(share.x * apart({1, 0}, a.from, a.to, b.from, b.to),
@@ -106,21 +99,11 @@ double carriage_gap(const Chord& a, const Chord& b, Vec2 share, double enough) {
     return largest_difference(a.from, a.to, b.from, b.to, share) - thickness;
 }
 
-// A chord for the edges of both.
-Chord joined(const Chord& a, const Chord& b) {
-    if (b.radius < 0) return a;
-    Chord out{a.from, b.to, 0};
-    for (const Chord& c : {a, b}) // the distance to a segment is convex: it is greatest at an end
-        for (const Vec2 p : {c.from, c.to})
-            out.radius = std::max(out.radius, geom::point_segment_distance(out.from, out.to, p) + c.radius);
-    return out;
-}
-
-double size(const Chord& c) { return std::abs(c.to.x - c.from.x) + std::abs(c.to.y - c.from.y) + 2 * c.radius; }
+double size(const Capsule& c) { return std::abs(c.to.x - c.from.x) + std::abs(c.to.y - c.from.y) + 2 * c.radius; }
 
 // Calls near(a, b, c, d) for pairs of edges whose runs are nearer than `wanted`, which near() may change; stops when it
 // returns true. measure(x, y, enough) is a lower bound of the distance of two runs; from `enough` on its value does not
-// matter. The nearer runs come first. Adds the pairs of chords and edges to `steps`.
+// matter. The nearer runs come first. Adds the pairs of capsules and edges to `steps`.
 template <class Measure, class Near>
 bool any_pair(const Outline& a, const Outline& b, std::uint64_t* steps, const double& wanted, Measure&& measure,
               Near&& near) {
@@ -128,17 +111,17 @@ bool any_pair(const Outline& a, const Outline& b, std::uint64_t* steps, const do
         std::size_t i, j;
         double gap;
     };
-    std::vector<Runs> pending{{0, 0, measure(a.chord[0], b.chord[0], wanted)}};
+    std::vector<Runs> pending{{0, 0, measure(a.edges[0], b.edges[0], wanted)}};
     std::uint64_t none = 0;
     std::uint64_t& count = steps != nullptr ? *steps : none;
     while (!pending.empty()) {
         const auto [i, j, least] = pending.back();
         pending.pop_back();
         if (least >= wanted) continue;
-        const bool leaf_a = i + 1 >= a.leaves, leaf_b = j + 1 >= b.leaves;
+        const bool leaf_a = a.edges.leaf(i), leaf_b = b.edges.leaf(j);
         if (leaf_a && leaf_b) {
-            const auto [a0, a1] = run(a, i);
-            const auto [b0, b1] = run(b, j);
+            const auto [a0, a1] = a.edges.run(i);
+            const auto [b0, b1] = b.edges.run(j);
             count += (a1 - a0) * (b1 - b0);
             EdgeCursor ea(a.loops, a0);
             for (std::size_t k = a0; k < a1; ++k) {
@@ -151,11 +134,11 @@ bool any_pair(const Outline& a, const Outline& b, std::uint64_t* steps, const do
             }
             continue;
         }
-        const bool halve_a = leaf_b || (!leaf_a && size(a.chord[i]) >= size(b.chord[j]));
+        const bool halve_a = leaf_b || (!leaf_a && size(a.edges[i]) >= size(b.edges[j]));
         Runs first{halve_a ? 2 * i + 1 : i, halve_a ? j : 2 * j + 1, 0};
         Runs second{halve_a ? 2 * i + 2 : i, halve_a ? j : 2 * j + 2, 0};
         count += 2;
-        for (Runs* r : {&first, &second}) r->gap = measure(a.chord[r->i], b.chord[r->j], wanted);
+        for (Runs* r : {&first, &second}) r->gap = measure(a.edges[r->i], b.edges[r->j], wanted);
         if (first.gap < second.gap) std::swap(first, second);
         if (first.gap < wanted) pending.push_back(first);
         if (second.gap < wanted) pending.push_back(second); // the nearer one comes next
@@ -207,7 +190,7 @@ Reach reach(const machine::Head& head, double dz) {
 
 Outline shifted(Outline o, geom::Vec2 way) {
     for (geom::Vec2& p : o.loops.points) p = p + way;
-    for (Chord& c : o.chord) c = {c.from + way, c.to + way, c.radius};
+    o.edges.shift(way);
     if (!o.box.empty()) o.box = {o.box.lo + way, o.box.hi + way};
     return o;
 }
@@ -216,17 +199,10 @@ Outline outline(polygon::Loops loops) {
     Outline o;
     o.loops = std::move(loops);
     o.box = polygon::bounds(o.loops);
-    const std::size_t n = o.loops.points.size();
-    o.leaves = std::bit_ceil(std::max<std::size_t>(1, (n + kRun - 1) / kRun));
-    o.chord.resize(2 * o.leaves - 1, {{}, {}, -1});
-    EdgeCursor edges(o.loops, 0);
-    for (std::size_t k = 0; k < n; ++k) {
-        const auto [p, q] = edges.at(k);
-        Chord& c = o.chord[o.leaves - 1 + k / kRun];
-        const Chord edge{p, q, kRounding};
-        c = c.radius < 0 ? edge : joined(c, edge);
-    }
-    for (std::size_t i = o.leaves - 1; i-- > 0;) o.chord[i] = joined(o.chord[2 * i + 1], o.chord[2 * i + 2]);
+    std::vector<geom::CapsuleTree::Segment> edges;
+    EdgeCursor cursor(o.loops, 0);
+    for (std::size_t k = 0; k < o.loops.points.size(); ++k) edges.push_back(cursor.at(k));
+    o.edges = geom::CapsuleTree(edges);
     return o;
 }
 
@@ -241,7 +217,7 @@ bool within(const Outline& a, const Outline& b, const Reach& r, std::uint64_t* s
     const Vec2 share{half / r.half_x, half / r.half_y};
     return any_pair(
         a, b, steps, half,
-        [&](const Chord& x, const Chord& y, double enough) { return carriage_gap(x, y, share, enough); },
+        [&](const Capsule& x, const Capsule& y, double enough) { return carriage_gap(x, y, share, enough); },
         [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) { return box_reaches(p, q, s, t, r.half_x, r.half_y); });
 }
 
@@ -255,7 +231,7 @@ Bounds carriage_bounds(const Outline& a, const Outline& b, double half_x, double
     const Vec2 share{half / half_x, half / half_y};
     return bounds(
         a, b, half, known, steps,
-        [&](const Chord& x, const Chord& y, double enough) { return carriage_gap(x, y, share, enough); },
+        [&](const Capsule& x, const Capsule& y, double enough) { return carriage_gap(x, y, share, enough); },
         [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) { return largest_difference(p, q, s, t, share); });
 }
 

@@ -1,6 +1,7 @@
-// Outlines of regions in trees of boxes, and whether the head over one region touches another.
+// Outlines of regions in trees, and whether the head over one region touches another.
 #pragma once
 
+#include "geom/capsule_tree.hpp"
 #include "geom/vec.hpp"
 #include "machine/head.hpp"
 #include "polygon/loops.hpp"
@@ -22,18 +23,11 @@ struct Reach {
 // The extent of `head` from its tip up to `dz` mm above it; without a head, a needle.
 Reach reach(const machine::Head& head, double dz);
 
-// The segment from the first to the last point of a run of edges. No point of them is farther from it than `radius`.
-struct Chord {
-    geom::Vec2 from, to;
-    double radius = 0; // mm; negative: no edges
-};
-
-// The edges of a region's loops in a tree of chords. Along smooth outlines a chord is much tighter than a box.
+// A region's loops, and their edges in a tree.
 struct Outline {
     polygon::Loops loops;
     geom::Box2 box;
-    std::vector<Chord> chord; // implicit binary tree over runs of edges: the children of i are 2i + 1 and 2i + 2
-    std::size_t leaves = 0;   // a power of two
+    geom::CapsuleTree edges; // edge k leads from point k to the next one of its loop
 };
 Outline outline(polygon::Loops loops);
 // The outline, moved by `way`.
@@ -41,7 +35,7 @@ Outline shifted(Outline outline, geom::Vec2 way);
 
 // Whether a point of region a and a point of region b are within `r`, so that the head over one touches the other.
 // Exact up to rounding; interiors count, so a region inside the other's outline has distance 0. Each vertex, pair of
-// edges and pair of chords that is looked at adds one to `steps`, if given.
+// edges and pair of capsules that is looked at adds one to `steps`, if given.
 bool within(const Outline& a, const Outline& b, const Reach& r, std::uint64_t* steps = nullptr);
 
 // Lower and upper bound of a distance, mm.
