@@ -12,6 +12,10 @@ namespace filum::fill {
 
 namespace {
 
+// Bead widths of line for each right angle, from which corners are rare. A machine that brakes for a sharp corner loses
+// about the time in which it extrudes one bead width of line, so sharp corners then cost a hundredth of its time.
+constexpr double kRareCorners = 100;
+
 // True if a bead runs from a to b and back over itself to c. Rounding such a point makes the bead cross itself.
 bool spike(geom::Vec2 a, geom::Vec2 b, geom::Vec2 c) {
     const double flat = 2 * toolpath::kLeastMove;
@@ -51,7 +55,10 @@ void tidy(toolpath::Curve& line) {
 std::vector<toolpath::Curve> finished(const rings::Rings& rings, const polygon::Loops& region, const Finish& how) {
     const double w = how.bead_width, area = polygon::signed_area(region), least = rings::least_void(w, area);
     Corners corners{how.open > 0 ? how.open : least, how.tolerance, how.corners};
-    if (how.open <= 0) corners.open_in_all = rings::kMostOpen * area;
+    if (how.open <= 0) {
+        corners.open_in_all = rings::kMostOpen * area;
+        corners.rare = kRareCorners * w;
+    }
     const auto edges = polygon::segments(region);
     const geom::SegmentGrid grid(edges, 1.5 * w);
     const auto room = [&](geom::Vec2 p) {

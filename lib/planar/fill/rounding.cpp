@@ -200,6 +200,7 @@ toolpath::Curve rounded(const toolpath::Curve& line, double width, const Corners
     const double length = geom::length(line.points) + geom::distance(line.points.back(), line.points.front());
     if (length < 8 * reach_for(how.open)) return line;
     Rounding all(line, width, how, room);
+    if (length >= how.rare * all.right_angles()) return line;
     const double share = how.open_in_all / all.right_angles();
     if (share >= how.open) return all.run();
     Corners less = how;

@@ -18,6 +18,9 @@ struct Corners {
     Rounded round = Rounded::everywhere;
     // mm2 of void at all corners of a line together. If they would leave more, each gets an equal share of it.
     double open_in_all = std::numeric_limits<double>::infinity();
+    // mm of line for each right angle of its corners, from which all corners stay sharp: rounding them would save a
+    // machine less than a hundredth of its time.
+    double rare = std::numeric_limits<double>::infinity();
 };
 
 // Rounds the corners of a closed line. Each point near a corner moves to the mean of the line within a reach of it. A
@@ -30,8 +33,9 @@ struct Corners {
 // The bead gets wider where it gets shorter, up to what a machine can follow and up to the room it has. `room(p)` is
 // the distance from p to the outline of the region, or any number larger than a bead.
 //
-// A line stays as it is if the reaches of a square's corners would meet on a line of its length. The result may cross
-// itself where the line came nearer to itself than the reach.
+// Corners stay sharp where they are rare (`Corners::rare`). A line also stays as it is if the reaches of a square's
+// corners would meet on a line of its length. The result may cross itself where the line came nearer to itself than the
+// reach.
 toolpath::Curve rounded(const toolpath::Curve& line, double width, const Corners& how,
                         const std::function<double(Vec2)>& room);
 

@@ -139,6 +139,15 @@ TEST(Rounded, TurnsCornersIntoCurvesOfTheSameMaterial) {
         EXPECT_NEAR(enclosed(line) - enclosed(rounded(line, kWidth, {open, 1e-5}, anywhere)), 4 * open, 0.02 * open);
 }
 
+// Corners far from each other cost a machine little time, so they stay one point.
+TEST(Rounded, KeepsCornersThatAreRare) {
+    Corners how = kCorners;
+    how.rare = 12; // mm for each right angle
+    EXPECT_EQ(rounded(square(11), kWidth, how, anywhere).points.size(),
+              rounded(square(11), kWidth, kCorners, anywhere).points.size());
+    EXPECT_EQ(rounded(square(13), kWidth, how, anywhere).points, square(13).points);
+}
+
 TEST(Rounded, LeavesNoMoreThanAskedForInAll) {
     Curve saw; // forty right angles
     for (int k = 0; k < 20; ++k) {
