@@ -18,6 +18,9 @@ using geom::Vec2;
 using polygon::Loops;
 
 constexpr double kFlat = 1e-3; // mm: a corner that moves by less stays as it is
+// Radii by which the line may leave an arc in a corner: an eighth of a bead, which nothing beside the line notices,
+// since the bead lies between the arc and the corner of its cell.
+constexpr double kArcGive = 0.25;
 
 // An edge of a loop. The area is on its left.
 struct Edge {
@@ -51,6 +54,18 @@ void add_arc(Vec2 centre, Vec2 right, Vec2 ahead, double radius, double angle, L
     }
 }
 
+// Adds the fewest points of a line around an arc, from `right` by `angle` towards `ahead`: it touches the arc, begins
+// and ends on the tangents at its ends, and is off by at most kArcGive.
+void add_tangents(Vec2 centre, Vec2 right, Vec2 ahead, double radius, double angle, Loops& to) {
+    const double step = 2 * std::acos(1 / (1 + kArcGive));
+    const int points = std::max(1, static_cast<int>(std::ceil(std::abs(angle) / step)));
+    const double half = angle / (2 * points), reach = radius / std::cos(half);
+    for (int k = 0; k < points; ++k) {
+        const double t = (2 * k + 1) * half;
+        to.points.push_back(centre + (reach * std::cos(t)) * right + (reach * std::sin(t)) * ahead);
+    }
+}
+
 // Rolls a disc along the inside of a loop. From edge to edge it passes a corner as it is, or it touches both edges at
 // once and leaves an arc. Edges that it does not reach in between are left out.
 class Rolling {
@@ -70,7 +85,10 @@ class Rolling {
     void add_to(Loops& to) const {
         for (std::size_t k = 1; k < kept_.size(); ++k) {
             const Edge &a = edge_[kept_[k - 1].edge], &b = edge_[kept_[k].edge];
-            if (kept_[k].arc)
+            const bool neighbours = (kept_[k - 1].edge + 1) % edge_.size() == kept_[k].edge;
+            if (kept_[k].arc && neighbours)
+                add_tangents(kept_[k].centre, -1.0 * a.inward(), a.along, radius_, turn(a, b), to);
+            else if (kept_[k].arc)
                 add_arc(kept_[k].centre, -1.0 * a.inward(), a.along, radius_, turn(a, b), to);
             else
                 to.points.push_back(b.from);

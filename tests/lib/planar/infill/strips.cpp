@@ -81,6 +81,22 @@ TEST(Strips, CellsAreOpenedAsByBooleanOperations) {
         }
 }
 
+// The disc leaves arcs in corners. The line there has one point in an obtuse corner, two in others, and is off by at
+// most an eighth of a bead.
+TEST(Strips, CornersOfCellsHaveFewPoints) {
+    for (int k = 1; k < 18; ++k) {
+        const double angle = k * std::numbers::pi / 18; // of the corners at (0, 0) and (h, h)
+        const geom::Vec2 side{10 * std::cos(angle), 10 * std::sin(angle)};
+        const Loops cell = test::loop({{0, 0}, {20, 0}, geom::Vec2{20, 0} + side, side});
+        const Loops opened = opened_cells(cell, kBead / 2);
+        EXPECT_LE(opened.points.size(), 8U) << k;
+        const Loops twin = polygon::opened(cell, kBead / 2, polygon::kBeadArc);
+        EXPECT_TRUE(polygon::subtract(polygon::offset(opened, -kBead / 8), twin).empty()) << k;
+        EXPECT_LT(polygon::signed_area(polygon::subtract(opened, cell)), 1e-3) << k;
+        EXPECT_LT(polygon::signed_area(polygon::subtract(twin, opened)), 0.02 * kBead * kBead) << k;
+    }
+}
+
 // Where lines are far apart, even cells stay narrow, and squares are no wider than those.
 TEST(Strips, FewLinesLieInPairs) {
     for (const double spacing : {1.0, 6.4, 6.5, 9.0, 20.0, 77.0}) {
