@@ -179,12 +179,13 @@ void Program::bead_comments(const Step& step) {
     feature_ = step.feature;
 }
 
-// Writes the width of a bead for viewers.  A width that lasts for less than one bead width is not written where
-// extruder words hold the material: a nozzle cannot deliver it, and turns and joins of lines are full of such widths.
+// Writes the width of a bead for viewers.  A width that lasts for at most one bead width, of the wider of both beads,
+// is not written where extruder words hold the material: a nozzle cannot deliver it, and turns and joins of lines are
+// full of such widths.
 void Program::width_comment(const Step& step) {
     const bool same = !differs(step.width, width_, counts() ? kTold : kToldAlone);
     unwritten_ = same ? 0 : unwritten_ + step.length;
-    if (same || (counts() && width_ > 0 && step.role == role_ && unwritten_ < step.width)) return;
+    if (same || (counts() && width_ > 0 && step.role == role_ && unwritten_ <= std::max(step.width, width_))) return;
     comment("WIDTH:" + fixed_text(width_ = step.width, 3));
     unwritten_ = 0;
 }

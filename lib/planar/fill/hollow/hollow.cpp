@@ -251,24 +251,33 @@ void tell_features(const Region& r, const LooseCurves& from, double w, std::vect
     for (std::uint32_t l = 0; l < from.rings.size(); ++l) loop_of.resize(from.rings.start[l + 1], l);
     const geom::SegmentGrid grid(segments, geom::cell_for(segments, 1.5 * w));
     const TopSkin top(r);
-    for (auto& c : curves)
+    for (auto& c : curves) {
+        Feature last = Feature::solid; // of the loop of the segment before
         for (std::size_t i = 0; i < c.points.size(); ++i) {
             const Vec2 p = geom::lerp(c.points[i], c.points[(i + 1) % c.points.size()], 0.5);
             if (r.is != polygon::RegionClass::part) {
                 c.feature.push_back(feature_beside(r, top, p));
                 continue;
             }
-            double best = 2 * w;
+            if (i > 0 && geom::distance(c.points[i], p) < kTolerance / 2) {
+                c.feature.push_back(c.feature.back()); // a link ends in a piece as short as this
+                continue;
+            }
+            double best = 2 * w, before = 2 * w; // mm to the nearest loop, and to one with the feature before
             Feature feature = Feature::solid;
             grid.near({p.x - w, p.y - w}, {p.x + w, p.y + w}, [&](std::uint32_t k) {
                 const double d = geom::point_segment_distance(segments[k].a, segments[k].b, p);
+                if (from.feature[loop_of[k]] == last) before = std::min(before, d);
                 if (d < best) {
                     best = d;
                     feature = from.feature[loop_of[k]];
                 }
             });
+            if (i > 0 && before - best < kTolerance) feature = last; // halfway on a link
+            last = feature;
             c.feature.push_back(feature == Feature::solid && top.holds(p) ? Feature::top : feature);
         }
+    }
 }
 
 // How beads are carried over the air that bridges of the region span; empty without bridges. The rim of the air is two

@@ -98,6 +98,32 @@ TEST(Hollow, FeaturesTellWhereABeadLies) {
     EXPECT_NEAR(of(Feature::infill) * kBead, 19.2 * 18.4 * 0.4 / 3 + 0.4 * 37, 15);
 }
 
+// The number of points depends on the ends of rows, four or five at each, whatever their direction: joins to the wall
+// take two, turns along the wall two or three.
+TEST(Hollow, LongRowsTakeFewPoints) {
+    for (const double direction : {0.0, 0.3, std::numbers::pi / 4, 1.2, std::numbers::pi / 2}) {
+        polygon::Region r;
+        r.z = 1;
+        r.height = 0.2;
+        r.walls = 2;
+        r.loops = test::loop({{0, 0}, {300, 0}, {300, 300}, {0, 300}});
+        r.area = 300 * 300;
+        r.areas.push_back({AreaKind::sparse, polygon::offset(r.loops, -2 * kBead), direction, 2.67, {}});
+        EXPECT_EQ(sound_curves({r, 0}), 1U);
+        Notes notes;
+        const auto curve = fill(r, {.bead_width = kBead}, notes).curves[0];
+        std::size_t rows = 0, changes = 0;
+        for (std::size_t i = 0; i < curve.points.size(); ++i) {
+            const std::size_t j = (i + 1) % curve.points.size();
+            rows += geom::distance(curve.points[i], curve.points[j]) > 5 ? 1 : 0;
+            changes += curve.feature[i] != curve.feature[j] ? 1 : 0;
+        }
+        EXPECT_GT(rows, 100U);
+        EXPECT_LT(curve.points.size(), 8 * rows + 40) << direction;
+        EXPECT_LT(changes, rows + 40) << direction;
+    }
+}
+
 TEST(Hollow, RowsOfABridgeRunAlongItAndTurnWhereItIsCarried) {
     const Loops plate = test::loop({{0, 0}, {30, 0}, {30, 20}, {0, 20}});
     // in the middle of it; and all of it but its walls, so that rows end at these
