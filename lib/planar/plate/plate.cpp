@@ -1,6 +1,7 @@
 #include "plate/plate.hpp"
 
 #include "geom/hull.hpp"
+#include "plate/lattice.hpp"
 #include "plate/nest.hpp"
 
 #include <algorithm>
@@ -44,6 +45,48 @@ Corners grown(const Thing& thing, const Spacing& apart) {
     return out;
 }
 
+// True if all things have the same outline, as copies have.
+bool alike(std::span<const Thing> things) {
+    return std::all_of(things.begin(), things.end(),
+                       [&](const Thing& t) { return t.outline == things.front().outline; });
+}
+
+std::vector<Vec2> points_of(const Corners& polygon) {
+    std::vector<Vec2> out;
+    for (std::size_t i = 0; i < polygon.x.size(); ++i) out.push_back({polygon.x[i], polygon.y[i]});
+    return out;
+}
+
+double area_of(std::span<const Vec2> polygon) {
+    double twice = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+    return twice / 2;
+}
+
+// Copies of one outline in rows. Nothing if they do not fit in this way, but may fit by a search.
+std::optional<Nesting> in_rows(const Corners& polygon, std::size_t count, Vec2 size, bool turn) {
+    const std::vector<Vec2> outline = points_of(polygon);
+    std::size_t most = 0; // that fit in rows
+    const auto moves = lattice(outline, count, size, most);
+    const bool too_many = area_of(outline) * static_cast<double>(count) > size.x * size.y;
+    if (!too_many && (!moves || turn)) return std::nullopt;
+    Nesting out;
+    for (std::size_t k = 0; k < count; ++k) {
+        out.x.push_back(moves ? (*moves)[k].x : 0);
+        out.y.push_back(moves ? (*moves)[k].y : 0);
+        out.quarters.push_back(0);
+        out.on_bed.push_back(moves || k < most ? 0 : 1);
+    }
+    return out;
+}
+
+// Places the outlines on a bed of this size: copies of one in rows if they fit so, else by a search.
+Nesting placed(const std::vector<Corners>& polygons, bool copies, Vec2 size, bool turn) {
+    if (copies)
+        if (auto rows = in_rows(polygons.front(), polygons.size(), size, turn)) return std::move(*rows);
+    return nest(polygons, size.x, size.y, turn);
+}
+
 double rounded(double v) { return std::round(v / kGrid) * kGrid; }
 
 } // namespace
@@ -76,8 +119,8 @@ Packing pack(std::span<const Thing> things, const Spacing& apart, Vec2 size, Qua
     }
     // Grown outlines may reach over the edge of the bed by half the spacing. The bed is reduced by the rounding of
     // places.
-    const Nesting nested =
-        nest(polygons, size.x + keep.x - 2 * kGrid, size.y + keep.y - 2 * kGrid, turn == QuarterTurns::each);
+    const Vec2 bed{size.x + keep.x - 2 * kGrid, size.y + keep.y - 2 * kGrid};
+    const Nesting nested = placed(polygons, things.size() > 1 && alike(things), bed, turn == QuarterTurns::each);
     Packing out;
     geom::Box2 box;
     for (std::size_t i = 0; i < things.size(); ++i) {

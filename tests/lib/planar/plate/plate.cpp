@@ -69,6 +69,42 @@ TEST(Plate, PartsKeepTheAskedDistanceAndLieOnTheBed) {
     }
 }
 
+// Copies of one part stand in rows. All keep their distance, and as many fit as area and shape allow.
+TEST(Plate, CopiesStandInRows) {
+    for (unsigned seed = 0; seed < 60; ++seed) {
+        std::mt19937 random(seed);
+        const plate::Thing thing = random_thing(random);
+        const std::vector<plate::Thing> things(2 + seed * 3, thing);
+        const plate::Spacing by{2.0 + seed % 3, 2.0 + seed % 4, false};
+        const Vec2 size{400, 380};
+        const plate::Packing packed = plate::pack(things, by, size);
+        if (!packed.left.empty()) continue;
+        geom::Box2 box;
+        std::vector<std::vector<Vec2>> own;
+        for (std::size_t i = 0; i < things.size(); ++i) {
+            EXPECT_EQ(packed.place[i].quarters, 0);
+            own.push_back(moved(thing.outline, packed.place[i]));
+            for (const Vec2& p : own[i]) box.add(p);
+        }
+        for (std::size_t i = 0; i < things.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                EXPECT_TRUE(norm(packed.place[i].move - packed.place[j].move) > 100 ||
+                            apart(own[i], own[j], by.x - 0.005, by.y - 0.005))
+                    << seed << ": " << i << ", " << j;
+        EXPECT_LE(box.hi.x - box.lo.x, size.x);
+        EXPECT_LE(box.hi.y - box.lo.y, size.y);
+    }
+}
+
+TEST(Plate, DiscsStandLikeAHoneycomb) {
+    std::vector<Vec2> disc;
+    for (int k = 0; k < 360; ++k) disc.push_back({5 * std::cos(k * 0.0174532925), 5 * std::sin(k * 0.0174532925)});
+    // in a square of 100 mm: 100 in a grid, 105 as a honeycomb
+    EXPECT_TRUE(plate::pack(std::vector<plate::Thing>(105, {disc, 5}), {0, 0, false}, {100.1, 100.1}).left.empty());
+    const auto refused = plate::pack(std::vector<plate::Thing>(500, {disc, 5}), {0, 0, false}, {100.1, 100.1});
+    EXPECT_EQ(refused.left.size(), 395U); // decided by area, without a search
+}
+
 TEST(Plate, APartAsLargeAsTheBedFitsAndASecondOneIsLeft) {
     const std::vector<Vec2> square{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
     std::vector<plate::Thing> things{{square, 10}};
