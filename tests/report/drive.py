@@ -41,6 +41,7 @@ def towers(b, file):
     check("the part is drawn", 0.03 < both[0] < 0.9, both)
     coarse = shown(b, 0, False)
     check("ribbons cover what tubes do", abs(coarse[0] - both[0]) < 0.2 * both[0], (coarse, both))
+    coarsely(b, both)
     check("two strokes", b.js("return Filum.programs[0].strokes.size") == 2)
     # along the path: the first half is one tower
     b.js("const e = document.getElementById('path'); e.value = Math.round(e.max / 2); e.dispatchEvent(new Event('input'))")
@@ -66,6 +67,20 @@ def towers(b, file):
         check(f"legend of {name}", b.js("return document.getElementById('legend').textContent").startswith(name))
     check("colours differ", len(set(seen.values())) >= 4, seen)
     check("no error", not b.log())
+
+
+# With fewer beads than the program has the picture still shows the same part, from every side and of any layers.
+def coarsely(b, both):
+    chosen = "const v = Filum.views[0], d = v.beads; d.most = arguments[0]; d.select(v.frustum()); v.describe(); return [d.used, d.step, d.level, d.complete()]"
+    few = b.js(chosen, b.js("return Filum.views[0].beads.detail.whole") // 20)
+    part = shown(b, 0, False)
+    check("a twentieth of the beads covers what all do", abs(part[0] - both[0]) < 0.1 * both[0], (few, part, both))
+    check("what is left out is told", "fewer points" in b.js("return Filum.views[0].name.textContent") and not few[3], few)
+    b.js("const e = document.getElementById('high'); e.value = 0; e.dispatchEvent(new Event('input'))")
+    check("one layer is drawn whole", b.js("const d = Filum.views[0].beads; return d.step") == 1)
+    b.js("const e = document.getElementById('high'); e.value = e.max; e.dispatchEvent(new Event('input'))")
+    check("all are drawn if there is time", b.js(chosen, 10**9)[1:] == [1, 0, True])
+    check("no word of it then", "drawn with" not in b.js("return Filum.views[0].name.textContent"))
 
 
 def panels(b):

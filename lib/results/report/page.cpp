@@ -141,7 +141,7 @@ std::string page(std::span<const Content> contents) {
     out += asset("body.html");
     for (const Content& c : contents) out += data(c);
     for (const char* script :
-         {"three.js", "data.js", "colours.js", "beads.js", "view.js", "layer.js", "panel.js", "main.js"}) {
+         {"three.js", "data.js", "colours.js", "detail.js", "beads.js", "view.js", "layer.js", "panel.js", "main.js"}) {
         out += "<script>\n";
         out += asset(script);
         out += "\n</script>\n";

@@ -45,20 +45,15 @@ Filum.range = (how, programs) => {
     return [lo, hi > lo ? hi : lo + 1];
 };
 
-// RGBA per point: the colour of the segment that begins there.
+// The colour of the segment that begins at a point, as a function of the point: red, green, blue and 255.
 Filum.tones = (p, name, range) => {
-    const how = Filum.COLOURS[name], out = new Uint8Array(4 * p.n), known = new Map();
-    for (let i = 0; i < p.n; i++) {
-        let c;
-        if (how.ramp) c = Filum.ramp((how.ramp(p, i) - range[0]) / (range[1] - range[0]));
-        else {
-            const k = how.kinds(p, p.spanOf[i]);
-            c = known.get(k);
-            if (!c) known.set(k, c = Filum.kindColour(how, k));
-        }
-        out[4 * i] = c[0]; out[4 * i + 1] = c[1]; out[4 * i + 2] = c[2]; out[4 * i + 3] = 255;
-    }
-    return out;
+    const how = Filum.COLOURS[name], known = new Map(), shades = 512;
+    const colour = k => {
+        if (!known.has(k)) known.set(k, [...(how.ramp ? Filum.ramp(k / shades) : Filum.kindColour(how, k)), 255]);
+        return known.get(k);
+    };
+    if (!how.ramp) return i => colour(how.kinds(p, p.spanOf[i]));
+    return i => colour(Math.max(0, Math.min(shades, Math.round(shades * (how.ramp(p, i) - range[0]) / (range[1] - range[0])))));
 };
 
 Filum.legend = (element, programs, name, range) => {

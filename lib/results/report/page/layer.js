@@ -71,7 +71,7 @@ Filum.Flat = class {
         g.stroke();
     }
     line(g, i, shade, width) {
-        const c = this.p.c, t = k => Math.round(shade(this.tones[4 * i + k]));
+        const c = this.p.c, tone = this.tones(i), t = k => Math.round(shade(tone[k]));
         g.strokeStyle = 'rgb(' + t(0) + ',' + t(1) + ',' + t(2) + ')';
         g.lineWidth = width;
         g.beginPath();

@@ -83,8 +83,8 @@
     $('theme').addEventListener('click', () => theme(!document.documentElement.classList.contains('dark')));
     $('fit').addEventListener('click', fit);
     $('travels').addEventListener('change', e => travels(e.target.checked));
-    $('outlines').addEventListener('change', e => views.forEach(v => { v.outlines.visible = e.target.checked; v.ask(); }));
-    $('outlines').checked = views.some(v => v.outlines.visible);
+    $('outlines').addEventListener('change', e => views.forEach(v => v.showOutlines(e.target.checked)));
+    $('outlines').checked = views.some(v => v.outlines);
     $('ask').addEventListener('click', () => { $('help').hidden = false; });
     $('help').addEventListener('click', () => { $('help').hidden = true; });
     document.querySelectorAll('[data-look]').forEach(b => b.addEventListener('click', () => look(b.dataset.look)));

@@ -2,6 +2,7 @@
 // The view of one program in three dimensions. All views share one camera: `where`, relative to the middle of the first
 // program.
 Filum.where = { turn: -0.9, rise: 0.6, far: 3, at: [0, 0, 0] };
+Filum.TUBE = 3; // the time of a tube by that of a ribbon
 Filum.LOOKS = { iso: [-0.9, 0.6], top: [-Math.PI / 2, 1.5699], front: [-Math.PI / 2, 0], right: [0, 0] };
 
 Filum.View = class {
@@ -28,11 +29,11 @@ Filum.View = class {
         this.scene.add(lamp);
         if (p.n > 1) this.scene.add((this.beads = new Filum.Beads(p)).object);
         this.addTravels();
-        this.addOutlines();
         this.addSurfaces();
         this.addNozzle();
         this.drawn = 0;
         this.handle();
+        if (p.n < 2) this.showOutlines(true);
     }
     lines(points, colour) {
         const g = new THREE.BufferGeometry();
@@ -55,17 +56,19 @@ Filum.View = class {
         this.travels = this.lines(points, 0xe0902a);
         this.travels.visible = false;
     }
+    showOutlines(yes) {
+        if (!this.outlines && yes) this.addOutlines();
+        if (this.outlines) this.outlines.visible = yes;
+        this.ask();
+    }
     addOutlines() {
-        const p = this.p, c = p.c, points = [];
+        const p = this.p, c = p.c, points = new Float32Array(6 * c.ox.length);
         for (let k = 0; k < c.ostart.length; k++) {
             const a = c.ostart[k], b = p.loopEnd(k), z = c.oz[k] / 1000 - p.middle[2];
-            for (let i = a; i < b; i++) {
-                const j = i + 1 < b ? i + 1 : a;
-                points.push(c.ox[i] / 1000 - p.middle[0], c.oy[i] / 1000 - p.middle[1], z, c.ox[j] / 1000 - p.middle[0], c.oy[j] / 1000 - p.middle[1], z);
-            }
+            for (let i = a; i < b; i++)
+                [i, i + 1 < b ? i + 1 : a].forEach((j, end) => points.set([c.ox[j] / 1000 - p.middle[0], c.oy[j] / 1000 - p.middle[1], z], 6 * i + 3 * end));
         }
         this.outlines = this.lines(points, 0x8896a6);
-        this.outlines.visible = p.n < 2;
     }
     addSurfaces() {
         this.surfaces = this.p.surfaces.map((_, k) => {
@@ -122,6 +125,7 @@ Filum.View = class {
     path(count) {
         if (!this.beads) return;
         this.beads.show(count);
+        if (!this.beads.holds()) this.beads.select();
         let n = 0, last = this.travelEnds.length;
         while (n < last) { const m = n + last >> 1; if (this.travelEnds[m] <= count) n = m + 1; else last = m; }
         this.travels.geometry.setDrawRange(0, 2 * n);
@@ -129,8 +133,14 @@ Filum.View = class {
         this.nozzle.position.set(...this.place(Math.min(count, this.p.n - 1)));
         this.ask();
     }
-    layers(low, high) { if (this.beads) this.beads.layers(low, high); this.ask(); }
-    colour(tones) { if (this.beads) this.beads.colour(tones); this.ask(); }
+    layers(low, high) {
+        if (this.beads) {
+            this.beads.layers(low, high);
+            if (!this.beads.holds() || !this.beads.complete()) this.beads.select();
+        }
+        this.ask();
+    }
+    colour(of) { if (this.beads) this.beads.colour(of); this.ask(); }
     fly(x, y, z, radius) {
         const m = this.p.middle;
         Object.assign(Filum.where, { at: [x - m[0], y - m[1], z - m[2]] });
@@ -143,10 +153,33 @@ Filum.View = class {
         if (this.asked) return;
         this.asked = requestAnimationFrame(() => { this.asked = 0; this.draw(false); this.settle(); });
     }
-    settle() { // a picture that stands still may be drawn finely
+    // A picture that stands still gets the beads that are in view, with as many points as there is time for, and tubes.
+    settle() {
         clearTimeout(this.settling);
-        const patience = 500, dearer = 6; // longest time for a still picture, ms; cost of a tube relative to a ribbon
-        if (this.beads && dearer * this.cost * this.beads.shown < patience) this.settling = setTimeout(() => this.draw(true), 250);
+        if (!this.beads || this.cost === undefined) return;
+        const patience = 800, tubes = () => Filum.TUBE * this.cost * this.beads.used < patience; // ms
+        const rest = () => {
+            const moving = this.beads.most;
+            if (!this.beads.complete()) {
+                this.beads.most = Math.max(moving, Math.min(this.beads.room, Math.round(patience / this.cost)));
+                this.beads.select(this.frustum());
+                this.beads.most = moving;
+            }
+            this.draw(tubes());
+            this.describe();
+        };
+        if (tubes() || !this.beads.complete()) this.settling = setTimeout(rest, 250);
+    }
+    // Whether a ball may be in view, as a function of its middle and radius.
+    frustum() {
+        const f = new THREE.Frustum(), ball = new THREE.Sphere(), set = f.setFromProjectionMatrix || f.setFromMatrix; // its name before three.js 111
+        set.call(f, new THREE.Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse));
+        return (x, y, z, radius) => { ball.center.set(x, y, z); ball.radius = radius; return f.intersectsSphere(ball); };
+    }
+    // Tells what is left out of the picture.
+    describe() {
+        const b = this.beads, coarse = [b.step > 1 && 'one of ' + b.step + ' layers', b.level > 0 && 'fewer points'].filter(Boolean);
+        this.name.textContent = this.p.name + (coarse.length ? ' (drawn with ' + coarse.join(' and ') + ': zoom in, or show fewer layers, for all)' : '');
     }
     draw(fine) {
         const w = this.element.clientWidth, h = this.element.clientHeight, at = Filum.where;
@@ -159,20 +192,31 @@ Filum.View = class {
         this.camera.updateProjectionMatrix();
         this.camera.position.set(at.at[0] + far * k * Math.cos(at.turn), at.at[1] + far * k * Math.sin(at.turn), at.at[2] + far * Math.sin(at.rise));
         this.camera.lookAt(...at.at);
+        this.camera.updateMatrixWorld();
         if (this.beads) {
-            const few = 60000;
-            this.beads.fine(fine || this.beads.shown < few);
+            const look = this.camera.matrixWorldInverse.elements.join();
+            if (this.beads.used > this.beads.most && look !== this.look) this.beads.select(); // for a moving picture
+            this.look = look;
+            this.beads.fine(fine || (this.cost !== undefined && Filum.TUBE * this.cost * this.beads.used < 30));
             this.beads.uniforms.eye.value.copy(this.camera.position);
         }
         this.renderer.setClearColor(getComputedStyle(document.documentElement).getPropertyValue('--back').trim());
-        const began = performance.now(), first = this.beads && this.cost === undefined;
         this.renderer.render(this.scene, this.camera);
-        if (first) { // measures ms per bead: reading a pixel waits until drawing ends
-            const gl = this.renderer.getContext();
-            gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
-            this.cost = (performance.now() - began) / Math.max(1, this.beads.shown);
-        }
+        if (this.beads && this.cost === undefined) this.time();
         this.drawn++;
+    }
+
+    // Measures ms per bead: reading a pixel waits until drawing ends. So many beads are drawn as a moving picture has
+    // time for.
+    time() {
+        const gl = this.renderer.getContext(), wait = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+        const patience = 60; // ms
+        wait();
+        const began = performance.now();
+        this.renderer.render(this.scene, this.camera);
+        wait();
+        this.cost = (performance.now() - began) / Math.max(1, this.beads.drawn);
+        this.beads.most = Math.max(10000, Math.min(this.beads.room, Math.round(patience / this.cost)));
     }
 
     // --- the hand ---
@@ -212,7 +256,7 @@ Filum.View = class {
             return [(1 + (m[0] * x + m[4] * y + m[8] * z + m[12]) / w) * box.width / 2, (1 - (m[1] * x + m[5] * y + m[9] * z + m[13]) / w) * box.height / 2, w];
         };
         let best = -1, nearest = Infinity;
-        for (let i = 0; i < this.beads.shown; i++) {
+        for (let i = 0; i < this.beads.drawn; i++) {
             const layer = d[6 * i + 5];
             if (layer < u.low.value - 0.5 || layer > u.high.value + 0.5) continue;
             const a = at(i), b = at(i + 1), wx = b[0] - a[0], wy = b[1] - a[1];
@@ -220,7 +264,7 @@ Filum.View = class {
             const off = Math.hypot(a[0] + t * wx - px, a[1] + t * wy - py), w = a[2] + t * (b[2] - a[2]);
             if (off < 5 && w < nearest) { nearest = w; best = i; }
         }
-        this.tell(best);
+        this.tell(best < 0 ? best : this.beads.index[best]);
     }
     tell(i) {
         const p = this.p, c = p.c;
