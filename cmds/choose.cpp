@@ -45,7 +45,6 @@ cli::Spec spec(Options& o) {
              Option{"spacing", &plan.spacing, "MM", "between neighbouring lines"}.within(0.001, 1000),
              Option{"min-radius", &plan.least_radius, "MM", "minimum radius of turns, where there is room"}
                  .within(0, 1e5)
-                 .a_limit()
                  .a_limit(),
              Option{"turn-outside", &plan.turn_outside, "MM",
                     "rows may turn so far beyond the rims, where they are trimmed; 0: they turn on the part"}

@@ -33,9 +33,9 @@ cli::Spec spec(Options& o) {
              Option{"min-radius", &o.how.least_radius, "MM", "minimum radius of turns, where there is room"}.within(
                  0, 1e5),
              Option{"strict", &o.how.strict, "",
-                    "no path, exit 1, if more than --max-tight of a ply is tighter than --min-radius"}
+                    "refuse (exit 1) a ply of which more than --max-tight turns tighter than --min-radius"}
                  .a_limit(),
-             Option{"max-tight", &o.how.max_tight, "SHARE", "share of a ply's length that may turn so"}
+             Option{"max-tight", &o.how.max_tight, "SHARE", "share of a ply's length that may turn tighter than --min-radius"}
                  .within(0, 1)
                  .when("strict")
                  .a_limit(),

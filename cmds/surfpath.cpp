@@ -30,7 +30,7 @@ std::vector<Option> field_options(Options& o) {
         Option{
             "coarsen", &o.plan.coarsen, "",
             "field and hybrid plan on larger triangles if those given are needlessly fine (the default; =false: never)"}
-            .when("!method=kipping2022 algorithm=planned|field|hybrid")
+            .when("algorithm=planned|field|hybrid")
             .a_limit()};
 }
 
@@ -64,7 +64,7 @@ std::vector<Option> options(Options& o) {
                           "beads may be wider or narrower by this share of the spacing, to fit the room between lines"}
                        .within(0, 0.5),
                    Option{"cut-length", &o.plan.cut_length, "MM",
-                          "length of fibre that a cut costs; field and hybrid overlap no more to avoid one"}
+                          "length of fibre that a cut costs; to avoid one, field and hybrid lay at most so much fibre on fibre"}
                        .within(0, 1e6)
                        .when("algorithm=planned|field|hybrid")
                        .same_as({"choose.cut-length"})

@@ -171,6 +171,16 @@ setup() {
     [ "$status" -eq 2 ]
 }
 
+@test "--strict refuses a path of which too much turns tightly, with a place, and writes nothing" {
+    gzip -dc "$FILUM_SOURCE/examples/surfaces/plate-nine-holes.off.gz" | geodesic --source boundary > holes.surface
+    run surfpath --quiet hybrid --strict --max-tight 0.001 holes.surface -o strict.toolpath
+    [ "$status" -eq 1 ]
+    [[ $output == *"raise --max-tight"* && $output == *" at "* ]]
+    [ ! -e strict.toolpath ]
+    surfpath --quiet hybrid --strict --max-tight 0.5 holes.surface -o strict.toolpath
+    [ -s strict.toolpath ]
+}
+
 # docs/metrics.md has a table of what surfpath says; the facts themselves carry no meaning.
 @test "every fact of surfpath is in the table of docs/metrics.md, and every line of the table is a fact" {
     geodesic --quiet dome.off --remesh 1 --source plane:0,1,0,0 > rows.surface

@@ -19,8 +19,8 @@ struct Options {
     surfpath::Priority keep = surfpath::Priority::usual;
     double least_radius = 2.4; // mm: of turns, where there is room
     bool stagger = true;     // plies of one direction are displaced by shares of a spacing, and their births move apart
-    bool strict = false;     // fail if more than this share of a ply's length turns tighter than least_radius
-    double max_tight = 0.01; //
+    bool strict = false;     // fail if more than max_tight of a ply turns tighter than least_radius
+    double max_tight = 0.01; // share of its length
     double min_length = 0;   // mm: shorter pieces of fibre are left out
     double lift = 5;         // mm above the surface for travels
     double turn_outside = 0; // mm outside the rims in which rows may turn; 0: none
