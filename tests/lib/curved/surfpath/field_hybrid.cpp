@@ -277,7 +277,6 @@ TEST(Hybrid, RingsThatMeetAreOneStroke) {
     }
 }
 
-// A loop that comes nearer to a hole than half a spacing follows the inset there, and stays a loop.
 // 100 degrees of a cone of 20 degrees: lines about its middle hang together as a chain that comes round. It was led to
 // the others by a way along the rim, 32 mm of it twice.
 TEST(Hybrid, AChainThatComesRoundIsNoWayAlongTheRim) {
