@@ -80,7 +80,8 @@ double uncovered(std::span<const Bead> beads, std::span<const Bead> below, doubl
 class CarrierBeads {
   public:
     explicit CarrierBeads(const std::vector<Bead>& carriers)
-        : carrier_(carriers), reach_(reach(carriers)), grid_(segments(carriers), reach_, reach_) {}
+        : carrier_(carriers), segment_(segments(carriers)), reach_(reach(carriers)),
+          grid_(segment_, geom::cell_for(segment_, reach_), reach_) {}
 
     // The unsupported intervals of the axis a -> b, mm from a.
     const std::vector<Interval>& free(Vec2 a, Vec2 b) {
@@ -124,6 +125,7 @@ class CarrierBeads {
     }
 
     const std::vector<Bead>& carrier_;
+    std::vector<geom::Segment> segment_;
     double reach_; // mm
     geom::SegmentGrid grid_;
     std::vector<Interval> held_, free_;

@@ -47,10 +47,19 @@ bool section(const SweptBead& l, double y, Interval& out) {
 }
 
 std::vector<SweptBead> swept_beads(std::span<const Bead> beads) {
+    struct Start {
+        double lo;
+        std::uint32_t bead;
+    };
+    std::vector<Start> starts; // small, so that they sort fast
+    starts.reserve(beads.size());
+    for (const Bead& b : beads)
+        starts.push_back({std::min(b.a.y, b.b.y) - b.width / 2, static_cast<std::uint32_t>(starts.size())});
+    std::sort(starts.begin(), starts.end(),
+              [](const Start& p, const Start& q) { return p.lo != q.lo ? p.lo < q.lo : p.bead < q.bead; });
     std::vector<SweptBead> out;
     out.reserve(beads.size());
-    for (const Bead& b : beads) out.push_back(swept_bead(b));
-    std::sort(out.begin(), out.end(), [](const SweptBead& p, const SweptBead& q) { return p.lo < q.lo; });
+    for (const Start& s : starts) out.push_back(swept_bead(beads[s.bead]));
     return out;
 }
 
