@@ -3,6 +3,7 @@
 #include "base/number.hpp"
 #include "geom/segment.hpp"
 #include "polygon/clip.hpp"
+#include "polygon/simple.hpp"
 #include "regions/farthest.hpp"
 #include "regions/inradius.hpp"
 
@@ -23,10 +24,16 @@ using polygon::Region;
 constexpr double kArc = 1.0 / 32; // of the bead width; tolerance of the arcs around corners of the layer below
 constexpr int kWays = 36;         // directions tried for a bridge: every 5 degrees
 
+constexpr double kTouch = 2 * polygon::kGridStep; // mm; rounding of pieces
+
 Box2 grown(Box2 box, double by) {
     box.lo = box.lo - Vec2{by, by};
     box.hi = box.hi + Vec2{by, by};
     return box;
+}
+
+bool holds(const Box2& box, const Box2& inner) {
+    return box.lo.x <= inner.lo.x && box.lo.y <= inner.lo.y && box.hi.x >= inner.hi.x && box.hi.y >= inner.hi.y;
 }
 
 // The part of the lower regions in the box; all of their loops if these lie in the box anyway.
@@ -35,8 +42,7 @@ Loops within(std::span<const Region> lower, const Box2& box) {
     for (const Region& l : lower)
         if (meet(l.box, box)) out.add(l.loops);
     const Box2 all = polygon::bounds(out);
-    if (out.empty() || (all.lo.x >= box.lo.x && all.lo.y >= box.lo.y && all.hi.x <= box.hi.x && all.hi.y <= box.hi.y))
-        return out;
+    if (out.empty() || holds(box, all)) return out;
     frame.add(std::vector<Vec2>{box.lo, {box.hi.x, box.lo.y}, box.hi, {box.lo.x, box.hi.y}});
     return polygon::intersect(out, frame);
 }
@@ -72,7 +78,7 @@ double bridge_over(Vec2 p, std::span<const Region> lower) {
 std::size_t owner(std::span<const Region> upper, const std::vector<std::size_t>& among, const Loops& piece) {
     const Box2 box = polygon::bounds(piece);
     for (const std::size_t i : among)
-        if (meet(upper[i].box, box))
+        if (holds(grown(upper[i].box, kTouch), box))
             for (std::size_t k = 0; k < piece[0].size(); ++k)
                 if (polygon::contains(upper[i].loops, piece[0][k])) return i;
     const Vec2 p = piece[0][0];
@@ -98,7 +104,12 @@ void hang(std::span<Region> upper, std::span<const Region> lower, std::span<cons
         box.add(upper[i].box.hi);
     }
     if (among.empty()) return;
-    bool any = false;
+    // A piece lies in a region with a box around its own box, and rarely in another one than the smallest.
+    std::ranges::sort(among, {}, [&](std::size_t i) {
+        const geom::Vec2 size = upper[i].box.hi - upper[i].box.lo;
+        return std::pair{size.x * size.y, i};
+    });
+    Loops counted; // the pieces that count
     const Loops under = within(lower, grown(box, 2 * allowed));
     for (const Loops& piece : polygon::split(farther(free, under, allowed, arc)).part) {
         const double area = polygon::signed_area(piece);
@@ -107,15 +118,15 @@ void hang(std::span<Region> upper, std::span<const Region> lower, std::span<cons
         if (inradius_bound(piece, how.hairline / 2, how.hairline / 2) == 0) continue;
         upper[of].unsupported += area;
         air.area += area;
-        any = true;
-        const auto worst = farthest(piece, lower, std::max(air.reach, allowed), how.hairline);
-        if (!worst || worst->reach <= air.reach) continue;
-        air.reach = worst->reach;
-        air.at = worst->at;
-        air.layer = upper[of].layer;
-        air.bridge = bridge_over(air.at, lower);
+        counted.add(piece);
     }
-    air.layers += any ? 1 : 0;
+    air.layers += counted.empty() ? 0 : 1;
+    const auto worst = farthest(counted, lower, std::max(air.reach, allowed), how.hairline);
+    if (!worst || worst->reach <= air.reach) return;
+    air.reach = worst->reach;
+    air.at = worst->at;
+    air.layer = upper[among.front()].layer;
+    air.bridge = bridge_over(air.at, lower);
 }
 
 void add(Air& all, const Air& further) {

@@ -2,6 +2,7 @@
 
 #include "geom/bvh.hpp"
 #include "geom/segment.hpp"
+#include "polygon/clip.hpp"
 #include "polygon/inside_test.hpp"
 #include "polygon/segments.hpp"
 
@@ -33,12 +34,14 @@ class OutlinedArea {
         : inside_(loops), edges_(polygon::segments(loops)), tree_(boxes(edges_)) {}
 
     [[nodiscard]] bool contains(Vec2 p) const { return inside_(p); }
-    [[nodiscard]] NearestEdge nearest(Vec2 p) const {
+    // The edge nearest to p, or any edge that is no farther than `enough` mm.
+    [[nodiscard]] NearestEdge nearest(Vec2 p, double enough) const {
         NearestEdge best;
         tree_.near({p.x, p.y, 0}, kFar, [&](std::uint32_t i) {
+            if (best.distance <= enough) return -1.0;
             const double far = geom::point_segment_distance(edges_[i].a, edges_[i].b, p);
             if (far < best.distance) best = {edges_[i], far};
-            return best.distance;
+            return best.distance <= enough ? -1.0 : best.distance;
         });
         return best;
     }
@@ -102,40 +105,80 @@ double farthest_from(const geom::Segment& edge, const OutlinedArea& area, Vec2 m
     return most;
 }
 
+// Finds the farthest point of areas. A test against the edges comes before the test whether a point lies over the
+// others, because it rules out most points.
+class Search {
+  public:
+    Search(const Loops& others, double least, double tolerance) : under_(others), tolerance_(tolerance) {
+        best_.reach = least;
+    }
+
+    void add_vertices(const Loops& area) {
+        for (const Vec2 p : area.points) {
+            const double far = under_.nearest(p, best_.reach).distance;
+            if (far > best_.reach && !under_.contains(p)) offer(p, far);
+        }
+    }
+    void add_squares(const Loops& area) {
+        area_.emplace(area);
+        const geom::Box2 box = polygon::bounds(area);
+        add_square(geom::lerp(box.lo, box.hi, 0.5), std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y) / 2);
+        while (!squares_.empty()) {
+            const Square s = squares_.top();
+            squares_.pop();
+            if (s.bound <= best_.reach + tolerance_) continue;
+            for (const Vec2 corner : kCorners) add_square(s.middle + (s.half / 2) * corner, s.half / 2);
+        }
+    }
+    [[nodiscard]] const Farthest& best() const { return best_; }
+
+  private:
+    void offer(Vec2 p, double far) {
+        if (far > best_.reach) best_ = {far, p};
+    }
+    void add_square(Vec2 middle, double half) {
+        const double diagonal = std::numbers::sqrt2 * half, enough = best_.reach + tolerance_;
+        NearestEdge nearest = under_.nearest(middle, enough - diagonal);
+        if (nearest.distance + diagonal <= enough) return;
+        const bool over = under_.contains(middle);
+        if (over) nearest.distance = 0;
+        double bound = nearest.distance + diagonal;
+        if (bound <= enough) return;
+        if (area_->contains(middle)) offer(middle, nearest.distance);
+        if (!over) bound = std::min(bound, farthest_from(nearest.edge, *area_, middle, half));
+        if (bound > best_.reach + tolerance_) squares_.push({bound, middle, half});
+    }
+
+    OutlinedArea under_;
+    double tolerance_; // mm
+    std::optional<OutlinedArea> area_;
+    Farthest best_;
+    std::priority_queue<Square> squares_;
+};
+
+// The parts of `areas` farther than `far` mm from `others`; a little more where the outline of others has corners.
+Loops parts_beyond(const Loops& areas, const Loops& others, double far, double arc) {
+    geom::Box2 box = polygon::bounds(areas);
+    box.lo = box.lo - Vec2{2 * far, 2 * far};
+    box.hi = box.hi + Vec2{2 * far, 2 * far};
+    return polygon::subtract(areas, polygon::offset(polygon::within_box(others, box), far - arc, arc));
+}
+
 } // namespace
 
 std::optional<Farthest> farthest(const Loops& area, std::span<const polygon::Region> others, double least,
                                  double tolerance) {
+    if (area.empty()) return std::nullopt;
     if (others.empty()) return Farthest{kFar, area.points.front()};
     Loops all;
     for (const polygon::Region& r : others) all.add(r.loops);
-    const OutlinedArea inside(area), under(all);
-    Farthest best{least, {}};
-    const auto offer = [&](Vec2 p, double far) {
-        if (far > best.reach) best = {far, p};
-    };
-    for (const Vec2 p : area.points)
-        if (!under.contains(p)) offer(p, under.nearest(p).distance);
-    std::priority_queue<Square> squares;
-    const auto add = [&](Vec2 middle, double half) {
-        const double diagonal = std::numbers::sqrt2 * half;
-        const bool over = under.contains(middle);
-        const NearestEdge nearest = over ? NearestEdge{{}, 0} : under.nearest(middle);
-        double bound = nearest.distance + diagonal;
-        if (bound <= best.reach + tolerance) return;
-        if (inside.contains(middle)) offer(middle, nearest.distance);
-        if (!over) bound = std::min(bound, farthest_from(nearest.edge, inside, middle, half));
-        if (bound > best.reach + tolerance) squares.push({bound, middle, half});
-    };
-    const geom::Box2 box = polygon::bounds(area);
-    add(geom::lerp(box.lo, box.hi, 0.5), std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y) / 2);
-    while (!squares.empty() && squares.top().bound > best.reach + tolerance) {
-        const Square s = squares.top();
-        squares.pop();
-        for (const Vec2 corner : kCorners) add(s.middle + (s.half / 2) * corner, s.half / 2);
-    }
-    if (best.reach <= least) return std::nullopt;
-    return best;
+    Search search(all, least, tolerance);
+    search.add_vertices(area);
+    const double most = search.best().reach + tolerance; // mm; places nearer than that do not count
+    const Loops rest = parts_beyond(area, all, most, tolerance / 4);
+    for (const Loops& part : polygon::split(rest).part) search.add_squares(part);
+    if (search.best().reach <= least) return std::nullopt;
+    return search.best();
 }
 
 } // namespace filum::regions

@@ -14,8 +14,9 @@ struct Farthest {
 };
 
 // The point of `area` farthest from `others`, to `tolerance` mm; nothing if it is not farther than `least`. Infinitely
-// far if there are no others. Tie: the first one found. Vertices of `area` come first, in their order. Then come the
-// middles of ever smaller squares, first of those that may hold the farthest point.
+// far if there are no others. Tie: the first one found. Vertices of `area` come first, in their order. If a part of the
+// area may be farther than these, the middles of ever smaller squares over it follow, first of those that may hold the
+// farthest point.
 std::optional<Farthest> farthest(const polygon::Loops& area, std::span<const polygon::Region> others, double least,
                                  double tolerance);
 

@@ -174,24 +174,34 @@ void add(Region& u, const Region& l, double area, double inradius, double w) {
     u.below.push_back({l.id, area, inradius, inradius >= wanted});
 }
 
+// Records the pairs of equal regions, and removes all pairs of these regions: regions of a layer have no area in
+// common, so a region that equals one below lies on no other one.
+void take_equal(std::vector<Pair>& pairs, std::span<Region> upper, std::span<const Region> lower, double w,
+                std::vector<double>& covered) {
+    std::vector<char> upper_done(upper.size(), 0), lower_done(lower.size(), 0);
+    for (const Pair p : pairs) {
+        Region& u = upper[p.upper];
+        if (!same(u, lower[p.lower])) continue;
+        covered[p.upper] = u.area;
+        add(u, lower[p.lower], u.area, u.inradius, w);
+        upper_done[p.upper] = lower_done[p.lower] = 1;
+    }
+    std::erase_if(pairs, [&](const Pair p) { return upper_done[p.upper] != 0 || lower_done[p.lower] != 0; });
+}
+
 } // namespace
 
 std::vector<double> overlap(std::span<Region> upper, std::span<const Region> lower, double w, double hairline) {
     std::vector<double> covered(upper.size(), 0);
-    for (const auto& group : groups(candidates(upper, lower), upper.size(), lower.size())) {
-        if (group.size() == 1 && same(upper[group[0].upper], lower[group[0].lower])) {
-            Region& u = upper[group[0].upper];
-            covered[group[0].upper] = u.area;
-            add(u, lower[group[0].lower], u.area, u.inradius, w);
-            continue;
-        }
+    std::vector<Pair> pairs = candidates(upper, lower);
+    take_equal(pairs, upper, lower, w, covered);
+    for (const auto& group : groups(pairs, upper.size(), lower.size()))
         for (const Common& c : intersections(upper, lower, group)) {
             const double area = polygon::signed_area(c.loops);
             covered[c.upper] += area;
             const double inradius = inradius_bound(c.loops, w / 2, hairline / 2);
             if (inradius > 0) add(upper[c.upper], lower[c.lower], area, inradius, w);
         }
-    }
     for (Region& u : upper)
         std::sort(u.below.begin(), u.below.end(), [](const auto& a, const auto& b) { return a.below < b.below; });
     return covered;

@@ -1,6 +1,7 @@
 #include "polygon/clip.hpp"
 
 #include "base/error.hpp"
+#include "polygon/clusters.hpp"
 #include "polygon/cut.hpp"
 #include "polygon/moved_outlines.hpp"
 #include "polygon/simple.hpp"
@@ -18,6 +19,9 @@ namespace filum::polygon {
 namespace {
 
 namespace cl = ClipperLib;
+
+// mm; loops that are farther apart do not touch after rounding to the grid.
+constexpr double kApart = 4 * kGridStep;
 
 cl::Paths to_clipper(const Loops& a) {
     cl::Paths out(a.size());
@@ -74,7 +78,10 @@ Loops combine_tile(cl::ClipType kind, std::span<const Loops> in, Fill rule, bool
 
 Loops combine(cl::ClipType kind, std::span<const Loops> in, Fill rule, bool strict = true) {
     try {
-        return tiled(in, 0, [&](std::span<const Loops> tile) { return combine_tile(kind, tile, rule, strict); });
+        return clustered(in, kApart, [&](std::span<const Loops> cluster) {
+            return tiled(cluster, 0,
+                         [&](std::span<const Loops> tile) { return combine_tile(kind, tile, rule, strict); });
+        });
     } catch (const cl::clipperException& e) {
         throw Error(Exit::bad_input, std::string("cannot combine outlines: ") + e.what());
     }
@@ -266,8 +273,11 @@ Loops within_box(const Loops& a, const Box2& box) {
 Loops offset(const Loops& a, double delta, double arc_tolerance) {
     if (a.empty()) return {};
     try {
-        return tiled({&a, 1}, std::abs(delta) + arc_tolerance,
-                     [&](std::span<const Loops> tile) { return offset_tile(tile[0], delta, arc_tolerance); });
+        const double reach = std::abs(delta) + arc_tolerance;
+        return clustered({&a, 1}, 2 * reach, [&](std::span<const Loops> cluster) { // both outlines move
+            return tiled(cluster, reach,
+                         [&](std::span<const Loops> tile) { return offset_tile(tile[0], delta, arc_tolerance); });
+        });
     } catch (const cl::clipperException& e) {
         throw Error(Exit::bad_input, std::string("cannot offset outlines: ") + e.what());
     }
