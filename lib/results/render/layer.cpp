@@ -60,7 +60,7 @@ Rgb mark_colour(Mark::Kind kind) {
     case Mark::Kind::start:
         return oklch(0.62, 0.19, 150);
     case Mark::Kind::end:
-        return oklch(0.55, 0.22, 27);
+        return oklch(0.25, 0.02, 260); // red is for voids
     case Mark::Kind::lift:
         return oklch(0.74, 0.18, 60);
     }
