@@ -1,7 +1,7 @@
 // metrics - measures a finished toolpath, or the curves of a fill
 // reads:  Toolpath or Paths
 // writes: text
-// memory: the toolpath at 20 bytes per segment, and the outlines; with --surface the model and its windows
+// memory: the toolpath at 10 times the bytes that it reads, and the outlines; with --surface the model and its windows
 #include "app/metrics/metrics.hpp"
 #include "figures/meanings.hpp"
 
@@ -73,7 +73,8 @@ cli::Spec spec(app::metrics::Options& all) {
         .description = cli::kDescription,
         .in = cli::reads(stream::Payload::unknown),
         .out = cli::text("a table, TSV or JSON"),
-        .memory = "the toolpath at 20 bytes per segment, and the outlines; with --surface the model and its windows",
+        .memory = "the toolpath at 10 times the bytes that it reads, and the outlines; with --surface the model and "
+                  "its windows",
         .options = options(all),
         .groups = {{"planar toolpaths",
                     {"regions", "per-region", "per-layer", "pores", "per-pore", "pixel", "turn-samples"}},

@@ -1,7 +1,8 @@
 // postproc - a toolpath to machine code
 // reads:  Toolpath
 // writes: text
-// memory: some spans and half a million moves; what else arrives is kept, beyond 48 MiB in a temporary file
+// memory: half a million moves (100 MB), some spans at 32 times the bytes that it reads; what else arrives is kept,
+// beyond 48 MiB in a temporary file
 #include "app/postproc/postproc.hpp"
 #include "cli/deviation_options.hpp"
 #include "cli/head_options.hpp"
@@ -17,7 +18,8 @@ cli::Spec spec(postproc::Options& o) {
         .description = cli::kDescription,
         .in = cli::reads(stream::Payload::toolpath),
         .out = cli::text("machine code"),
-        .memory = "some spans and half a million moves; what else arrives is kept, beyond 48 MiB in a temporary file "
+        .memory = "half a million moves (100 MB), some spans at 32 times the bytes that it reads; what else arrives is "
+                  "kept, beyond 48 MiB in a temporary file "
                   "in $TMPDIR",
         .options = cli::with(
             {cli::Option{"machine", &o.machine, "NAME|FILE", "machine profile"}.not_a_setting(),

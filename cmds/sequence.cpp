@@ -1,7 +1,7 @@
 // sequence - the order in which all regions are printed
 // reads:  Regions
 // writes: Regions
-// memory: the whole graph
+// memory: the whole graph at 8 times the bytes that it reads
 #include "app/sequence/sequence.hpp"
 #include "cli/head_options.hpp"
 #include "sequence/budget.hpp"
@@ -25,7 +25,7 @@ cli::Spec spec(Options& o) {
         .description = cli::kDescription,
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
-        .memory = "the whole graph",
+        .memory = "the whole graph at 8 times the bytes that it reads",
         .options = cli::with(
             cli::with({cli::Option{"order", &o.order, "ORDER", "climb columns, or go layer by layer"}
                            .one_of({"columns", "layers"})

@@ -1,7 +1,7 @@
 // slice - cut a mesh into layers of closed contours
 // reads:  mesh files: STL, OBJ, PLY, OFF, 3MF, AMF or STEP
 // writes: Layers
-// memory: the model, and all contours with --hole-compensation
+// memory: the model at 400 bytes per triangle, and all contours with --hole-compensation
 #include "app/slice/slice.hpp"
 #include "app/slice/grid.hpp"
 #include "cli/step_options.hpp"
@@ -114,7 +114,7 @@ cli::Spec spec(app::slice::Options& o) {
         .description = cli::kDescription,
         .in = cli::file("mesh file"),
         .out = cli::writes(stream::Payload::layers),
-        .memory = "the model, and all contours with --hole-compensation",
+        .memory = "the model at 400 bytes per triangle, and all contours with --hole-compensation",
         .options = std::move(options),
         .groups = {{"heights of layers", {"adaptive", "min-layer-height", "max-layer-height", "cusp"}},
                    {"mending", {"close-gaps", "close-openings", "hairline"}},

@@ -60,22 +60,25 @@ def cura_resources(out):
     return os.path.join(unpacked, "usr/share/cura/resources") if packages else None
 
 
+def cura_command(part, target, resources, settings):
+    """(command, environment) of CuraEngine with the settings of a file in scripts/peers."""
+    with open(os.path.join(PEERS, settings), encoding="utf-8") as f:
+        given = f.read().splitlines()
+    lines = subprocess.run([os.path.join(PEERS, "cura-settings"), resources, *given], check=True, text=True,
+                           capture_output=True).stdout.splitlines()
+    words = [word for line in lines for word in ("-s", line)]
+    search = ":".join(os.path.join(resources, n) for n in ("definitions", "extruders"))
+    return (["CuraEngine", "slice", "-m2", "-j", os.path.join(resources, "definitions/fdmprinter.def.json"), *words,
+             "-e0", *words, "-l", part, "-o", target], {**os.environ, "CURA_ENGINE_SEARCH_PATH": search})
+
+
 def peer_commands(part, work, out):
     """Pairs of name and (command, environment, program written) for the slicers that are installed."""
     found = []
     resources = cura_resources(out) if shutil.which("CuraEngine") else None
     if resources:
-        with open(os.path.join(PEERS, "cura-continuous.txt"), encoding="utf-8") as f:
-            given = f.read().splitlines()
-        lines = subprocess.run([os.path.join(PEERS, "cura-settings"), resources, *given], check=True, text=True,
-                               capture_output=True).stdout.splitlines()
-        settings = [word for line in lines for word in ("-s", line)]
-        search = ":".join(os.path.join(resources, n) for n in ("definitions", "extruders"))
         target = os.path.join(work, "cura-continuous.gcode")
-        found.append(("cura-continuous",
-                      (["CuraEngine", "slice", "-m2", "-j", os.path.join(resources, "definitions/fdmprinter.def.json"),
-                        *settings, "-e0", *settings, "-l", part, "-o", target],
-                       {**os.environ, "CURA_ENGINE_SEARCH_PATH": search}, target)))
+        found.append(("cura-continuous", (*cura_command(part, target, resources, "cura-continuous.txt"), target)))
     if shutil.which("prusa-slicer"):
         for name, pattern in (("prusa-concentric", "concentric"), ("prusa-zigzag", "rectilinear")):
             target = os.path.join(work, name + ".gcode")

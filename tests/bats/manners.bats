@@ -154,3 +154,23 @@ END
 @test "an endless stream is refused at once" { # mesh files may have 4 GiB, which takes too long here
     expect '3|4' timeout 20 regions /dev/zero -o none
 }
+
+@test "no stage takes more memory than its help states" {
+    python3 - "$FILUM_SOURCE/scripts/peers" "$FILUM_BUILD/bin" <<'END'
+import os, sys, types
+sys.dont_write_bytecode = True
+sys.path.insert(0, sys.argv[1])
+import programs
+programs.BIN = sys.argv[2]
+import memory, scale, shapes
+given = types.SimpleNamespace(out=os.getcwd(), peers=False, repeat=1, table=[])
+faults = memory.check_texts() + scale.family("islands", given, [200], shapes.pillars) + \
+    scale.family("vertices", given, [4000], shapes.gear)
+assert not faults, faults
+# a stage that takes more is found
+memory.STATED["slice"] = (memory.STATED["slice"][0], lambda read, wrote: -20e6)
+assert "slice took" in scale.family("layers", given, [50], shapes.tower)[0]
+memory.STATED["slice"] = ("nothing at all", None)
+assert memory.check_texts() == ["the help of 'slice' does not say 'nothing at all'"]
+END
+}
