@@ -32,6 +32,9 @@ cli::Spec spec(Options& o) {
              Option{"tool", &o.tool, "N", "tool of the machine for the plies"}.within(0, 1e6),
              Option{"min-radius", &o.how.least_radius, "MM", "minimum radius of turns, where there is room"}.within(
                  0, 1e5),
+             Option{"turns", &o.how.turns, "",
+                    "rows continue by wide turns, or by hairpins to the next row; usual: wide"}
+                 .one_of({"usual", "hairpin", "wide"}),
              Option{"strict", &o.how.strict, "",
                     "refuse (exit 1) a ply of which more than --max-tight turns tighter than --min-radius"}
                  .a_limit(),
@@ -61,7 +64,7 @@ cli::Spec spec(Options& o) {
         .groups = {{"the plies",
                     {"plies", "table", "symmetric", "reference", "keep", "layer-height", "stagger", "ramp"}},
                    {"lines",
-                    {"spacing", "min-radius", "strict", "max-tight", "min-length", "turn-outside", "trim-list",
+                    {"spacing", "turns", "min-radius", "strict", "max-tight", "min-length", "turn-outside", "trim-list",
                      "machine"}}},
         .examples =
             {{"geodesic part.stl --cut 0,0,1,0.9 | laminate --plies 0,90 --symmetric --spacing 2 > part.toolpath",

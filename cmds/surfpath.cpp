@@ -53,22 +53,21 @@ std::vector<Option> outside_options(Options& o) {
 std::vector<Option> options(Options& o) {
     std::vector<Option> out{Option{"algorithm", &o.algorithm, "", "algorithm; it can also be the first word"}.one_of(
         {"planned", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral", "field", "hybrid"})};
-    out =
-        cli::with(cli::with(out, app::surfpath::line_options(o)),
-                  {Option{"turns", &o.plan.turns, "",
-                          "lines end at the rim, or continue by tight or wide turns; usual: none for ortheo, wide for "
-                          "field"}
-                       .one_of({"usual", "none", "hairpin", "wide"})
-                       .when("algorithm=planned|ortheo|field"),
-                   Option{"width-change", &o.plan.width_change, "SHARE",
-                          "beads may be wider or narrower by this share of the spacing, to fit the room between lines"}
-                       .within(0, 0.5),
-                   Option{"cut-length", &o.plan.cut_length, "MM",
-                          "length of fibre that a cut costs; to avoid one, field and hybrid lay at most so much fibre on fibre"}
-                       .within(0, 1e6)
-                       .when("algorithm=planned|field|hybrid")
-                       .same_as({"choose.cut-length"})
-                       .a_limit()});
+    out = cli::with(
+        cli::with(out, app::surfpath::line_options(o)),
+        {Option{"turns", &o.plan.turns, "",
+                "rows end at the rim, or continue by hairpins or wide turns; usual: none for ortheo, else wide"}
+             .one_of({"usual", "none", "hairpin", "wide"})
+             .when("algorithm=planned|fina|fexa|ortheo|field"),
+         Option{"width-change", &o.plan.width_change, "SHARE",
+                "beads may be wider or narrower by this share of the spacing, to fit the room between lines"}
+             .within(0, 0.5),
+         Option{"cut-length", &o.plan.cut_length, "MM",
+                "length of fibre that a cut costs; to avoid one, field and hybrid lay at most so much fibre on fibre"}
+             .within(0, 1e6)
+             .when("algorithm=planned|field|hybrid")
+             .same_as({"choose.cut-length"})
+             .a_limit()});
     return cli::with(cli::with(out, app::surfpath::bead_options(o)), cli::with(field_options(o), outside_options(o)));
 }
 

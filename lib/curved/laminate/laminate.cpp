@@ -109,6 +109,7 @@ surfpath::Options planned(const LaminateJob& job, std::size_t k) {
     how.algorithm = surfpath::Algorithm::field;
     how.spacing = ply.spacing;
     how.least_radius = o.least_radius;
+    how.turns = o.turns;
     how.strict = o.strict;
     how.max_tight = o.max_tight;
     how.min_length = o.min_length;

@@ -160,7 +160,7 @@ Plan fexa(const surface::Sheet& sheet, const Options& o) {
         find_gaps(s, sides, side, above, spread, d > 0 ? d : o.spacing, gaps);
     }
     rows::leave_out(raw, o.beyond);
-    rows::TurnOptions turns = rows::turn_options(o.spacing, o.least_radius);
+    rows::TurnOptions turns = rows::turn_options(o.spacing, o.least_radius, o.turns == RowTurns::hairpin);
     turns.staggered = o.beyond.empty();
     rows::Rows all = rows::rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
     rows::wind(s, all, o.spacing, true);

@@ -100,11 +100,11 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         raw.reserve(all.size());
         for (Line& l : all) raw.push_back({std::move(l), o.spacing * static_cast<double>(raw.size())});
         rows::leave_out(raw, o.beyond);
-        rows::TurnOptions turns = rows::turn_options(o.spacing, o.turns == RowTurns::hairpin ? 0 : o.least_radius);
+        rows::TurnOptions turns = rows::turn_options(o.spacing, o.least_radius, o.turns == RowTurns::hairpin);
         turns.across = kAcross * o.spacing;
         turns.along = o.cut_length;
         turns.staggered = o.beyond.empty();
-        turns.tight = covers;
+        turns.tight = turns.tight || covers;
         rows::Rows found = rows::rows(s, raw, {o.spacing / 2, o.spacing / 2, gentle, kGive * o.spacing});
         const auto joined =
             rows::join_loops(s, found, {o.spacing, gentle, eased, o.cut_length, turns.tight, 1 - o.width_change});

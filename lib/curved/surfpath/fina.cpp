@@ -23,7 +23,7 @@ Plan fina(const surface::Sheet& sheet, const Options& o) {
         sign = -sign;
     }
     rows::leave_out(raw, o.beyond);
-    rows::TurnOptions turns = rows::turn_options(o.spacing, o.least_radius);
+    rows::TurnOptions turns = rows::turn_options(o.spacing, o.least_radius, o.turns == RowTurns::hairpin);
     turns.staggered = o.beyond.empty();
     rows::Rows all = rows::rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
     rows::wind(s, all, o.spacing, true);

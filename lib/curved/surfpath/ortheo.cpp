@@ -112,9 +112,10 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
         }
         fact(out, "rows", out.strokes.size());
     } else {
-        const double radius = o.turns == RowTurns::wide ? o.least_radius : o.spacing / 2;
+        rows::TurnOptions turns = rows::turn_options(o.spacing, o.least_radius, o.turns == RowTurns::hairpin);
+        turns.staggered = o.beyond.empty();
         out = rows::boustrophedon(s, rows::rows(s, raw, {o.spacing / 2, o.spacing / 2, o.spacing / 4, o.spacing / 4}),
-                                  {.spacing = o.spacing, .least_radius = radius, .staggered = o.beyond.empty()});
+                                  turns);
     }
     fact(out, "births", found.born);
     fact(out, "deaths", found.died);

@@ -41,6 +41,10 @@ constexpr double kBeside = 0.5; // mm: path on either side of a tight turn that 
                                 // long the stretch over which curvature is measured, the excess lies within
 
 Plan lines(const surface::Sheet& sheet, const Options& options) {
+    const bool by_rows = options.algorithm == Algorithm::fina || options.algorithm == Algorithm::fexa;
+    if (by_rows && options.turns == RowTurns::none)
+        throw Error(Exit::usage,
+                    "cannot end rows of fina and fexa at the rims; use --turns hairpin or wide, or ortheo");
     switch (options.algorithm) {
     case Algorithm::fina:
         return fina(sheet, options);

@@ -19,8 +19,8 @@ using surface::Surface;
 using surface::curve::Line;
 using surface::curve::Place;
 
-// Turns between lines of ortheo and field: none (lines end at rims), hairpins, or wide turns. usual: none for ortheo,
-// wide for field.
+// Turns between rows: none (lines of ortheo and field end at rims), hairpins to the next row, or wide turns. usual: none
+// for ortheo, otherwise wide.
 enum class RowTurns : std::uint8_t { usual, none, hairpin, wide };
 
 // What lines of field keep where they cannot keep both. usual: the angle if only an angle is followed, otherwise the

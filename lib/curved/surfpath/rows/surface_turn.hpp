@@ -20,9 +20,12 @@ struct TurnOptions {           // limits that are left out do not apply
     bool tight = false;        // turns of half a spacing cost no more than wide ones, as they waste less
 };
 
-// Options for turns of a least radius, which is at least half a spacing, as between neighbouring rows.
-inline TurnOptions turn_options(double spacing, double least_radius) {
-    return {.spacing = spacing, .least_radius = std::max(least_radius, spacing / 2)};
+// Options for turns of a least radius, which is at least half a spacing, as between neighbouring rows; or for hairpins,
+// which all have that radius.
+inline TurnOptions turn_options(double spacing, double least_radius, bool hairpins = false) {
+    return {.spacing = spacing,
+            .least_radius = hairpins ? spacing / 2 : std::max(least_radius, spacing / 2),
+            .tight = hairpins};
 }
 
 // A turn or transit from one end of a row to another; ends are numbered as in plan/order.hpp.

@@ -117,14 +117,14 @@ void tell_idle(const filum::surfpath::Algorithms& algorithms, const cli::Io& io)
         for (const char* option : options) io.idle(option, std::string("no surface is filled by ") + of);
     };
     if (!used(Algorithm::ortheo)) idle({"d-iso", "min-spacing"}, "ortheo");
-    if (!used(Algorithm::ortheo) && !used(Algorithm::field)) idle({"turns"}, "ortheo or field");
+    const bool by_distance = used(Algorithm::fina) || used(Algorithm::fexa) || used(Algorithm::ortheo);
+    if (!by_distance && !used(Algorithm::field)) idle({"turns"}, "fina, fexa, ortheo or field");
     if (!used(Algorithm::field) && !used(Algorithm::hybrid)) idle({"cut-length"}, "field or hybrid");
     if (std::none_of(algorithms.begin(), algorithms.end(),
                      [](const auto& a) { return a && filum::surfpath::has_rows(*a); }))
         idle({"turn-outside", "trim-list"}, "rows: fina, fexa, ortheo or field");
     if (!used(Algorithm::field)) idle({"follow", "angle", "reference", "keep"}, "field");
-    if (!used(Algorithm::fina) && !used(Algorithm::fexa) && !used(Algorithm::ortheo))
-        idle({"plane"}, "fina, fexa or ortheo");
+    if (!by_distance) idle({"plane"}, "fina, fexa or ortheo");
     const bool rings = used(Algorithm::geo_fiso) || used(Algorithm::geo_contour);
     if (!rings) idle({"t-dist"}, "geo-fiso or geo-contour");
     if (!rings && !used(Algorithm::geo_spiral)) idle({"n-thresh"}, "geo-fiso, geo-contour or geo-spiral");
