@@ -67,3 +67,7 @@ from_below() { # PROGRAM
 @test "parts with hanging islands at random: first bead on the bed, nothing before what lies below it" {
     "$FILUM_SOURCE/tests/parts/random-hanging" 1 12
 }
+
+@test "connectors and strands keep clear of what is printed below them later, and of themselves" {
+    "$FILUM_SOURCE/tests/parts/random-connect" 0 9
+}

@@ -97,6 +97,22 @@ bool misses_others(const State& state, Vec3 a, Vec3 b, bool front) {
     });
 }
 
+// Whether the straight way a -> b stays clear of the regions still to be printed below it: neither does its bead lie
+// over them, nor does the head meet the bead while it prints them.
+bool misses_later(const State& state, Vec3 a, Vec3 b) {
+    const auto& head = state.options.head;
+    const double high = std::max(a.z, b.z), near = state.region().paths.height / 2;
+    return std::ranges::all_of(state.window, [&](const Waiting& w) {
+        const double up = high - w.paths.z;
+        if (up <= near) return true;
+        if (!head.none && up > head.gantry_height) return false;
+        double margin = state.region().width;
+        if (!head.none)
+            margin += up > head.cone_height ? std::hypot(head.carriage_x, head.carriage_y) / 2 : head.cone_radius(up);
+        return is_free(w.index, a.xy(), b.xy(), margin, 0, 0);
+    });
+}
+
 // Whether the straight way a -> b at one height crosses nothing of its own region and comes near nothing else that is
 // as high.
 bool leads_out(const State& state, Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) {
@@ -113,8 +129,13 @@ std::optional<std::pair<std::vector<Vec3>, Entry>> way_around(const State& state
         return leads_out(state, a, b, leaves ? state.before.lines.back() : r.index, leaves) &&
                misses_others(state, a, b, leaves) && (!leaves || leaves_freely(state, a.xy(), b.xy()));
     };
-    const auto clear = [&](Vec3 a, Vec3 b) {
-        return misses_strands(state, a, b) && !state.printed.hits(a, b, state.options.head);
+    const auto clear = [&](std::span<const Vec3> way) {
+        if (PrintedBodies::meets_itself(way, r.width, state.options.head)) return false;
+        for (std::size_t i = 0; i + 1 < way.size(); ++i)
+            if (!misses_strands(state, way[i], way[i + 1]) ||
+                state.printed.hits(way[i], way[i + 1], state.options.head) || !misses_later(state, way[i], way[i + 1]))
+                return false;
+        return true;
     };
     std::optional<std::pair<std::vector<Vec3>, Entry>> best;
     const auto consider = [&](const Entry& entry) {
@@ -178,7 +199,7 @@ std::optional<Entry> go_inside(State& state) {
     const Vec3 a = *state.at, b = at_height(entry->place.point, r.paths.z);
     if (!leaves_freely(state, a.xy(), b.xy()) || !leads_out(state, b, a, r.index, true) ||
         state.printed.hits(a, b, state.options.head) || !misses_others(state, a, b, false) ||
-        !misses_strands(state, a, b))
+        !misses_strands(state, a, b) || !misses_later(state, a, b))
         return std::nullopt;
     state.strands.emplace_back(a, b);
     ++state.counts.strands;

@@ -54,7 +54,7 @@ void PrintedBodies::connector(std::span<const Vec3> way) {
         Box2 box;
         box.add(way[i].xy());
         box.add(way[i + 1].xy());
-        bodies.push_back({box, std::min(way[i].z, way[i + 1].z), false});
+        bodies.push_back({box, std::max(way[i].z, way[i + 1].z), false});
     }
 }
 
@@ -67,6 +67,15 @@ bool PrintedBodies::hits(Vec3 a, Vec3 b, const machine::Head& head) const {
         if (up > head.gantry_height) return true;
         return passes(a.xy(), b.xy(), body.box, up > head.cone_height ? carriage : head.cone_radius(up));
     });
+}
+
+bool PrintedBodies::meets_itself(std::span<const Vec3> way, double width, const machine::Head& head) {
+    for (std::size_t i = 2; i + 1 < way.size(); ++i) {
+        PrintedBodies before;
+        before.connector(way.first(i));
+        if (before.hits(way[i], way[i + 1], head) || before.blocks(way[i], way[i + 1], -1, width, false)) return true;
+    }
+    return false;
 }
 
 std::vector<Vec3> travel(const PrintedBodies& printed, Vec3 from, Vec3 to, const machine::Head& head) {
@@ -123,7 +132,7 @@ std::vector<Vec2> outlets(const Box2& box, Vec3 p, const std::function<bool(Vec3
 
 std::optional<std::vector<Vec3>> around(const Box2& box, double margin, Vec3 from, Vec3 to,
                                         const std::function<bool(Vec3, Vec3)>& free,
-                                        const std::function<bool(Vec3, Vec3)>& clear) {
+                                        const std::function<bool(std::span<const Vec3>)>& clear) {
     const Box2 wide{box.lo - Vec2{margin, margin}, box.hi + Vec2{margin, margin}};
     const double all = 2 * (wide.hi.x - wide.lo.x + wide.hi.y - wide.lo.y);
     std::optional<std::vector<Vec3>> best;
@@ -145,9 +154,7 @@ std::optional<std::vector<Vec3>> around(const Box2& box, double margin, Vec3 fro
             }
             if (const Vec3 last{b.x, b.y, to.z}; last != way.back()) way.push_back(last);
             way.push_back(to);
-            bool all_clear = true;
-            for (std::size_t i = 0; i + 1 < way.size() && all_clear; ++i) all_clear = clear(way[i], way[i + 1]);
-            if (!all_clear) continue;
+            if (!clear(way)) continue;
             shortest = length;
             best = std::move(way);
         }

@@ -30,6 +30,8 @@ struct PrintedBodies {
     [[nodiscard]] Box2 bounds() const;         // of the part, without connectors
     // Whether the head would touch a body on the straight way from a to b.
     [[nodiscard]] bool hits(Vec3 a, Vec3 b, const machine::Head& head) const;
+    // Whether the head would touch an earlier leg of this way, or its bead would cross one.
+    [[nodiscard]] static bool meets_itself(std::span<const Vec3> way, double width, const machine::Head& head);
     // Whether a -> b comes within `margin` mm of a body that reaches above `z`. With `own` the newest body does not
     // count.
     [[nodiscard]] bool blocks(Vec3 a, Vec3 b, double z, double margin, bool own) const;
@@ -42,10 +44,10 @@ std::vector<Vec3> travel(const PrintedBodies& printed, Vec3 from, Vec3 to, const
 
 // A path for a connector: straight out to `box` grown by `margin` mm, around it in the shorter direction, and straight
 // in. The height changes evenly on the way around. Nothing if no straight way out (at from.z) or in (at to.z) satisfies
-// `free(a, b)`. Nothing either if every way around has a leg that is not `clear`. Tie: the sides in the order left,
-// right, front, back. (Sun et al. 2019, Fig. 8b; docs/algorithms/link3d.md#connectors-outside)
+// `free(a, b)`. Nothing either if no way around is `clear`. Tie: the sides in the order left, right, front, back.
+// (Sun et al. 2019, Fig. 8b; docs/algorithms/link3d.md#connectors-outside)
 std::optional<std::vector<Vec3>> around(const Box2& box, double margin, Vec3 from, Vec3 to,
                                         const std::function<bool(Vec3, Vec3)>& free,
-                                        const std::function<bool(Vec3, Vec3)>& clear);
+                                        const std::function<bool(std::span<const Vec3>)>& clear);
 
 } // namespace filum::link3d

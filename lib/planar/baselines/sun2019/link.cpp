@@ -86,8 +86,9 @@ void Linker::reach(const toolpath::RegionPaths& r, bool first, Vec2 start, const
         if (way.back() != to) way.push_back(to);
         go(r, Role::lift, std::move(way), {width}, emit);
     } else {
-        const auto unchecked = [](Vec3, Vec3) { return true; };
-        auto way = link3d::around(box_, kMargin * width, *at_, to, unchecked, unchecked);
+        auto way = link3d::around(
+            box_, kMargin * width, *at_, to, [](Vec3, Vec3) { return true; },
+            [](std::span<const Vec3>) { return true; });
         ++counts_.connectors;
         counts_.connector_length += length(*way);
         go(r, Role::connector, std::move(*way), {width}, emit);
