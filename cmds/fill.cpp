@@ -32,6 +32,7 @@ constexpr const char* kVolume =
 
 struct Options {
     fill::Options how;
+    bool overhang_shares = false;
     fill::Volume volume = fill::Volume::beads;
     std::string porosity, pore_size; // %, mm, as scaffold::Gradient; "": as --spacing says
 };
@@ -49,6 +50,9 @@ std::vector<cli::Option> options(Options& all) {
         Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatternNames),
         Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.within(0.01, 100).same_as({"regions.bead-width"}),
         Option{"volume", &all.volume, "", kVolume}.one_of(fill::kVolumeNames).when("!pattern=scaffold"),
+        Option{"overhang-shares", &all.overhang_shares, "",
+               "measure how much of each wall of `skins` lies over air, in steps of 5 %, for the machine's "
+               "overhang.feeds"},
         Option{"min-width", &o.min_width, "MM",
                "a note reports narrower beads of a spiral; 0: a quarter of --bead-width"}
             .within(0, 100)
@@ -116,9 +120,8 @@ fill::Options with_width(const Options& o, double width) {
 }
 
 // Fills regions that have walls and areas of their own.
-fill::Reuse hollow_fill(double width) {
-    return fill::Reuse([width](const polygon::Region& region,
-                               Notes& notes) { return fill::hollow::fill(region, {.bead_width = width}, notes); },
+fill::Reuse hollow_fill(const fill::hollow::Options& how) {
+    return fill::Reuse([how](const auto& region, Notes& notes) { return fill::hollow::fill(region, how, notes); },
                        [](std::uint32_t) { return 0.0; });
 }
 
@@ -146,7 +149,7 @@ void run(const Options& o, const cli::Io& io) {
                                [&](const auto& emit, Notes& notes) { fill_last(emit, notes, nullptr); });
     }
     fill::ReuseByWidth solid([&](double width) { return fill::Reuse(with_width(o, width)); });
-    fill::ReuseByWidth hollow(hollow_fill);
+    fill::ReuseByWidth hollow([&](double width) { return hollow_fill({width, o.overhang_shares}); });
     std::atomic<bool> any_hollow = false;
     cli::map_stage(io, stream::Payload::regions, stream::Payload::paths, [&](stream::RawFrame frame, Notes& notes) {
         polygon::Region region = region_of(frame, usual);
@@ -154,13 +157,13 @@ void run(const Options& o, const cli::Io& io) {
             any_hollow = true;
             region.loops = polygon::without_flat_starts(region.loops);
         }
-        fill::Reuse& filled = (region.walls > 0 ? hollow : solid).of(region.width);
-        toolpath::RegionPaths paths = filled(region, notes);
+        toolpath::RegionPaths paths = (region.walls > 0 ? hollow : solid).of(region.width)(region, notes);
         if (o.volume == fill::Volume::exact && region.walls == 0) fill::make_exact(paths, notes);
         return std::vector{wire::frame(paths)};
     });
     for (const char* name : {"pattern", "min-width", "thin", "min-radius", "angles", "rings"})
         if (any_hollow) io.idle(name, "regions with walls and areas of their own are filled by lanes and as these say");
+    if (!any_hollow) io.idle("overhang-shares", "no region has walls of its own; skins makes them");
 }
 
 } // namespace

@@ -227,6 +227,7 @@ class Curve:
     x, y: mm
     width: mm, per point, or one for all
     feature: Feature, per segment, or one for all; none: not told
+    over_air: per segment, share of the bead's width over air, in percent; none: not measured
     """
 
     message = planar_pb2.Curve
@@ -235,6 +236,7 @@ class Curve:
     y: np.ndarray = floats()
     width: np.ndarray = floats()
     feature: np.ndarray = ints()
+    over_air: np.ndarray = ints()
 
     @classmethod
     def of(cls, points, width, closed=True):
@@ -324,6 +326,7 @@ class Span:
     nx, ny, nz: unit, per point: where the tool comes from; none: from above
     retraction: Retraction, of a travel
     feature: Feature, of what extrudes
+    over_air: share of a wall's width over air, in percent
     """
 
     message = planar_pb2.Span
@@ -343,6 +346,7 @@ class Span:
     retraction: int = Retraction.BY_MACHINE
     feature: int = Feature.UNTOLD
     body: int = 0
+    over_air: int = 0
 
     @property
     def points(self):

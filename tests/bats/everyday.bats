@@ -309,3 +309,9 @@ hanging() { peek --text | sed -nE "/ code '?overhang/s/^note .* amount ([0-9.]+)
 @test "sparse areas get the share of material that was asked" {
     "$FILUM_SOURCE/tests/parts/infill-volumes" volumes --parts l --shares 20 --every 5
 }
+
+@test "walls that lean out have the speed of their share over air, as each slicer has it" {
+    "$FILUM_SOURCE/tests/parts/overhang-speeds" speeds --step 20
+    skins large.regions | sequence | fill --overhang-shares | link3d --quiet | peek --text > upright.text
+    run ! grep -q 'over_air [1-9]' upright.text
+}

@@ -32,7 +32,8 @@ double role_feed(const Feeds& feeds, toolpath::Role role) {
 
 ExtrudingMove extruding_move(const toolpath::Span& span, std::size_t i) {
     const geom::Vec3 a = span.points[i], b = span.points[i + 1];
-    return {span.role, span.layer, geom::distance(a, b), std::abs(b.z - a.z), toolpath::volume(span, i), span.feature};
+    return {span.role,    span.layer,   geom::distance(a, b), std::abs(b.z - a.z), toolpath::volume(span, i),
+            span.feature, span.over_air};
 }
 
 namespace {
@@ -47,6 +48,8 @@ double full_feed(const Profile& p, const ExtrudingMove& move) {
     double v = role_feed(p.feeds, move.role);
     const double own = p.feeds.feature[static_cast<std::size_t>(move.feature)];
     if (toolpath::fills(move.role) && own > 0) v = own;
+    if (toolpath::fills(move.role) && move.over_air > 0)
+        v = std::min(p.overhang.feed(v, move.over_air / 100.0), p.motion.max_speed);
     if (move.layer == 0) {
         const bool infill = p.feeds.first_layer_infill > 0 && fills_area(move.feature);
         v = std::min(v, infill ? p.feeds.first_layer_infill : p.feeds.first_layer);

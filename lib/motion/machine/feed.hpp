@@ -17,13 +17,15 @@ struct ExtrudingMove {
     double length = 0, rise = 0; // mm
     double volume = 0;           // mm3
     toolpath::Feature feature = toolpath::Feature::none;
+    std::uint8_t over_air = 0; // percent of a wall's width
 };
 ExtrudingMove extruding_move(const toolpath::Span& span, std::size_t i); // of the segment i -> i + 1
 
 // The feed of a move, mm/s.  It is that of the feature if the move fills and the feature has a feed, else that of the
-// role.  It is at most feeds.first_layer on layer 0, and at most feeds.first_layer_infill there if the move fills an
-// area.  limits.flow and motion.max_speed_z lower it; a feed that these two limits lower is a whole number if it is 1
-// or more.  Last, the layer's pace lowers it, but not below limits.least_feed.
+// role; that of a wall partly over air is as Profile::overhang says.  It is at most feeds.first_layer on layer 0, and
+// at most feeds.first_layer_infill there if the move fills an area.  limits.flow and motion.max_speed_z lower it; a
+// feed that these two limits lower is a whole number if it is 1 or more.  Last, the layer's pace lowers it, but not
+// below limits.least_feed.
 double bead_feed(const Profile& profile, const ExtrudingMove& move);
 
 // The lengths of the beads of each layer by their feeds, without travels and fibre.

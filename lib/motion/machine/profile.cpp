@@ -312,6 +312,7 @@ Profile parse_profile(std::span<const ProfileText> texts, const std::string& set
     read_feeds(doc, p);
     read_features(doc, p.motion.controller, kMostAcceleration, p.features);
     read_cooling(doc, p.cooling);
+    read_overhang(doc, p.overhang);
     if (p.cooling.active() && p.features.set_fan.empty())
         doc.fail("cooling.most", "features.set_fan must say by which code, with {fan_speed}");
     read_travel(doc, p.travel);

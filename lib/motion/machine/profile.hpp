@@ -7,6 +7,7 @@
 #include "machine/fibre.hpp"
 #include "machine/head.hpp"
 #include "machine/multi_axis.hpp"
+#include "machine/overhang.hpp"
 #include "machine/purge.hpp"
 #include "machine/robot.hpp"
 #include "preset/settings.hpp"
@@ -160,6 +161,7 @@ struct Profile {
     Limits limits;
     Feeds feeds;
     FeatureRules features;
+    Overhang overhang;
     Cooling cooling;
     Travel travel;
     Motion motion;

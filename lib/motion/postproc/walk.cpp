@@ -277,8 +277,9 @@ void Walk::extrude(const toolpath::Span& span) {
         if (m.length == 0) continue;
         const bool last = &m == &moves.moves.back();
         const double volume = m.volume * profile_->features[span.feature].flow;
-        const Laying how = laying(*profile_, tool_,
-                                  {span.role, span.layer, m.length, std::abs(m.to.z - z), volume, span.feature}, last);
+        const machine::ExtrudingMove move{span.role, span.layer,   m.length,     std::abs(m.to.z - z),
+                                          volume,    span.feature, span.over_air};
+        const Laying how = laying(*profile_, tool_, move, last);
         const Step bead{.act = Act::extrude,
                         .role = span.role,
                         .feature = span.feature,

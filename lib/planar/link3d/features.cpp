@@ -45,16 +45,19 @@ void emit_by_feature(toolpath::Span bead, std::span<const toolpath::Curve> curve
     if (std::all_of(curves.begin(), curves.end(), [](const toolpath::Curve& c) { return c.feature.empty(); }))
         return emit(bead);
     std::vector<toolpath::Feature> feature;
+    std::vector<std::uint8_t> over_air; // percent
     std::optional<Place> at;
     for (std::size_t i = 0; i + 1 < bead.points.size(); ++i) {
         at = index.follow(geom::lerp(bead.points[i].xy(), bead.points[i + 1].xy(), 0.5), at);
         feature.push_back(at ? curves[at->curve].feature_at(at->segment) : toolpath::Feature::none);
+        over_air.push_back(at ? curves[at->curve].over_air_at(at->segment) : std::uint8_t{0});
     }
     extend_long(bead, feature);
     for (std::size_t i = 0, j = 0; i < feature.size(); i = j) {
-        for (j = i; j < feature.size() && feature[j] == feature[i];) ++j;
+        for (j = i; j < feature.size() && feature[j] == feature[i] && over_air[j] == over_air[i];) ++j;
         toolpath::Span piece = piece_of(bead, i, j);
         piece.feature = feature[i];
+        piece.over_air = over_air[i];
         emit(piece);
     }
 }

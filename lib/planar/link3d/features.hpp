@@ -9,8 +9,8 @@
 
 namespace filum::link3d {
 
-// Emits `bead` in pieces of one feature each. A segment takes the feature of the segment of `curves` nearest to its
-// middle; `index` holds `curves`. If the curves have no features, the bead is emitted as it is.
+// Emits `bead` in pieces of one feature and one share over air each. A segment takes those of the segment of `curves`
+// nearest to its middle; `index` holds `curves`. If the curves have no features, the bead is emitted as it is.
 void emit_by_feature(toolpath::Span bead, std::span<const toolpath::Curve> curves, const SegmentIndex& index,
                      const std::function<void(const toolpath::Span&)>& emit);
 

@@ -4,6 +4,7 @@
 #include "geom/polyline.hpp"
 #include "polygon/stack.hpp"
 #include "wire/checks.hpp"
+#include "wire/features.hpp"
 #include "wire/owner.hpp"
 
 #include "filum/stream.pb.h"
@@ -92,20 +93,6 @@ std::vector<double> per_point(const RepeatedField<double>& v, std::size_t n, con
 }
 
 void put_numbers(RepeatedField<double>& to, const std::vector<double>& from) { to.Add(from.begin(), from.end()); }
-
-toolpath::Feature feature(int value, const char* what) {
-    if (value < 0 || static_cast<std::size_t>(value) >= toolpath::kFeatures) bad_frame(what, "unknown feature");
-    return static_cast<toolpath::Feature>(value);
-}
-
-std::vector<toolpath::Feature> features(const proto::Curve& c, std::size_t points) {
-    const std::size_t segments = points - (c.closed() ? 0 : 1), n = static_cast<std::size_t>(c.feature_size());
-    if (n > 1 && n != segments) bad_frame("paths", "its features must be none, one for all, or one per segment");
-    std::vector<toolpath::Feature> out;
-    out.reserve(n);
-    for (const int value : c.feature()) out.push_back(feature(value, "paths"));
-    return out;
-}
 
 // Throws Error(bad_input) if the beads of a region are too long. Time and memory of later stages grow with the number
 // of squares of the mean bead width along them.
@@ -266,6 +253,7 @@ toolpath::RegionPaths paths(const RawFrame& frame) {
         if (curve.points.size() < 2) bad_frame("paths", "a curve has fewer than two points");
         curve.width = per_point(c.width(), curve.points.size(), "paths", "width");
         curve.feature = features(c, curve.points.size());
+        curve.over_air = over_air(c, curve.points.size());
         out.curves.push_back(std::move(curve));
     }
     for (const auto& line : m.stacked()) {
@@ -299,6 +287,7 @@ RawFrame frame(const toolpath::RegionPaths& paths) {
         }
         put_numbers(*c->mutable_width(), curve.width);
         for (const auto f : curve.feature) c->add_feature(static_cast<proto::Feature>(f));
+        c->mutable_over_air()->Add(curve.over_air.begin(), curve.over_air.end());
     }
     for (const auto& line : paths.stacked) {
         auto* l = m.add_stacked();
@@ -358,6 +347,7 @@ toolpath::Span span(const RawFrame& frame) {
     if (m.retraction() < 0 || m.retraction() > 2) bad_frame("span", "unknown retraction");
     out.retraction = static_cast<toolpath::Retraction>(m.retraction());
     out.feature = feature(m.feature(), "span");
+    out.over_air = percent_over_air(m.over_air(), "span");
     return out;
 }
 
@@ -370,6 +360,7 @@ RawFrame frame(const toolpath::Span& span) {
     put_owner(span, m);
     m.set_retraction(static_cast<proto::Retraction>(span.retraction));
     m.set_feature(static_cast<proto::Feature>(span.feature));
+    m.set_over_air(span.over_air);
     const auto n = static_cast<int>(span.points.size());
     m.mutable_x()->Reserve(n);
     m.mutable_y()->Reserve(n);

@@ -45,10 +45,15 @@ struct Curve {
     std::vector<double> width; // mm: one value per point, or one value for all points
     // one per segment, the first from point 0 to point 1, or one for all segments; empty: unknown
     std::vector<Feature> feature{};
+    // one per segment: the share of the bead's width that lies over air, in percent; empty: not measured
+    std::vector<std::uint8_t> over_air{};
 
     [[nodiscard]] double width_at(std::size_t i) const { return width.size() == 1 ? width[0] : width[i]; }
     [[nodiscard]] Feature feature_at(std::size_t segment) const {
         return feature.empty() ? Feature::none : feature[feature.size() == 1 ? 0 : segment];
+    }
+    [[nodiscard]] std::uint8_t over_air_at(std::size_t segment) const {
+        return over_air.empty() ? std::uint8_t{0} : over_air[segment];
     }
 
     // The following functions require a width per point and no features.
@@ -126,6 +131,7 @@ struct Span {
     Retraction retraction = Retraction::by_machine; // of a travel
     Feature feature = Feature::none;                // of an extruding span
     std::uint32_t body = 0;                         // number of the body that it belongs to
+    std::uint8_t over_air = 0;                      // of a wall: share of its width over air, in percent
 
     [[nodiscard]] double width_at(std::size_t i) const { return width.size() == 1 ? width[0] : width[i]; }
     [[nodiscard]] double height_at(std::size_t i) const { return height.size() == 1 ? height[0] : height[i]; }

@@ -350,6 +350,7 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
     }
     if (fewest.first > 0) fill::join::uncross(out.curves, width.widest, notes);
     tell_features(r, loose, width.widest, out.curves);
+    if (r.is == polygon::RegionClass::part && o.overhang_shares) measure_overhangs(r, o.bead_width, out.curves);
     if (r.is == polygon::RegionClass::part) mark_walls_over_air(r, o.bead_width, out.curves);
     fill::join::note_unjoined(out.curves, notes);
     for (std::size_t i = first; i < notes.size(); ++i) notes[i].layer = r.layer;

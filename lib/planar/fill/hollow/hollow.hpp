@@ -8,7 +8,8 @@
 namespace filum::fill::hollow {
 
 struct Options {
-    double bead_width = 0.4; // mm, except in zones, which have their own
+    double bead_width = 0.4;      // mm, except in zones, which have their own
+    bool overhang_shares = false; // measure the share of each wall's width that lies over air (Curve::over_air)
 };
 
 // Fills a region by its areas (Region::areas). The outer lanes of the region are its walls. The rest is cut along its

@@ -1,5 +1,6 @@
 #include "app/filum/slicer_settings.hpp"
 
+#include "app/filum/slicer_overhangs.hpp"
 #include "app/filum/slicer_values.hpp"
 #include "app/filum/slicer_widths.hpp"
 #include "base/error.hpp"
@@ -132,6 +133,11 @@ class Reader {
         if (row.target == "cooling")
             return first_of(key, {"max_fan_speed", "fan_max_speed", "min_fan_speed", "fan_min_speed"}) ? cooling()
                                                                                                        : Words{};
+        if (row.target == "overhang")
+            return first_of(key, {"enable_dynamic_overhang_speeds", "enable_overhang_speed", "overhang_1_4_speed",
+                                  "overhang_2_4_speed", "overhang_3_4_speed", "overhang_4_4_speed"})
+                       ? overhang_words(values_)
+                       : Words{};
         if (row.target == "wipe") return key.ends_with("wipe") && !key.ends_with("before_wipe") ? wipe() : Words{};
         if (row.target == "thumbnails") return thumbnails(values_.whole(key));
         if (row.target == "vase") return values_.number(key) != 0 ? Words{"--vase"} : Words{};

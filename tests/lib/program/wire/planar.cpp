@@ -58,6 +58,7 @@ toolpath::RegionPaths good_paths() {
     p.unplaced = 0.5;
     p.curves = {{true, {{0, 0}, {1, 0}, {1, 1}}, {0.4}}, {false, {{0, 0}, {1, 0}}, {0.4, 0.5}}};
     p.curves[0].feature = {toolpath::Feature::wall, toolpath::Feature::infill, toolpath::Feature::top};
+    p.curves[0].over_air = {35, 0, 100};
     p.curves[1].feature = {toolpath::Feature::solid};
     p.stacked = {{{0, 0}, {1, 0}}};
     return p;
@@ -107,6 +108,8 @@ TEST(Planar, EverythingComesOutAsItWentIn) {
     EXPECT_EQ(p.unplaced, 0.5);
     EXPECT_EQ(p.curves[0].feature, good_paths().curves[0].feature);
     EXPECT_EQ(p.curves[1].feature_at(0), toolpath::Feature::solid);
+    EXPECT_EQ(p.curves[0].over_air, good_paths().curves[0].over_air);
+    EXPECT_EQ(p.curves[1].over_air_at(0), 0);
     EXPECT_EQ(p.stacked, good_paths().stacked);
     const auto s = span(frame(good_span()));
     EXPECT_EQ(s.points, good_span().points);
@@ -115,6 +118,9 @@ TEST(Planar, EverythingComesOutAsItWentIn) {
     EXPECT_EQ(s.normals, good_span().normals);
     EXPECT_EQ(s.tool, 5U);
     EXPECT_EQ(s.feature, toolpath::Feature::bridge);
+    toolpath::Span leaning = good_span();
+    leaning.over_air = 65;
+    EXPECT_EQ(span(frame(leaning)).over_air, 65);
 }
 
 TEST(Planar, AnEmptyLayerIsAllowed) {
@@ -177,8 +183,11 @@ TEST(Planar, BrokenRegionsAreRefused) {
 TEST(Planar, BrokenPathsAreRefused) {
     using M = proto::RegionPaths;
     refuse<M>(Tag::paths, good_paths(), paths,
-              {[](M& m) { m.set_height(kNan); }, [](M& m) { m.set_area(-1); }, [](M& m) { m.set_unplaced(kNan); },
-               [](M& m) { m.mutable_curves(0)->clear_width(); }, [](M& m) { m.mutable_curves(0)->add_width(0.4); },
+              {[](M& m) { m.set_height(kNan); },
+               [](M& m) { m.set_area(-1); },
+               [](M& m) { m.set_unplaced(kNan); },
+               [](M& m) { m.mutable_curves(0)->clear_width(); },
+               [](M& m) { m.mutable_curves(0)->add_width(0.4); },
                [](M& m) { m.mutable_curves(0)->set_width(0, 0); },
                [](M& m) { m.mutable_curves(0)->set_width(0, kNan); },
                [](M& m) { m.mutable_curves(0)->set_feature(0, static_cast<proto::Feature>(99)); },
@@ -186,10 +195,16 @@ TEST(Planar, BrokenPathsAreRefused) {
                    m.mutable_curves(0)->add_feature(proto::WALL);
                    m.mutable_curves(0)->add_feature(proto::WALL);
                },
-               [](M& m) { m.mutable_curves(1)->set_width(1, -0.1); }, [](M& m) { m.mutable_curves(1)->add_y(0); },
-               [](M& m) { m.add_curves()->add_width(0.4); }, [](M& m) { m.add_stacked(); },
-               [](M& m) { m.mutable_stacked(0)->add_y(0); }, [](M& m) { m.mutable_stacked(0)->set_x(0, kNan); },
-               [](M& m) { m.mutable_stacked(0)->set_x(0, 9e7); }, [](M& m) { m.mutable_curves(0)->set_x(0, 9e7); },
+               [](M& m) { m.mutable_curves(0)->set_over_air(0, 101); },
+               [](M& m) { m.mutable_curves(0)->add_over_air(5); },
+               [](M& m) { m.mutable_curves(1)->set_width(1, -0.1); },
+               [](M& m) { m.mutable_curves(1)->add_y(0); },
+               [](M& m) { m.add_curves()->add_width(0.4); },
+               [](M& m) { m.add_stacked(); },
+               [](M& m) { m.mutable_stacked(0)->add_y(0); },
+               [](M& m) { m.mutable_stacked(0)->set_x(0, kNan); },
+               [](M& m) { m.mutable_stacked(0)->set_x(0, 9e7); },
+               [](M& m) { m.mutable_curves(0)->set_x(0, 9e7); },
                [](M& m) { m.mutable_curves(0)->set_y(0, -9e7); }});
 }
 
@@ -198,9 +213,9 @@ TEST(Planar, BrokenSpansAreRefused) {
     refuse<M>(Tag::span, good_span(), span,
               {[](M& m) { m.set_role(static_cast<proto::Role>(9)); }, [](M& m) { m.set_tool(1001); },
                [](M& m) { m.set_feature(static_cast<proto::Feature>(99)); }, [](M& m) { m.set_role(proto::TRAVEL); },
-               [](M& m) { m.clear_width(); }, [](M& m) { m.add_width(0.4); }, [](M& m) { m.clear_z(); },
-               [](M& m) { m.add_z(1); }, [](M& m) { m.set_z(1, kNan); }, [](M& m) { m.set_height(0, 0); },
-               [](M& m) { m.set_x(0, 9e7); },
+               [](M& m) { m.set_over_air(101); }, [](M& m) { m.clear_width(); }, [](M& m) { m.add_width(0.4); },
+               [](M& m) { m.clear_z(); }, [](M& m) { m.add_z(1); }, [](M& m) { m.set_z(1, kNan); },
+               [](M& m) { m.set_height(0, 0); }, [](M& m) { m.set_x(0, 9e7); },
                [](M& m) {
                    m.clear_x();
                    m.clear_y();

@@ -62,6 +62,7 @@ stream::RawFrame paths_frame() {
     p.join = Join::vertical;
     p.curves = {{true, {{1, 2}, {3, 4}, {5, 6}}, {0.4}}, {false, {{7, 8}, {9, 10}}, {0.3, 0.35}}};
     p.curves[0].feature = {toolpath::Feature::wall, toolpath::Feature::infill, toolpath::Feature::top};
+    p.curves[0].over_air = {35, 0, 100};
     p.unplaced = 0.015;
     p.stacked = {{{11, 12}, {13, 14}, {15, 16}}};
     return frame(p);
