@@ -33,8 +33,8 @@ cli::Spec spec(Options& o) {
              Option{"min-radius", &o.how.least_radius, "MM", "minimum radius of turns, where there is room"}.within(
                  0, 1e5),
              Option{"turns", &o.how.turns, "",
-                    "rows continue by wide turns, or by hairpins to the next row; usual: wide"}
-                 .one_of({"usual", "hairpin", "wide"}),
+                    "rows end at the rim, or continue by hairpins or wide turns; usual: wide"}
+                 .one_of({"usual", "none", "hairpin", "wide"}),
              Option{"strict", &o.how.strict, "",
                     "refuse (exit 1) a ply of which more than --max-tight turns tighter than --min-radius"}
                  .a_limit(),

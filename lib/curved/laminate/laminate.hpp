@@ -17,7 +17,7 @@ using surface::Surface;
 struct Options {
     Vec3 reference{1, 0, 0}; // direction from which angles are measured, projected onto the surface
     surfpath::Priority keep = surfpath::Priority::usual;
-    surfpath::RowTurns turns = surfpath::RowTurns::usual; // wide, unless they are hairpins
+    surfpath::RowTurns turns = surfpath::RowTurns::usual; // usual: wide
     double least_radius = 2.4;                            // mm: of turns, where there is room
     bool stagger = true;     // plies of one direction are displaced by shares of a spacing, and their births move apart
     bool strict = false;     // fail if more than max_tight of a ply turns tighter than least_radius
