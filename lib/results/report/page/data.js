@@ -148,15 +148,16 @@ Filum.Program = class {
     // The size of the printed part as toolpath::Extent defines it: mm along x, y and z.
     printed() {
         const c = this.c, lo = [Infinity, Infinity, Infinity], hi = [-Infinity, -Infinity, -Infinity];
+        const xyz = [c.x, c.y, c.z], axes = [c.nx, c.ny, c.nz];
         for (let s = 0; s < c.start.length; s++) {
             if (!Filum.FILLS.has(c.role[s]) || Filum.NOT_PART.has(c.feature[s])) continue;
             for (let i = c.start[s]; i < this.end(s); i++)
-                [c.x[i], c.y[i], c.z[i]].forEach((v, k) => {
-                    const axis = i < c.nz.length ? [c.nx[i], c.ny[i], c.nz[i]][k] / 1000 : k === 2 ? 1 : 0;
+                for (let k = 0; k < 3; k++) {
+                    const v = xyz[k][i], axis = i < c.nz.length ? axes[k][i] / 1000 : k === 2 ? 1 : 0;
                     const side = c.width[i] / 2 * Math.sqrt(Math.max(0, 1 - axis * axis)), down = c.height[i] * axis;
                     lo[k] = Math.min(lo[k], v - side - Math.max(0, down));
                     hi[k] = Math.max(hi[k], v + side + Math.max(0, -down));
-                });
+                }
         }
         return lo.map((v, k) => v <= hi[k] ? (hi[k] - v) / 1000 : 0);
     }
