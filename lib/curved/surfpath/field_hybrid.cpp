@@ -21,6 +21,10 @@ constexpr double kAcross = 10; // spacings: longest way from row to row across o
 constexpr double kEasedTo = 1.15;
 constexpr double kGive = 0.1; // spacings: how far easing may move a line; more would cut off the turns of pairs
 
+// Share of the change of widths that distances of lines may use. Near births and turns lines are nearer or farther than
+// that, and beads need the rest there.
+constexpr double kBreathing = 0.5;
+
 // Every line becomes a stroke of its own.
 std::vector<Stroke> separate_strokes(std::vector<Line> lines) {
     std::vector<plan::EndPoints> ends;
@@ -52,10 +56,16 @@ void ease(const Surface& s, std::vector<Line>& lines, double radius, double spac
 
 } // namespace
 
+std::vector<field::DirectionMix> hybrid_sources(const Surface& s, const Options& options) {
+    std::vector<field::DirectionMix> out{{.rings = 1}};
+    if (options.width_change > 0 && !s.rims.empty()) out.push_back({.rim = 1});
+    return out;
+}
+
 field::DirectionMix directions_followed(const surface::Sheet& sheet, const Options& options) {
-    if (options.algorithm == Algorithm::hybrid) return {.rings = 1};
     field::DirectionMix out = options.follow;
     if (!out.only(nullptr)) return out;
+    if (options.algorithm == Algorithm::hybrid) return {.rings = 1};
     const bool stressed = std::any_of(sheet.fields.begin(), sheet.fields.end(), [](const surface::Field& f) {
         return f.name.starts_with("stress.") && f.name.ends_with(".d1");
     });
@@ -80,6 +90,8 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
     const auto directions = field::smooth(s, cells, prescribed, kSmoothed * o.spacing, radius);
     field::StripeOptions striping{o.spacing, o.shift, keeps_angle(o) ? field::kKeepAngle : field::kKeepSpacing};
     striping.apart = o.births_apart;
+    // Rings are a spacing apart as they are; where they meet, no frequency avoids births.
+    striping.change = o.follow.rings > 0 ? 0 : kBreathing * o.width_change;
     std::vector<field::Complex> like;
     if (o.follow.only(&field::DirectionMix::rings)) {
         like = field::phase(field::ring_field(sheet, cells), directions.along, o.spacing);
@@ -119,10 +131,10 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
     return out;
 }
 
-Plan hybrid(const surface::Sheet& sheet, const Options& options) {
+Plan hybrid(const surface::Sheet& sheet, const Options& options, const field::DirectionMix& source) {
     Options o = options;
     o.algorithm = Algorithm::hybrid;
-    o.follow = {.rings = 1};
+    o.follow = source;
     o.keep = Priority::spacing;
     o.turns = RowTurns::usual;
     return follow(sheet, o);

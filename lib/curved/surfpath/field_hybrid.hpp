@@ -9,8 +9,8 @@ namespace filum::surfpath {
 // Whether lines keep to the angle rather than to the spacing, where they cannot keep to both.
 bool keeps_angle(const Options& options);
 
-// The directions that lines follow: rings for hybrid, otherwise those of `options.follow`. If nothing is set there: the
-// sheet's field of directions, else its stress, else the angle.
+// The directions that lines follow: rings for hybrid, unless others cost less; otherwise those of `options.follow`. If
+// nothing is set there: the sheet's field of directions, else its stress, else the angle.
 field::DirectionMix directions_followed(const surface::Sheet& sheet, const Options& options);
 
 // Lines along the directions that `options.follow` selects (field/directions.hpp). The directions are smoothed until
@@ -25,8 +25,12 @@ field::DirectionMix directions_followed(const surface::Sheet& sheet, const Optio
 // Throws Error(bad_input) if there is no direction to follow.
 Plan follow(const surface::Sheet& sheet, const Options& options);
 
-// Rings along all rims, and along the sources of components without a rim, with lines in between where rings meet:
-// follow() along the lines of equal distance from these.
-Plan hybrid(const surface::Sheet& sheet, const Options& options);
+// The directions that lines of hybrid may follow: rings, and if beads may have other widths also the directions of the
+// rims, continued into the surface as evenly as possible.
+std::vector<field::DirectionMix> hybrid_sources(const Surface& surface, const Options& options);
+
+// Lines along all rims, and along the sources of components without a rim: follow() along one of hybrid_sources(). With
+// rings, these are lines of equal distance from the rims, with lines in between where rings meet.
+Plan hybrid(const surface::Sheet& sheet, const Options& options, const field::DirectionMix& source);
 
 } // namespace filum::surfpath

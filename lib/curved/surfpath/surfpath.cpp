@@ -13,6 +13,7 @@
 #include "surfpath/ortheo.hpp"
 #include "surfpath/plan/canonical.hpp"
 #include "surfpath/plan/coarse.hpp"
+#include "surfpath/plan/cost.hpp"
 #include "surfpath/plan/declare.hpp"
 #include "surfpath/plan/ground.hpp"
 #include "surfpath/plan/kinks.hpp"
@@ -61,7 +62,7 @@ Plan lines(const surface::Sheet& sheet, const Options& options) {
     case Algorithm::field:
         return follow(sheet, options);
     case Algorithm::hybrid:
-        return hybrid(sheet, options);
+        return hybrid(sheet, options, options.follow);
     }
     throw std::logic_error("no such algorithm");
 }
@@ -87,6 +88,32 @@ double longest_side(const Options& o) {
     return o.spacing * (!by_field(o) ? kLongest : keeps_angle(o) ? kLongestTrue : kLongestStriped);
 }
 
+Plan with_round_kinks(const surface::Sheet& sheet, const Options& options) {
+    Plan out = lines(sheet, options);
+    plan::round_kinks(sheet.surface, out, options.spacing);
+    return out;
+}
+
+// The plan on a sheet of small triangles; for hybrid, of those along each of its sources the one that costs least.
+Plan on_small_triangles(const surface::Sheet& sheet, const Options& options) {
+    if (options.algorithm != Algorithm::hybrid) return with_round_kinks(sheet, options);
+    const auto sources = hybrid_sources(sheet.surface, options);
+    Plan out;
+    double least = std::numeric_limits<double>::infinity();
+    for (const field::DirectionMix& source : sources) {
+        Options o = options;
+        o.follow = source;
+        Plan now = with_round_kinks(sheet, o);
+        if (sources.size() == 1) return now;
+        const double cost = plan::cost(sheet.surface, now, {o.spacing, o.least_radius, o.cut_length, o.width_change});
+        if (out.strokes.empty() || cost < least) {
+            out = std::move(now);
+            least = cost;
+        }
+    }
+    return out;
+}
+
 // The plan on the sheet as it is.
 Plan as_given(const surface::Sheet& sheet, const Options& options) {
     plan::RefinedSheet small = plan::refined(sheet, longest_side(options));
@@ -102,8 +129,7 @@ Plan as_given(const surface::Sheet& sheet, const Options& options) {
         auto& to = small.sheet.sources.segments;
         to.insert(to.end(), slit.segments.begin(), slit.segments.end());
     }
-    Plan out = lines(small.sheet, on_small);
-    plan::round_kinks(small.sheet.surface, out, options.spacing);
+    Plan out = on_small_triangles(small.sheet, on_small);
     out.notes.insert(out.notes.end(), opened.begin(), opened.end());
     plan::to_parents(out, small);
     return out;

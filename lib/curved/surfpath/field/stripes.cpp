@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "sparse/factor.hpp"
+#include "surfpath/field/frequencies.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,6 @@ namespace {
 
 using sparse::Matrix;
 using surface::kNone;
-using surface::directions::turned;
 using Vector = Eigen::VectorXd; // real and imaginary part for each vertex
 
 constexpr double kPi = std::numbers::pi;
@@ -33,43 +33,17 @@ constexpr double kBeside = 1e-6;     // rad: far above rounding, far below what 
 constexpr double kRimParallel = 0.9; // cosine of the largest angle to a rim at which that attracts lines
 constexpr double kRimPull = 4;       // strength of the attraction, per mm of rim and spacing
 
-// Along an edge from vertex a to vertex b: the intended growth of the angle, and whether b counts it in the opposite
-// direction.
-struct EdgeGrowth {
-    double growth = 0;
-    bool flipped = false;
-};
-
-EdgeGrowth edge_growth(const Surface& s, const Cells& cells, std::span<const Vec3> along, double w, std::uint32_t a,
-                       std::uint32_t b) {
-    const Vec3 e = s.vertices[b] - s.vertices[a];
-    const Vec3 &na = cells.normal[a], &nb = cells.normal[b];
-    const bool flipped = dot(turned(along[a], na, nb), along[b]) < 0;
-    const double from = dot(cross(na, along[a]), e), to = dot(cross(nb, along[b]), e);
-    return {w * (from + (flipped ? -to : to)) / 2, flipped};
-}
-
 using Rotation = Eigen::Matrix2d;
 
 // The rotation that a phase at `k` has relative to `root` if the growth between them is the intended one.
-Rotation transported(const Surface& s, const Cells& cells, std::span<const Vec3> along, double w, std::uint32_t root,
-                     std::uint32_t k) {
+Rotation transported(const Surface& s, const Cells& cells, std::span<const Vec3> along, std::span<const double> w,
+                     std::uint32_t root, std::uint32_t k) {
     if (root == k) return Rotation::Identity();
     const EdgeGrowth g = edge_growth(s, cells, along, w, root, k);
     const double x = std::cos(g.growth), y = std::sin(g.growth), sign = g.flipped ? -1 : 1;
     Rotation out;
     out << x, sign * y, -y, sign * x;
     return out;
-}
-
-// The direction of a triangle: the mean of its corners' directions with matching signs; (0, 0, 0) if they cancel.
-Vec3 mean_direction(const Cells& cells, std::span<const Vec3> along, const surface::Triangle& c, const Vec3& n) {
-    Vec3 sum;
-    for (const std::uint32_t v : c) {
-        const Vec3 d = turned(along[v], cells.normal[v], n);
-        sum = sum + (dot(d, sum) < 0 ? -1.0 : 1.0) * d;
-    }
-    return geom::unit(sum - dot(sum, n) * n, {});
 }
 
 // Adds a 2 x 2 block to the lower triangle of the matrix.
@@ -95,8 +69,8 @@ double slope_cost(const Vec3& p, const StripeOptions& o) {
 
 // Adds the squared gradient of psi over every triangle, with slopes along the lines weighted by `stiff`. Each corner
 // serves as root for a third of the weight.
-void add_triangles(const Surface& s, const Cells& cells, std::span<const Vec3> along, double w, const StripeOptions& o,
-                   std::vector<Eigen::Triplet<double>>& to) {
+void add_triangles(const Surface& s, const Cells& cells, std::span<const Vec3> along, std::span<const double> w,
+                   const StripeOptions& o, std::vector<Eigen::Triplet<double>>& to) {
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const auto& c = s.triangles[t];
         const Vec3 n = surface::normal(s, t), d = mean_direction(cells, along, c, n);
@@ -157,11 +131,12 @@ namespace {
 // Minimises the energy of phases of size 1, from several initial phases.
 class PhaseDiffusion {
   public:
-    PhaseDiffusion(const Surface& s, const Cells& cells, std::span<const Vec3> along, const StripeOptions& o)
+    PhaseDiffusion(const Surface& s, const Cells& cells, std::span<const Vec3> along, std::span<const double> w,
+                   const StripeOptions& o)
         : unit_(o.spacing * o.spacing), total_(cells.total) {
         const auto n = static_cast<Eigen::Index>(2 * s.vertices.size());
         std::vector<Eigen::Triplet<double>> entries, mass;
-        add_triangles(s, cells, along, kPi / o.spacing, o, entries);
+        add_triangles(s, cells, along, w, o, entries);
         add_rims(s, along, o.spacing, entries);
         energy_.resize(n, n);
         energy_.setFromTriplets(entries.begin(), entries.end());
@@ -212,14 +187,10 @@ Vector initial_phase(std::size_t n, const Complex& everywhere, std::span<const C
 
 } // namespace
 
-Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> along, const StripeOptions& o) {
-    const double w = kPi / o.spacing;
-    const Complex everywhere = std::polar(1.0, kBegin + kPi * o.shift);
-    std::vector<Vector> psis{initial_phase(s.vertices.size(), everywhere, {})};
-    if (!o.like.empty()) psis.push_back(initial_phase(s.vertices.size(), everywhere, o.like));
-    PhaseDiffusion diffusion(s, cells, along, o);
-    diffusion.run(psis);
-    const Vector& psi = psis.size() > 1 && diffusion.sum(psis[1]) < diffusion.sum(psis[0]) ? psis[1] : psis[0];
+namespace {
+
+Stripes with_growth(const Surface& s, const Cells& cells, std::span<const Vec3> along, std::span<const double> w,
+                    const Vector& psi) {
     Stripes out;
     for (Eigen::Index i = 0; i < psi.size(); i += 2) out.phase.push_back(beside_lines({psi[i], psi[i + 1]}));
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
@@ -230,6 +201,26 @@ Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> alon
         out.growth.push_back(g.growth + std::arg(to * std::conj(out.phase[a]) * std::polar(1.0, -g.growth)));
     }
     return out;
+}
+
+// The stripes whose angle grows by w[v] rad/mm across the directions at vertex v, as nearly as possible.
+Stripes at_frequency(const Surface& s, const Cells& cells, std::span<const Vec3> along, std::span<const double> w,
+                     const StripeOptions& o) {
+    const Complex everywhere = std::polar(1.0, kBegin + kPi * o.shift);
+    std::vector<Vector> psis{initial_phase(s.vertices.size(), everywhere, {})};
+    if (!o.like.empty()) psis.push_back(initial_phase(s.vertices.size(), everywhere, o.like));
+    PhaseDiffusion diffusion(s, cells, along, w, o);
+    diffusion.run(psis);
+    const Vector& psi = psis.size() > 1 && diffusion.sum(psis[1]) < diffusion.sum(psis[0]) ? psis[1] : psis[0];
+    return with_growth(s, cells, along, w, psi);
+}
+
+} // namespace
+
+Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> along, const StripeOptions& o) {
+    std::vector<double> w = frequencies(s, cells, along, o.change);
+    for (double& f : w) f *= kPi / o.spacing;
+    return at_frequency(s, cells, along, w, o);
 }
 
 // rad: growth of the angle around a triangle, as counted by its first corner; none if the corners' directions have no

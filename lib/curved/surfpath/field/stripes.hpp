@@ -27,6 +27,7 @@ struct StripeOptions {
     double spacing = 1;          // mm
     double shift = 0;            // spacings by which lines are displaced, except along rims
     double stiff = kKeepSpacing; // 1 or more
+    double change = 0; // share by which lines may be nearer to each other or farther apart, so that fewer begin
     // per vertex an initial phase that may be near the optimum, of size 1 (0: unknown); may be empty
     std::span<const Complex> like{};
     std::span<const Vec3> apart{}; // places that repel births, as far as that costs little
