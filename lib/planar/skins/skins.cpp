@@ -159,6 +159,7 @@ Notes ignored(const Region& r, const RegionZones& cut, const Options& o, bool an
         put(other->loops, NoteCode::modifier_wall_width);
     else if (!cut.zones.empty() && !cut.mixed && !any_sparse)
         put(cut.zones[0].loops, NoteCode::modifier_walls_idle);
+    if (!cut.idle_width.empty()) put(cut.idle_width, NoteCode::modifier_width_idle);
     return out;
 }
 

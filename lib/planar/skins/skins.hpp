@@ -67,8 +67,8 @@ polygon::InfillPattern pattern(const std::string& text);
 // Where beads inside the outer wall, or in solid areas, have widths of their own, a zone covers the region. A region
 // with a width of its own (Region::width) has that width throughout.
 //
-// Returns notes on settings of modifiers that have no effect: other walls in a region that is all solid, and another
-// bead width for the outer wall, which keeps that of the part. Facts: the spacing of each setting in mm, and the share
+// Returns notes on settings of modifiers that have no effect: other walls in a region that is all solid, another bead
+// width in a region that has one of its own, and for the outer wall, which keeps that of the part. Facts: the spacing of each setting in mm, and the share
 // in percent that concentric lines, and few lines, reach.
 Notes skins(std::vector<polygon::Region>& regions, const Options& options, std::span<const Modifier> modifiers,
             Facts& facts);

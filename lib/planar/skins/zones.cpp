@@ -62,6 +62,8 @@ RegionZones Zones::cut(const polygon::Region& region) const {
     for (std::size_t kind = 1; kind < kinds_.size(); ++kind) {
         const Loops& inside = inside_[kind][region.layer];
         if (inside.empty()) continue;
+        if (own && kinds_[kind].width != kinds_[0].width && kinds_[kind].width != region.width)
+            out.idle_width.add(polygon::intersect(outline, inside));
         put(kind, polygon::intersect(outline, inside));
         others = polygon::unite(others, inside);
     }

@@ -11,6 +11,8 @@ struct RegionZones {
     std::vector<polygon::Area> zones; // with walls and bead widths of their own; none if the whole region is alike
     std::vector<std::size_t> kind;    // the kind of each zone
     bool mixed = false;               // some bead width differs from that of the outer wall
+    // where a modifier has a bead width that the region does not take, since it has one of its own; empty: nowhere
+    polygon::Loops idle_width;
 };
 
 // The zones of all layers. Setting 0 is that of the part, setting k that of the k-th modifier. Where modifiers overlap,

@@ -201,6 +201,22 @@ TEST(Skins, ZonesInASolidPartAreThoseOfOtherBeads) {
     }
 }
 
+// Regions with a bead width of their own do not take that of a modifier: a note counts those that it meets.
+TEST(Skins, AWidthThatAToolOverridesIsNoted) {
+    for (const auto& [own, settings, noted] : {std::tuple{0.5, "bead-width=0.6", true},
+                                               {0.5, "bead-width=0.5", false},
+                                               {0.5, "walls=3", false},
+                                               {0.0, "bead-width=0.6", false}}) {
+        auto part = random_part(3, 20);
+        for (Region& r : part) r.width = own;
+        const Modifier m{std::vector<Loops>(20, test::rectangle(-4, -4, 5, 4)), modified({}, settings)};
+        Facts facts;
+        const Notes notes = skins(part, {}, std::span(&m, 1), facts);
+        const auto idle = std::ranges::count(notes, NoteCode::modifier_width_idle, &Note::code);
+        EXPECT_EQ(idle > 0, noted) << own << ' ' << settings;
+    }
+}
+
 TEST(Skins, TheLastOfSeveralModifiersCounts) {
     auto part = random_part(5, 30);
     Options o;
