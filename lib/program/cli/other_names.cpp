@@ -170,4 +170,16 @@ std::string in_our_words(std::string_view theirs, std::span<const std::string> n
     return known != nullptr ? "; here it is '" + ours_of(*known) + "'" : "";
 }
 
+std::string as_command(std::string_view program, std::string_view option) {
+    struct OwnCommand {
+        std::string_view program, option, command;
+    };
+    constexpr OwnCommand kOwnCommands[] = {{"surfpath", "compare", "filum compare FACE -o FOLDER"},
+                                           {"choose", "compare", "filum compare FACE -o FOLDER"}};
+    for (const OwnCommand& c : kOwnCommands)
+        if (c.program == program && c.option == option)
+            return "; the command '" + std::string(c.command) + "' does that";
+    return "";
+}
+
 } // namespace filum::cli

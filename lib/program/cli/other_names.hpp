@@ -51,4 +51,8 @@ std::string ours_of(const OtherName& name);
 // dashes); else "".
 std::string in_our_words(std::string_view theirs, std::span<const std::string> names);
 
+// "; the command 'filum compare ...' does that" for an option that some look for in a program, although it is a command
+// of its own; else "".
+std::string as_command(std::string_view program, std::string_view option);
+
 } // namespace filum::cli

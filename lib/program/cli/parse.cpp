@@ -143,7 +143,8 @@ void take_leading(const Spec& spec, Io& io) {
     const std::size_t dashes = std::min(name.find_first_not_of('-'), name.size());
     std::vector<std::string> names{"output", "threads", "quiet", "notes", "help", "version"};
     for (const Option& o : spec.options) names.push_back(o.name);
-    std::string meant = in_our_words(name.substr(dashes), names);
+    std::string meant = as_command(spec.name, name.substr(dashes));
+    if (meant.empty()) meant = in_our_words(name.substr(dashes), names);
     if (meant.empty()) meant = did_you_mean(name.substr(dashes), names, "--");
     misused("unknown option '" + word + "'" + (meant.empty() ? "; see '" + spec.name + " --help'" : meant));
 }
