@@ -58,7 +58,8 @@ void set_clock(const Job& job, Settings& to) {
 }
 
 // Sets the material of each extruder, and whether it is used.
-void set_material(const Job& job, std::size_t extruders, Settings& to) {
+// OrcaSlicer and Bambu Studio (`orca`) list 64 extruders, so that macros may ask for any of them.
+void set_material(const Job& job, std::size_t extruders, bool orca, Settings& to) {
     std::vector<Value> used, volume, weight;
     double all_volume = 0, all_weight = 0;
     for (std::uint32_t tool = 0; tool < extruders; ++tool) {
@@ -71,6 +72,8 @@ void set_material(const Job& job, std::size_t extruders, Settings& to) {
         all_volume += mm3;
         all_weight += grams;
     }
+    constexpr std::size_t kExtrudersOfOrca = 64;
+    if (orca && used.size() < kExtrudersOfOrca) used.resize(kExtrudersOfOrca, Value{false});
     to.set("is_extruder_used", Variable::many(used));
     to.set("extruded_volume", Variable::many(volume));
     to.set("extruded_weight", Variable::many(weight));
@@ -150,6 +153,22 @@ void set_other_names(const Job& job, Settings& to) {
     to.set("model_name", Variable::one(std::string()));
 }
 
+// Sets how each filament is flushed: where it says nothing, as fast as it melts and as hot as it may become.
+void set_flush(const Job& job, Settings& to) {
+    const auto set = [&](const char* name, const char* own, const char* otherwise) {
+        std::vector<Value> out;
+        for (std::size_t i = 0, n = std::max<std::size_t>(1, to.texts(otherwise).size()); i < n; ++i) {
+            const double value = to.number(own, i);
+            out.emplace_back(value > 0 ? value : to.number(otherwise, i));
+        }
+        to.set(name, Variable::many(out));
+    };
+    set("flush_volumetric_speeds", "filament_flush_volumetric_speed", "filament_max_volumetric_speed");
+    set("flush_temperatures", "filament_flush_temp", "nozzle_temperature_range_high");
+    to.set("long_retraction_when_ec", Variable::one(to.number("long_retractions_when_ec", job.first_tool) != 0));
+    to.set("retraction_distance_when_ec", Variable::one(to.number("retraction_distances_when_ec", job.first_tool)));
+}
+
 // Sets the values that newer versions of Bambu Studio compute (GCode.cpp of version 2).
 void set_bambu(const Job& job, Settings& to) {
     const auto has = [&](const char* key, const char* value) {
@@ -165,6 +184,7 @@ void set_bambu(const Job& job, Settings& to) {
     to.set("min_vitrification_temperature", Variable::one(whole_value(glass)));
     to.set("max_print_z", Variable::one(whole_value(std::ceil(job.height))));
     to.set("enable_high_low_temp_mix", Variable::one(false));
+    set_flush(job, to);
     // The nozzle of the first filament; the others have none.
     const std::size_t nozzles = std::max<std::size_t>(1, to.texts("nozzle_diameter").size());
     const double extruder = nozzles > 1 ? to.number("filament_map", job.first_tool, 1) - 1 : 0;
@@ -263,7 +283,7 @@ void set_job_values(const Job& job, bool orca, Settings& to) {
     to.set("filament_preset", Variable::many(filaments));
     to.set("initial_filament_type", Variable::one(to.text("filament_type", job.first_tool)));
     const std::size_t extruders = std::max<std::size_t>(1, to.texts("nozzle_diameter").size());
-    set_material(job, extruders, to);
+    set_material(job, extruders, orca, to);
     to.set("version", Variable::one(std::string("2.9.0")));
     set_clock(job, to);
     if (orca) set_orca(job, box, to);

@@ -196,6 +196,14 @@ std::vector<geom::Vec2> corners(const std::vector<std::string>& texts) {
     return out;
 }
 
+// Whether a list of a preset of Bambu Studio can stand without an index, as in {nozzle_diameter == 0.2}: a list of
+// numbers is then the value of the current tool's extruder. Lists whose values differ need an index here, since Bambu
+// Studio and OrcaSlicer do not agree on that extruder.
+static bool one_number(const Key& key, const Variable& list) {
+    const bool numbers = key.type == Type::number || key.type == Type::share;
+    return numbers && list.list && std::ranges::count(list.items, list.items.front()) == std::ssize(list.items);
+}
+
 Settings::Settings(const Preset& preset) {
     const bool orca = preset.slicer == "orca" || preset.slicer == "bambu";
     for (const Key& key : keys()) {
@@ -209,7 +217,7 @@ Settings::Settings(const Preset& preset) {
         const Key* key = key_of(name);
         Variable& made = variables_[name];
         made = variable(key != nullptr ? *key : looks_like(name, values), values);
-        made.either = key == nullptr;
+        made.either = key == nullptr || (orca && one_number(*key, made));
     }
     resolve_shares();
     // A filament may override settings of the printer: filament_NAME replaces NAME.

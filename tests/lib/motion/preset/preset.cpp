@@ -71,6 +71,47 @@ TEST(Settings, PercentagesAndFilamentsOwnValues) {
     EXPECT_DOUBLE_EQ(s.number("retract_lift"), 0.2);
 }
 
+// Bambu Studio takes a list of numbers without an index as the value of the current extruder; PrusaSlicer refuses it.
+TEST(Settings, ListsOfEqualNumbersWithoutAnIndex) {
+    const auto start = [](const char* slicer, const char* diameters) {
+        return preset::Program(of_lines({{"machine_start_gcode", "; {if nozzle_diameter == 0.2}thin{else}wide{endif}"},
+                                         {"start_gcode", "; {if nozzle_diameter == 0.2}thin{else}wide{endif}"},
+                                         {"gcode_flavor", "marlin2"},
+                                         {"nozzle_diameter", diameters},
+                                         {"printable_area", "0x0,256x0,256x256,0x256"}},
+                                        slicer),
+                               {})
+            .start();
+    };
+    EXPECT_NE(start("orca", "0.2,0.2").find("; thin"), std::string::npos);
+    EXPECT_NE(start("orca", "0.4").find("; wide"), std::string::npos);
+    EXPECT_THROW(start("orca", "0.2,0.4"), Error);
+    EXPECT_THROW(start("prusa", "0.2,0.2"), Error);
+}
+
+// As newer versions of Bambu Studio compute them; is_extruder_used has 64 values there and in OrcaSlicer.
+TEST(Settings, FlushingAndUnusedExtruders) {
+    preset::Preset bambu;
+    bambu.slicer = "bambu";
+    bambu.settings = {{"machine_start_gcode",
+                       {"; {flush_volumetric_speeds[0]/2} {flush_volumetric_speeds[1]} {flush_temperatures[0]} "
+                        "{flush_temperatures[1]}{if long_retraction_when_ec} {retraction_distance_when_ec}{endif}\n; "
+                        "{is_extruder_used[0]} {is_extruder_used[1]} {is_extruder_used[7]}"}},
+                      {"gcode_flavor", {"marlin2"}},
+                      {"nozzle_diameter", {"0.4"}},
+                      {"filament_flush_volumetric_speed", {"0", "9.5"}},
+                      {"filament_max_volumetric_speed", {"21", "12"}},
+                      {"filament_flush_temp", {"0", "250"}},
+                      {"nozzle_temperature_range_high", {"240", "260"}},
+                      {"long_retractions_when_ec", {"1"}},
+                      {"retraction_distances_when_ec", {"8"}},
+                      {"printable_area", {"0x0", "256x0", "256x256", "0x256"}}};
+    preset::Job job;
+    job.tools = {0};
+    const std::string start = preset::Program(bambu, job).start();
+    EXPECT_NE(start.find("; 10.5 9.5 240 250 8\n; true false false\n"), std::string::npos) << start;
+}
+
 TEST(PresetProgram, HeatsOnlyWhereTheStartDoesNot) {
     EXPECT_EQ(
         start_of({{"start_gcode", "G28"}}),
