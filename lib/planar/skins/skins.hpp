@@ -68,8 +68,8 @@ polygon::InfillPattern pattern(const std::string& text);
 // with a width of its own (Region::width) has that width throughout.
 //
 // Returns notes on settings of modifiers that have no effect: other walls in a region that is all solid, another bead
-// width in a region that has one of its own, and for the outer wall, which keeps that of the part. Facts: the spacing of each setting in mm, and the share
-// in percent that concentric lines, and few lines, reach.
+// width in a region that has one of its own, and for the outer wall, which keeps that of the part. Facts: the spacing
+// of each setting in mm, and the share in percent that concentric lines, and few lines, reach.
 Notes skins(std::vector<polygon::Region>& regions, const Options& options, std::span<const Modifier> modifiers,
             Facts& facts);
 
