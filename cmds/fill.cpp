@@ -91,8 +91,7 @@ cli::Spec spec(Options& all) {
             .description = cli::kDescription,
             .in = cli::reads(stream::Payload::regions),
             .out = cli::writes(stream::Payload::paths),
-            .memory =
-                "one region per thread at 20 times the bytes that it writes, and outlines filled before, up to 64 MB",
+            .memory = "one region per thread at 20 times the bytes that it writes, and outlines filled before (64 MB)",
             .options = options(all),
             .groups = groups(),
             .examples = {{"slice part.stl | regions | sequence | fill > part.paths", "the fill of a part"},

@@ -36,9 +36,10 @@ cli::Spec spec(Options& o) {
                     "rows end at the rim, or continue by hairpins or wide turns; usual: wide"}
                  .one_of({"usual", "none", "hairpin", "wide"}),
              Option{"strict", &o.how.strict, "",
-                    "refuse (exit 1) a ply of which more than --max-tight turns tighter than --min-radius"}
+                    "refuse (exit 1) a ply if more than --max-tight of it turns tighter than --min-radius"}
                  .a_limit(),
-             Option{"max-tight", &o.how.max_tight, "SHARE", "share of a ply's length that may turn tighter than --min-radius"}
+             Option{"max-tight", &o.how.max_tight, "SHARE",
+                    "share of a ply's length that may turn tighter than --min-radius"}
                  .within(0, 1)
                  .when("strict")
                  .a_limit(),

@@ -70,7 +70,7 @@ Order listed(const Graph& g, const Order& order, const Strokes& s, StrokePrecede
     return out;
 }
 
-// Ready strokes, of which the nearest comes next. Ties, and the first one of all: the lowest id of the first region.
+// Ready strokes; the nearest comes next. Ties, and the first one of all: the lowest id of the first region.
 class NearestReady {
   public:
     NearestReady(const Graph& g, const Order& order, const Strokes& s) : by_id_(s.first.size() - 1), rank_(by_id_) {
@@ -133,7 +133,7 @@ StrokeTools stroke_tools(const Graph& g, const Order& order, const Strokes& s, c
     return out;
 }
 
-// Ready strokes, of which those of the present tool come first, always the nearest one.
+// Ready strokes; those of the present tool come first, always the nearest one.
 class ToolReady {
   public:
     // `first`: the index of the first tool.
@@ -206,7 +206,7 @@ std::vector<Pair> nested(const Graph& g, const Strokes& s, std::span<const Index
     return out;
 }
 
-// Ready strokes, of which the nearest comes next. Those that surround a ready one are held back. Strokes that surround
+// Ready strokes; the nearest comes next. Those that surround a ready one are held back. Strokes that surround
 // each other on different layers are all held back; then the first one of them comes next.
 class InnerReady {
   public:
