@@ -18,7 +18,7 @@ struct Capsule {
 // Lower bound on the distance between p and what the capsule holds, mm; infinite if it holds nothing.
 double distance(const Capsule& c, Vec2 p);
 
-// Whether neither a side of the box nor a line along the capsule separates the two.
+// Whether no side of the box and no line along the capsule separates the two.
 bool may_meet(const Capsule& c, const Box2& box);
 
 // A packed binary tree: the children of node i are 2 i + 1 and 2 i + 2, and each leaf has a run of consecutive
