@@ -97,8 +97,8 @@ bool misses_others(const State& state, Vec3 a, Vec3 b, bool front) {
     });
 }
 
-// Whether the straight way a -> b stays clear of the regions still to be printed below it: its bead does not lie
-// over them, and the head does not meet the bead while it prints them.
+// Whether the straight way a -> b stays clear of the regions still to be printed below it. Its bead must not lie over
+// them, and the head must not meet the bead while it prints them.
 bool misses_later(const State& state, Vec3 a, Vec3 b) {
     const auto& head = state.options.head;
     const double high = std::max(a.z, b.z), near = state.region().paths.height / 2;

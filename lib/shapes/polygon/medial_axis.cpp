@@ -14,6 +14,9 @@ namespace filum::polygon {
 
 namespace {
 
+// Axes of the grid. Coincidences that lead the sweep astray, such as equal legs nearly along the axes, rarely do so
+// along others.
+constexpr Vec2 kTurns[] = {{1, 0}, {0.8, 0.6}, {5.0 / 13, 12.0 / 13}};
 constexpr double kNoHeight = 1e-2; // grid units; a focus nearer to its line makes no parabola
 
 // The point of the cell's part of the outline nearest to p, grid units.
@@ -111,8 +114,8 @@ class Builder {
             }
         for (std::uint32_t e = 0; e < d_.edges(); ++e)
             if (d_.inside[e]) out_.next[last_[e]] = first_[following(e)];
-        for (Vec2& p : out_.node) p = sites_->origin + (1 / kGridPerMm) * p;
-        for (Vec2& p : out_.foot) p = sites_->origin + (1 / kGridPerMm) * p;
+        for (Vec2& p : out_.node) p = sites_->place(p);
+        for (Vec2& p : out_.foot) p = sites_->place(p);
         for (double& r : out_.radius) r /= kGridPerMm;
         return std::move(out_);
     }
@@ -186,8 +189,12 @@ MedialAxis medial_axis(const Loops& region, double outline_tolerance, double tol
     Sites sites = sites_of(region, outline_tolerance);
     for (double by = kGrowBy; by < kGrowAtMost; by *= 4) {
         if (sites.size() == 0) return {};
-        if (std::optional<Diagram> diagram = voronoi(sites))
-            return Builder(sites, std::move(*diagram), tolerance, slope).run();
+        for (const Vec2 turn : kTurns) {
+            const Sites tried = turn.x == 1 ? sites : turned(sites, turn);
+            if (tried.size() == 0) continue;
+            if (std::optional<Diagram> diagram = voronoi(tried))
+                return Builder(tried, std::move(*diagram), tolerance, slope).run();
+        }
         sites = grown_sites_of(region, by);
     }
     throw Error(Exit::failure, "internal error: the medial axis of a region is not sound");

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace filum::polygon {
@@ -86,6 +87,33 @@ Sites sites_of(const Loops& region, double tolerance) {
 Sites grown_sites_of(const Loops& region, double by) {
     const Loops grown = offset(region, by, by);
     return grown.empty() || !is_simple(grown) ? Sites{} : on_grid(grown, beside(grown));
+}
+
+Sites turned(const Sites& sites, Vec2 turn) {
+    Box2 box;
+    for (std::size_t i = 0; i < sites.size(); ++i) box.add(sites.at(i));
+    const Vec2 middle = geom::lerp(box.lo, box.hi, 0.5);
+    Sites out = sites;
+    const Vec2 back = middle.x * turn + middle.y * geom::left_of(turn); // where the middle would be
+    out.origin = sites.place(middle - back);
+    out.turn = turn.x * sites.turn + turn.y * geom::left_of(sites.turn);
+    Loops loops;
+    std::vector<char> seen(sites.size(), 0);
+    for (std::uint32_t first = 0; first < sites.size(); ++first) {
+        if (seen[first]) continue;
+        for (std::uint32_t v = first; !seen[v]; v = sites.next[v]) {
+            seen[v] = 1;
+            const Vec2 p = sites.at(v) - middle;
+            const Vec2 q = middle + Vec2{geom::dot(turn, p), geom::cross(turn, p)};
+            constexpr double kMost = std::numeric_limits<std::int32_t>::max() - 1.0;
+            if (std::max({q.x, q.y, -q.x, -q.y}) > kMost) return {};
+            out.x[v] = static_cast<std::int32_t>(std::llround(q.x));
+            out.y[v] = static_cast<std::int32_t>(std::llround(q.y));
+            loops.points.push_back((1 / kGridPerMm) * out.at(v));
+        }
+        loops.close();
+    }
+    return is_simple(loops) ? out : Sites{};
 }
 
 } // namespace filum::polygon

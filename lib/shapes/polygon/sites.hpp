@@ -10,14 +10,19 @@
 namespace filum::polygon {
 
 // Segment i runs from vertex i to vertex next[i], solid on its left; coordinates in grid units (simple.hpp) from
-// `origin`.
+// `origin`. `turn` is the direction of the first axis.
 struct Sites {
-    Vec2 origin; // mm
+    Vec2 origin;     // mm
+    Vec2 turn{1, 0}; // unit
     std::vector<std::int32_t> x, y;
     std::vector<std::uint32_t> next, prev;
 
     [[nodiscard]] std::size_t size() const { return x.size(); }
     [[nodiscard]] Vec2 at(std::size_t i) const { return {static_cast<double>(x[i]), static_cast<double>(y[i])}; }
+    // The place of a point in grid units, mm.
+    [[nodiscard]] Vec2 place(Vec2 p) const {
+        return origin + (1 / kGridPerMm) * (p.x * turn + p.y * geom::left_of(turn));
+    }
 };
 
 // The outline of `region` (outer loop, then holes) with fewer vertices; no removed vertex is farther than `tolerance`
@@ -32,5 +37,9 @@ inline constexpr double kGrowAtMost = 1.0; // mm
 
 // The outline of `region` grown by `by` mm; empty if that touches itself.
 Sites grown_sites_of(const Loops& region, double by);
+
+// The same segments along axes turned by the angle of the unit vector `turn`; vertices move to the new grid, by .7 grid
+// units at most. Empty if segments meet then, or if the region is too wide.
+Sites turned(const Sites& sites, Vec2 turn);
 
 } // namespace filum::polygon

@@ -4,12 +4,16 @@
 
 #include <boost/polygon/voronoi.hpp>
 
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
 namespace filum::polygon {
 
 namespace {
+
+constexpr double kFit = 1; // grid units; vertices are exact to a small share of it, so one off by more is wrong
 
 namespace detail = boost::polygon::detail;
 using Usual = detail::voronoi_ctype_traits<std::int32_t>;
@@ -176,6 +180,30 @@ bool mark_inside(const Sites& sites, const std::vector<std::uint32_t>& next, Dia
     return true;
 }
 
+// How far p is from a cell's part of the outline, grid units. Negative or infinite if p lies on the right of its
+// segment or beyond its ends, where no point of its cell inside the region can be.
+double distance_in(const Sites& sites, const Diagram& d, std::uint32_t cell, Vec2 p) {
+    if (const std::uint32_t v = vertex_of(sites, d, cell); v != kNone) return geom::distance(sites.at(v), p);
+    const std::uint32_t i = d.segment[cell];
+    const Vec2 begin = sites.at(i), along = sites.at(sites.next[i]) - begin;
+    const double length = geom::norm(along), at = geom::dot(along, p - begin) / length;
+    if (at < -kFit || at > length + kFit) return std::numeric_limits<double>::infinity();
+    return geom::cross(along, p - begin) / length;
+}
+
+// Whether both ends of each edge inside the region are as far from the one cell as from the other, and on the inner
+// side of both. Near coincidences of many sites can lead the sweep to another diagram, whose edges follow each other
+// well.
+bool fits(const Sites& sites, const Diagram& d) {
+    for (std::uint32_t e = 0; e < d.edges(); ++e) {
+        if (!d.inside[e]) continue;
+        const Vec2 p = d.vertex[d.from[e]];
+        const double one = distance_in(sites, d, d.cell[e], p), two = distance_in(sites, d, d.cell[e ^ 1U], p);
+        if (!(one > -kFit && two > -kFit && std::abs(one - two) <= kFit)) return false;
+    }
+    return true;
+}
+
 // Removes edges inside the region whose two ends differ only by rounding, by Boost's own test of equal vertices. The
 // edges that met at the two ends then share one vertex.
 void remove_short_edges(std::vector<std::uint32_t>& next, Diagram& d) {
@@ -240,7 +268,7 @@ std::optional<Diagram> voronoi(const Sites& sites) {
     out.vertex = std::move(record.vertex);
     out.segment = std::move(record.segment);
     out.part = std::move(record.part);
-    if (!mark_inside(sites, next, out)) return std::nullopt;
+    if (!mark_inside(sites, next, out) || !fits(sites, out)) return std::nullopt;
     remove_short_edges(next, out);
     return out;
 }
