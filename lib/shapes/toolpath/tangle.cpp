@@ -116,9 +116,11 @@ std::vector<Tangle> tangles(const Line& line, std::span<const Move> moves, std::
     const bool arcs = std::any_of(moves.begin(), moves.end(), [](const Move& m) { return m.sweep != 0; });
     const geom::SegmentGrid cells(all.segments, geom::cell_for(all.segments, kLeastMove), arcs ? 2 * kSagitta : 0);
     const auto near = [&](const geom::Segment& s, auto&& f) { cells.along(s.a, s.b, f); };
+    std::vector<std::uint32_t> seen(n, 0); // per segment: the last one it was compared with; long rows share many cells
     for (std::uint32_t i = 0; i < n; ++i)
         near(all.segments[i], [&](std::uint32_t k) {
-            if (k <= i) return;
+            if (k <= i || seen[k] == i + 1) return;
+            seen[k] = i + 1;
             const Move &m = moves[all.move[i]], &n = moves[all.move[k]];
             if (k == i + 1 && ((m.sweep == 0 && n.sweep == 0) || all.move[i] == all.move[k])) return;
             if (!cross(all.segments[i], m, all.segments[k], n)) return;
