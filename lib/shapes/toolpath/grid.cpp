@@ -125,14 +125,16 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_pairs(const std::v
     const std::vector<geom::Segment> all = segments_of(curves);
     const geom::SegmentGrid grid(all, geom::cell_for(all, cell));
     Pairs out;
+    std::vector<std::uint32_t> seen(all.size(), 0); // the last segment it was compared with: pairs share several cells
     for (std::uint32_t i = 0; i < all.size(); ++i) {
         const Vec2 a = all[i].a, b = all[i].b;
         grid.along(a, b, [&](std::uint32_t j) {
-            if (j > i && geom::cross_properly(a, b, all[j].a, all[j].b)) out.emplace_back(i, j);
+            if (j <= i || seen[j] == i + 1) return;
+            seen[j] = i + 1;
+            if (geom::cross_properly(a, b, all[j].a, all[j].b)) out.emplace_back(i, j);
         });
     }
     std::sort(out.begin(), out.end());
-    out.erase(std::unique(out.begin(), out.end()), out.end()); // a pair may share several cells
     return out;
 }
 
