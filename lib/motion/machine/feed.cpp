@@ -43,6 +43,15 @@ bool fills_area(toolpath::Feature f) {
     return f == Feature::infill || f == Feature::solid || f == Feature::bottom || f == Feature::top;
 }
 
+// The feed of a move of the first layer that would have the feed `v` elsewhere.
+double first_layer_feed(const Profile& p, const ExtrudingMove& move, double v) {
+    const Feeds& f = p.feeds;
+    const bool fills = toolpath::fills(move.role);
+    if (f.first_layer_share > 0 && fills) return std::min(f.first_layer_share * v, p.motion.max_speed);
+    const double own = f.first_layer_infill > 0 && fills_area(move.feature) ? f.first_layer_infill : f.first_layer;
+    return f.first_layer_exact && fills ? own : std::min(v, own);
+}
+
 // The feed without the pace of its layer.
 double full_feed(const Profile& p, const ExtrudingMove& move) {
     double v = role_feed(p.feeds, move.role);
@@ -50,10 +59,7 @@ double full_feed(const Profile& p, const ExtrudingMove& move) {
     if (toolpath::fills(move.role) && own > 0) v = own;
     if (toolpath::fills(move.role) && move.over_air > 0)
         v = std::min(p.overhang.feed(v, move.over_air / 100.0), p.motion.max_speed);
-    if (move.layer == 0) {
-        const bool infill = p.feeds.first_layer_infill > 0 && fills_area(move.feature);
-        v = std::min(v, infill ? p.feeds.first_layer_infill : p.feeds.first_layer);
-    }
+    if (move.layer == 0) v = first_layer_feed(p, move, v);
     if (!(move.length > 0)) return v;
     const double section = move.volume / move.length * p.extrusion.flow;
     const double most = std::min(section > 0 ? p.limits.flow / section : v,

@@ -22,7 +22,7 @@ struct ExtrudingMove {
 ExtrudingMove extruding_move(const toolpath::Span& span, std::size_t i); // of the segment i -> i + 1
 
 // The feed of a move, mm/s.  It is that of the feature if the move fills and the feature has a feed, else that of the
-// role; that of a wall partly over air is as Profile::overhang says.  It is at most feeds.first_layer on layer 0, and
+// role; that of a wall partly over air is as Profile::overhang says.  On layer 0 it is at most feeds.first_layer, and
 // at most feeds.first_layer_infill there if the move fills an area.  limits.flow and motion.max_speed_z lower it; a
 // feed that these two limits lower is a whole number if it is 1 or more.  Last, the layer's pace lowers it, but not
 // below limits.least_feed.

@@ -101,6 +101,8 @@ void read_feeds(Document& doc, Profile& p) {
              "motion.max_speed");
     feed("feeds.first_layer", p.feeds.first_layer, m.max_speed, "motion.max_speed");
     feed("feeds.first_layer_infill", p.feeds.first_layer_infill, m.max_speed, "motion.max_speed");
+    doc.number("feeds.first_layer_share", p.feeds.first_layer_share, {0, 10});
+    doc.flag("feeds.first_layer_exact", p.feeds.first_layer_exact);
     doc.number("feeds.rise", p.feeds.rise, {0, 1000});
     feed("feeds.lift", p.feeds.lift, m.max_speed, "motion.max_speed");
     feed("feeds.jog", p.feeds.jog, m.max_speed, "motion.max_speed");

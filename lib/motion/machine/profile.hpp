@@ -67,8 +67,10 @@ struct Limits {
 // Speeds of the nozzle, mm/s.
 struct Feeds {
     double bead = 50, first_layer = 25, lift = 25, jog = 50, connector = 20, travel = 150, z = 10;
-    double rise = 0;               // s in which the speed of a stroke rises to its full value; 0: at once
-    double first_layer_infill = 0; // of infill and solid areas of the first layer; 0: as first_layer
+    double rise = 0;                // s in which the speed of a stroke rises to its full value; 0: at once
+    double first_layer_infill = 0;  // of infill and solid areas of the first layer; 0: as first_layer
+    double first_layer_share = 0;   // of a bead's speed on other layers, instead of both; 0: as these say
+    bool first_layer_exact = false; // both also for beads that are slower on other layers
     std::array<double, toolpath::kFeatures> feature{}; // by feature; 0: as bead
 };
 

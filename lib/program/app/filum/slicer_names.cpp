@@ -132,7 +132,7 @@ void limit_speeds(SlicerWishes& all, const machine::Motion& motion) {
     const std::string start = "--set=feeds.";
     for (const ReadSetting& s : all.settings)
         for (const std::string& word : s.words) {
-            if (!word.starts_with(start)) continue;
+            if (!word.starts_with(start) || word.ends_with("=true")) continue;
             const double most = word.starts_with(start + "z=") ? motion.max_speed_z : motion.max_speed;
             const auto equal = word.find('=', start.size());
             if (!(parse_number(word.substr(equal + 1), s.key) > most)) continue;

@@ -43,6 +43,7 @@ class Reader {
         if (row.reading == "shell") return shell(key, row);
         if (row.reading == "share") return {option(row.target, shortest_text(values_.density(key)) + "%")};
         if (row.reading == "speed") return speed(key, row);
+        if (row.reading == "first_speed") return first_speed(key, row);
         if (row.reading == "key" || row.reading == "key_positive") {
             const double number = values_.number(key);
             return number > 0 || row.reading == "key" ? Words{set(row.target, number)} : Words{};
@@ -94,7 +95,20 @@ class Reader {
 
     Words speed(const std::string& key, const SettingRow& row) {
         const double mm_s = values_.speed(key, row);
-        return mm_s > 0 ? Words{set(row.target, mm_s)} : Words{};
+        if (!(mm_s > 0)) return {};
+        Words out{set(row.target, mm_s)};
+        // Beads without a kind are those of regions that are solid throughout.
+        if (row.target == "feeds.solid") out.push_back(set("feeds.bead", mm_s));
+        return out;
+    }
+
+    // A percentage is one of the speed of each bead.  SuperSlicer's speed is the most that beads may have, that of the
+    // other slicers replaces the beads' own.
+    Words first_speed(const std::string& key, const SettingRow& row) {
+        if (values_.percent(key)) return {set("feeds.first_layer_share", values_.number(key) / 100)};
+        Words out = speed(key, row);
+        if (!out.empty() && values_.slicer() != Slicer::super) out.emplace_back("--set=feeds.first_layer_exact=true");
+        return out;
     }
 
     // The lower one of the limits of the print and of the filament, mm3/s; 0 of a setting means no limit.

@@ -74,6 +74,25 @@ TEST(BeadFeed, FirstLayerHasASpeedForAreas) {
     EXPECT_DOUBLE_EQ(bead_feed(profile, {.feature = toolpath::Feature::bottom}), 20);
 }
 
+TEST(BeadFeed, FirstLayerReplacesSlowSpeedsOrTakesAShareOfEach) {
+    using toolpath::Feature;
+    Profile profile;
+    profile.feeds.first_layer = 20;
+    profile.feeds.feature[static_cast<std::size_t>(Feature::solid)] = 15;
+    profile.feeds.feature[static_cast<std::size_t>(Feature::wall)] = 60;
+    profile.feeds.lift = 5;
+    const auto feed = [&](Feature f) { return bead_feed(profile, {.feature = f}); };
+    EXPECT_DOUBLE_EQ(feed(Feature::solid), 15);
+    profile.feeds.first_layer_exact = true;
+    EXPECT_DOUBLE_EQ(feed(Feature::solid), 20);
+    EXPECT_DOUBLE_EQ(feed(Feature::wall), 20);
+    EXPECT_DOUBLE_EQ(bead_feed(profile, {.role = toolpath::Role::lift}), 5);
+    profile.feeds.first_layer_share = 0.4;
+    EXPECT_DOUBLE_EQ(feed(Feature::solid), 6);
+    EXPECT_DOUBLE_EQ(feed(Feature::wall), 24);
+    EXPECT_DOUBLE_EQ(bead_feed(profile, {.layer = 1, .feature = Feature::wall}), 60);
+}
+
 // A stream can name any number; the list of times must not take the machine's memory.
 TEST(LayerTimes, RefusesNumbersOfLayersThatNoPartHas) {
     toolpath::Span lift;
