@@ -35,6 +35,10 @@ cli::Spec spec(Options& o) {
              Option{"turns", &o.how.turns, "",
                     "rows end at the rim, or continue by hairpins or wide turns; usual: wide"}
                  .one_of({"usual", "none", "hairpin", "wide"}),
+             Option{"rim-beads", &o.how.rim_beads, "N",
+                    "plies have 0, 1 to N closed beads along the rims in turn; rows turn inside of them"}
+                 .within(0, 20)
+                 .when("!turn-outside"),
              Option{"strict", &o.how.strict, "",
                     "refuse (exit 1) a ply if more than --max-tight of it turns tighter than --min-radius"}
                  .a_limit(),
@@ -65,8 +69,8 @@ cli::Spec spec(Options& o) {
         .groups = {{"the plies",
                     {"plies", "table", "symmetric", "reference", "keep", "layer-height", "stagger", "ramp"}},
                    {"lines",
-                    {"spacing", "turns", "min-radius", "strict", "max-tight", "min-length", "turn-outside", "trim-list",
-                     "machine"}}},
+                    {"spacing", "turns", "rim-beads", "min-radius", "strict", "max-tight", "min-length", "turn-outside",
+                     "trim-list", "machine"}}},
         .examples =
             {{"geodesic part.stl --cut 0,0,1,0.9 | laminate --plies 0,90 --symmetric --spacing 2 > part.toolpath",
               "four plies on a surface, here a part without its top"}},

@@ -59,6 +59,9 @@ std::vector<Option> options(Options& o) {
                 "rows end at the rim, or continue by hairpins or wide turns; usual: none for ortheo, else wide"}
              .one_of({"usual", "none", "hairpin", "wide"})
              .when("algorithm=planned|fina|fexa|ortheo|field"),
+         Option{"rim-beads", &o.plan.rim_beads, "N", "closed beads along every rim; rows turn inside of them"}
+             .within(0, 20)
+             .when("algorithm=planned|field !turn-outside"),
          Option{"width-change", &o.plan.width_change, "SHARE",
                 "beads may be wider or narrower by this share of the spacing, to fit the room between lines"}
              .within(0, 0.5),
@@ -72,23 +75,24 @@ std::vector<Option> options(Options& o) {
 }
 
 cli::Spec spec(Options& o) {
-    return {.name = "surfpath",
-            .synopsis = "lay a path on a curved surface",
-            .description = cli::kDescription,
-            .in = cli::reads(stream::Payload::surface),
-            .out = cli::writes(stream::Payload::toolpath),
-            .memory = "the model, and windows of distance",
-            .options = options(o),
-            .groups = {{"the path and its turns",
-                        {"spacing", "min-radius", "strict", "max-tight", "min-length", "turns", "cut-length"}},
-                       {"the bead", {"width-change", "layer-height", "ply", "offset", "lift"}},
-                       {"field", {"follow", "angle", "reference", "keep", "coarsen"}},
-                       {"turns beyond the rims", {"turn-outside", "trim-list", "machine"}}},
-            .examples = {{"geodesic part.stl --cut 0,0,1,0.9 --source boundary | surfpath geo-fiso > part.toolpath",
-                          "one path over a surface, here a part without its top"}},
-            .see_also = {"geodesic", "metrics", "render"},
-            .arguments = "[ALGORITHM] [INPUT]",
-            .leading = "algorithm"};
+    return {
+        .name = "surfpath",
+        .synopsis = "lay a path on a curved surface",
+        .description = cli::kDescription,
+        .in = cli::reads(stream::Payload::surface),
+        .out = cli::writes(stream::Payload::toolpath),
+        .memory = "the model, and windows of distance",
+        .options = options(o),
+        .groups = {{"the path and its turns",
+                    {"spacing", "min-radius", "strict", "max-tight", "min-length", "turns", "rim-beads", "cut-length"}},
+                   {"the bead", {"width-change", "layer-height", "ply", "offset", "lift"}},
+                   {"field", {"follow", "angle", "reference", "keep", "coarsen"}},
+                   {"turns beyond the rims", {"turn-outside", "trim-list", "machine"}}},
+        .examples = {{"geodesic part.stl --cut 0,0,1,0.9 --source boundary | surfpath geo-fiso > part.toolpath",
+                      "one path over a surface, here a part without its top"}},
+        .see_also = {"geodesic", "metrics", "render"},
+        .arguments = "[ALGORITHM] [INPUT]",
+        .leading = "algorithm"};
 }
 
 } // namespace

@@ -110,6 +110,7 @@ surfpath::Options planned(const LaminateJob& job, std::size_t k) {
     how.spacing = ply.spacing;
     how.least_radius = o.least_radius;
     how.turns = o.turns;
+    how.rim_beads = o.rim_beads == 0 ? 0 : static_cast<long>(k) % (o.rim_beads + 1);
     how.strict = o.strict;
     how.max_tight = o.max_tight;
     how.min_length = o.min_length;
@@ -246,7 +247,8 @@ void add_ply_facts(const Laminate& l, std::size_t k, Facts& to) {
     fact("angle-mean", found.off_mean, "deg");
     fact("angle-within", found.within, "");
     for (const Fact& f : l.plies[k].plan.facts)
-        if (f.name == "trims" || f.name == "outside") fact(f.name.c_str(), f.value, f.unit.c_str());
+        if (f.name == "trims" || f.name == "outside" || f.name == "upright")
+            fact(f.name.c_str(), f.value, f.unit.c_str());
     if (!l.plies[k].edge.empty()) fact("area", area_within(l.map, k), "mm2");
 }
 

@@ -18,7 +18,8 @@ struct Options {
     Vec3 reference{1, 0, 0}; // direction from which angles are measured, projected onto the surface
     surfpath::Priority keep = surfpath::Priority::usual;
     surfpath::RowTurns turns = surfpath::RowTurns::usual; // usual: wide
-    double least_radius = 2.4;                            // mm: of turns, where there is room
+    long rim_beads = 0;        // most closed beads along rims; their number changes from ply to ply, down to none
+    double least_radius = 2.4; // mm: of turns, where there is room
     bool stagger = true;     // plies of one direction are displaced by shares of a spacing, and their births move apart
     bool strict = false;     // fail if more than max_tight of a ply turns tighter than least_radius
     double max_tight = 0.01; // share of its length
@@ -53,12 +54,12 @@ struct Laminate {
 // width); for every ply "ply.K.cuts", "ply.K.length", "ply.K.bare", "ply.K.twice", "ply.K.thrice" (shares of the area
 // under no bead, at least two and at least three passes), "ply.K.gap" (mm: 99th percentile by area of the distance
 // from a bead), "ply.K.angle-median", "-mean" (degrees) and "-within" (share of the length within 15 degrees),
-// "ply.K.asked" (degrees from the reference, seen from the ply's side); "reference-x", "-y" and "-z"; with turns
-// outside "ply.K.trims" and "ply.K.outside" (mm outside the rims); for plies with an edge "ply.K.area" (mm2).
-// Notes: those of the plans, with their ply; stacks that are not symmetric; grounds that fold or have no room; edges
-// that were moved for the ramp, or cannot be (edges.hpp); plies that do not turn outside because they end inside the
-// part.
-// Throws Error as surfpath::plan_paths does, naming the ply.
+// "ply.K.asked" (degrees from the reference, seen from the ply's side); "reference-x", "-y" and "-z"; "ply.K.upright"
+// (mm2 where the reference direction is too close to the normal to count); with turns outside "ply.K.trims" and
+// "ply.K.outside" (mm outside the rims); for plies with an edge "ply.K.area" (mm2). Notes: those of the plans, with
+// their ply; stacks that are not symmetric; grounds that fold or have no room; edges that were moved for the ramp, or
+// cannot be (edges.hpp); plies that do not turn outside because they end inside the part. Throws Error as
+// surfpath::plan_paths does, naming the ply.
 Laminate laminate(const surface::Sheet& sheet, std::span<const Ply> plies, const Options& options, int threads);
 
 // Appends its toolpath, a layer per ply, to `out`; numbers start at `layer` and `stroke`.

@@ -46,6 +46,10 @@ void report(const Surface& s, const field::PrescribedDirections& prescribed, con
     if (d.tight > 0) note(NoteCode::field_too_tight, d.tight, d.tight_at);
     if (d.given_up > 0.01 * surface::area(s)) note(NoteCode::field_given_up, d.given_up, d.tight_at);
     if (prescribed.unknown > 0) note(NoteCode::direction_unknown, prescribed.unknown, prescribed.unknown_at);
+    if (prescribed.upright > 0) {
+        out.facts.push_back({"", "upright", prescribed.upright, "mm2"});
+        note(NoteCode::direction_unknown, prescribed.upright, prescribed.upright_at);
+    }
 }
 
 // Eases all lines to a radius, moving them at most kGive spacings.
@@ -117,7 +121,8 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         turns.along = o.cut_length;
         turns.staggered = o.beyond.empty();
         turns.tight = turns.tight || covers;
-        rows::Rows found = rows::rows(s, raw, {o.spacing / 2, o.spacing / 2, gentle, kGive * o.spacing});
+        rows::Rows found = rows::rows(
+            s, raw, {o.spacing / 2, o.spacing / 2, gentle, kGive * o.spacing, static_cast<unsigned>(o.rim_beads)});
         const auto joined =
             rows::join_loops(s, found, {o.spacing, gentle, eased, o.cut_length, turns.tight, 1 - o.width_change});
         out = rows::boustrophedon(s, found, turns);

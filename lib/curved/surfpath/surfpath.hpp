@@ -19,8 +19,8 @@ using surface::Surface;
 using surface::curve::Line;
 using surface::curve::Place;
 
-// Turns between rows: none (lines of ortheo and field end at rims), hairpins to the next row, or wide turns. usual: none
-// for ortheo, otherwise wide.
+// Turns between rows: none (lines of ortheo and field end at rims), hairpins to the next row, or wide turns. usual:
+// none for ortheo, otherwise wide.
 enum class RowTurns : std::uint8_t { usual, none, hairpin, wide };
 
 // What lines of field keep where they cannot keep both. usual: the angle if only an angle is followed, otherwise the
@@ -46,6 +46,7 @@ struct Options {
     bool strict = false;     // fail if more than max_tight of the length turns tighter than least_radius
     double max_tight = 0.01; // a share
     double width_change = 0; // share by which beads may be wider or narrower than the spacing (plan/widths.hpp)
+    long rim_beads = 0;      // closed lines of field along every rim; rows turn inside of them
     double turn_outside = 0; // mm outside the rims in which rows may turn (outside.hpp); 0: none
     // On a sheet with a flange (outside.hpp), per triangle: it lies so far outside the part that lines on it cover
     // nothing of it. Rows on such triangles only are left out, and turns lie as far outside as possible. Empty: no

@@ -23,6 +23,9 @@ constexpr int kRounds = 40;          // most rounds of lowering weights
 constexpr int kPatience = 3;         // rounds without improvement before the search ends
 constexpr double kAround = 0.25;     // least radii around a place that bends too much in which weights are lowered, too
 constexpr double kUnknown = 1e-6;    // |z|: a smaller vector has no direction
+// Sine of the angle between normal and reference direction below which the surroundings decide: the weight is its
+// square, so smoothing over a fifth of a spacing reaches a fifth of a spacing over the sine, which is a whole spacing.
+constexpr double kUpright = 0.2;
 
 void add_stress(const surface::Sheet& sheet, const Cells& cells, double share, PrescribedDirections& out) {
     const auto pull = surface::directions::pull(sheet, cells, {});
@@ -62,11 +65,16 @@ void find_unknown(const surface::Sheet& sheet, const Cells& cells, const Directi
     }
 }
 
-void add_angle(const Cells& cells, const DirectionMix& o, PrescribedDirections& out) {
+void add_angle(const Surface& s, const Cells& cells, const DirectionMix& o, PrescribedDirections& out) {
     const Vec3 to = 1 / norm(o.reference) * o.reference;
     const Complex turned = std::polar(1.0, 2 * o.turn);
-    for (std::size_t v = 0; v < out.z.size(); ++v) // doubled() has the squared length of the tangential part
-        out.z[v] += o.angle * turned * doubled(to, cells.normal[v]);
+    for (std::size_t v = 0; v < out.z.size(); ++v) { // doubled() has the squared length of the tangential part
+        const Complex z = doubled(to, cells.normal[v]);
+        out.z[v] += o.angle * turned * z;
+        if (std::abs(z) >= kUpright * kUpright) continue;
+        if (out.upright == 0) out.upright_at = s.vertices[v];
+        out.upright += cells.area[v];
+    }
 }
 
 void add_rims(const Surface& s, const Cells& cells, double share, PrescribedDirections& out) {
@@ -107,10 +115,10 @@ double bend(const Surface& s, const Cells& cells, std::span<const Complex> z, st
 
 PrescribedDirections prescribed(const surface::Sheet& sheet, const Cells& cells, const DirectionMix& o) {
     const std::size_t n = sheet.surface.vertices.size();
-    PrescribedDirections out{std::vector<Complex>(n), std::vector<double>(n, 0), 0, {}};
+    PrescribedDirections out{std::vector<Complex>(n), std::vector<double>(n, 0), 0, {}, 0, {}};
     if (o.given > 0) add_given(sheet, cells, o, out);
     if (o.stress > 0) add_stress(sheet, cells, o.stress, out);
-    if (o.angle > 0) add_angle(cells, o, out);
+    if (o.angle > 0) add_angle(sheet.surface, cells, o, out);
     if (o.rim > 0) add_rims(sheet.surface, cells, o.rim, out);
     if (o.rings > 0) {
         const RingField found = ring_field(sheet, cells);

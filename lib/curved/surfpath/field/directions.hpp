@@ -19,6 +19,8 @@ struct PrescribedDirections {
     std::vector<double> weight;
     double unknown = 0; // mm2 on which a prescribed field is not a finite number; nothing is prescribed there
     Vec3 unknown_at;    // one of these places
+    double upright = 0; // mm2 where the reference direction is so close to the normal that it decides little
+    Vec3 upright_at;    // one of these places
 };
 
 // The mixture of directions that lines follow; parts with a weight of 0 are left out.

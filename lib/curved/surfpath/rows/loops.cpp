@@ -117,7 +117,7 @@ Line closed_by(const Surface& s, const Row& row, const Line& way, const Inset& i
     surface::curve::append(out, way);
     out.places.pop_back(); // equal to the first one
     out.closed = true;
-    return surface::curve::ease(s, out, {.radius = radius, .corridor = inset.margin / 2}).line;
+    return surface::curve::ease(s, out, {.radius = radius, .corridor = inset.half / 2}).line;
 }
 
 // Closes rows along the inset. Returns per remaining row its state before if it was closed by a way that mostly

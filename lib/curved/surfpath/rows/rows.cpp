@@ -18,8 +18,9 @@ using surface::kNone;
 
 // Largest accepted ratio of a detour to the length it replaces: a half circle is still accepted.
 constexpr double kDetour = std::numbers::pi / 2;
-// Least distance from rims, in margins, at which a line continues along the inset; such lines come no nearer to the
-// next line than 0.7 spacings. Tuned: halving it gains 0.001 coverage and costs 0.004 overlap.
+// Least distance from rims, in halves of a spacing, at which a line continues along the inset; such lines come no
+// nearer to the next line than 0.7 spacings. With beads along the rims, the distance from the innermost of them counts.
+// Tuned: halving it gains 0.001 coverage and costs 0.004 overlap.
 constexpr double kFollowing = 0.4;
 // Largest slope of the distance from rims along a line between two of them: the slope that leads from the margin to
 // kFollowing of it within a spacing, which is two margins.
@@ -29,25 +30,38 @@ constexpr double kCameRound = 1e-6; // mm between the ends of a line that is clo
 // Clips lines where they are nearer to a rim than the margin.
 class InsetClipper {
   public:
-    InsetClipper(const Surface& s, double margin, double give) : surface_(s), margin_(margin), give_(give) {
-        inset_.margin = margin;
+    InsetClipper(const Surface& s, const RowLimits& limits)
+        : surface_(s), half_(limits.margin), margin_((1 + 2 * limits.rim_beads) * limits.margin), give_(limits.give) {
+        inset_.margin = margin_;
+        inset_.half = half_;
         if (s.rims.empty()) return;
-        inset_.field = geodesic::exact(s, surface::rim_sources(s), margin + 2 * longest_edge(s));
-        const double level[] = {margin};
-        for (const auto& isoline : geodesic::isolines(s, inset_.field, level))
-            inset_.rings.push_back(surface::curve::line(isoline));
+        inset_.field = geodesic::exact(s, surface::rim_sources(s), margin_ + 2 * longest_edge(s));
+        inset_.rings = at_distance(margin_);
         for (const Line& ring : inset_.rings) inset_.ways.push_back(surface::curve::arc_lengths(ring));
     }
 
     [[nodiscard]] Inset& inset() { return inset_; }
+    [[nodiscard]] const Inset& inset() const { return inset_; }
 
-    // The stretches of the line, mm along it, that keep `share` of the margin, or that lie in the middle of a part
-    // narrower than two margins.
+    // The lines at a distance from the rims, mm.
+    [[nodiscard]] std::vector<Line> at_distance(double far) const {
+        const double level[] = {far};
+        std::vector<Line> out;
+        for (const auto& isoline : geodesic::isolines(surface_, inset_.field, level))
+            out.push_back(surface::curve::line(isoline));
+        return out;
+    }
+
+    // mm: least distance from rims at which a line continues along the inset.
+    [[nodiscard]] double following() const { return margin_ - (1 - kFollowing) * half_; }
+
+    // The stretches of the line, mm along it, that keep a distance `least` from rims, or that lie in the middle of a
+    // part narrower than two margins.
     [[nodiscard]] std::vector<std::pair<double, double>> kept(const Line& line, std::span<const double> ways,
-                                                              double share) const {
+                                                              double least) const {
         const auto keeps = [&](const Place& p, double way) {
             const double room = this->room(p);
-            return room >= share * margin_ || (room >= kFollowing * margin_ && in_middle(line, ways, way));
+            return room >= least || (room >= following() && in_middle(line, ways, way));
         };
         std::vector<std::pair<double, double>> out;
         const std::size_t n = line.size(), stretches = ways.size() - 1;
@@ -73,7 +87,7 @@ class InsetClipper {
         return out;
     }
 
-    // The nearest place of the inset's rings, if it is within a margin.
+    // The nearest place of the inset's rings, if it is within half a spacing.
     [[nodiscard]] RingPlace nearest(const Vec3& p) const {
         RingPlace out;
         double least = std::numeric_limits<double>::infinity();
@@ -84,7 +98,7 @@ class InsetClipper {
                 const Vec3 &a = ring[i], d = ring[(i + 1) % n] - a;
                 const double l2 = dot(d, d), t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;
                 const double far = distance(p, a + t * d);
-                if (far < least && far < margin_) {
+                if (far < least && far < half_) {
                     least = far;
                     out = {r, inset_.ways[r][i] + t * std::sqrt(l2)};
                 }
@@ -103,7 +117,7 @@ class InsetClipper {
         return {ways[near], ways[far]};
     }
 
-    // The ring of the inset nearest to a place; nullptr if it is farther than a margin.
+    // The ring of the inset nearest to a place; nullptr if it is farther than half a spacing.
     [[nodiscard]] const Line* ring(const Place& p) const {
         const RingPlace at = nearest(p.point);
         return at.ring == kNone ? nullptr : &inset_.rings[at.ring];
@@ -164,22 +178,22 @@ class InsetClipper {
     }
 
     const Surface& surface_;
-    double margin_, give_; // mm
+    double half_, margin_, give_; // mm
     Inset inset_;
 };
 
-// Splits a line into open lines that keep the margin. Where it is nearer to a rim, but at least kFollowing of the
-// margin away, it follows the inset.
+// Splits a line into open lines that keep the margin. Where it is nearer to a rim, but not nearer than following(), it
+// follows the inset. `half` is half a spacing, mm.
 class RingFollower {
   public:
     RingFollower(const Surface& s, const InsetClipper& clipper, const Line& line, std::span<const double> ways,
-                 double margin)
-        : surface_(s), clipper_(clipper), line_(line), ways_(ways), margin_(margin) {}
+                 double half)
+        : surface_(s), clipper_(clipper), line_(line), ways_(ways), half_(half) {}
 
     [[nodiscard]] std::vector<Line> stretches() const {
-        const auto kept = clipper_.kept(line_, ways_, 1);
+        const auto kept = clipper_.kept(line_, ways_, clipper_.inset().margin);
         std::vector<Line> out;
-        for (const auto& [from, to] : clipper_.kept(line_, ways_, kFollowing)) {
+        for (const auto& [from, to] : clipper_.kept(line_, ways_, clipper_.following())) {
             Line now;
             double at = from;
             for (const auto& [begin, end] : kept) {
@@ -187,7 +201,7 @@ class RingFollower {
                 const bool first = now.size() == 0;
                 const Line way = ring(at, begin, first, false);
                 if (!first && way.size() < 2) {
-                    if (begin - at < 2 * margin_) // the mouth of another narrow part
+                    if (begin - at < 2 * half_) // the mouth of another narrow part
                         surface::curve::append(now, surface::curve::part(line_, ways_, at, begin));
                     else
                         out.push_back(std::exchange(now, {}));
@@ -203,36 +217,37 @@ class RingFollower {
     }
 
   private:
-    // The stretch along the inset that replaces a stretch of the line. It ends a margin earlier where the line begins
-    // or ends there.
+    // The stretch along the inset that replaces a stretch of the line. It ends half a spacing earlier where the line
+    // begins or ends there.
     [[nodiscard]] Line ring(double from, double to, bool begins, bool ends) const {
-        if (to - from < (begins || ends ? 2 * margin_ : 0)) return {};
+        if (to - from < (begins || ends ? 2 * half_ : 0)) return {};
         Line way = clipper_.along(line_, ways_, from, to);
         const auto w = surface::curve::arc_lengths(way);
-        if (way.size() < 2 || w.back() < 2 * margin_) return begins || ends ? Line{} : way;
-        return surface::curve::part(way, w, begins ? margin_ : 0, w.back() - (ends ? margin_ : 0));
+        if (way.size() < 2 || w.back() < 2 * half_) return begins || ends ? Line{} : way;
+        return surface::curve::part(way, w, begins ? half_ : 0, w.back() - (ends ? half_ : 0));
     }
 
     const Surface& surface_;
     const InsetClipper& clipper_;
     const Line& line_;
     std::span<const double> ways_;
-    double margin_;
+    double half_;
 };
 
 // A closed line that follows the inset where it is nearer to a rim, and is closed again; empty if that is impossible.
 Line closed_within(const Surface& s, const InsetClipper& clipper, const Line& line, std::span<const double> ways,
-                   double margin, double begin) {
-    if (clipper.kept(line, ways, kFollowing).size() != 1 || clipper.room(line.places[0]) < kFollowing * margin)
-        return {};
+                   double half, double begin) {
+    const double following = clipper.following();
+    if (clipper.kept(line, ways, following).size() != 1 || clipper.room(line.places[0]) < following) return {};
     const Place first = surface::curve::at(line, ways, begin);
-    if (clipper.room(first) < margin) { // the line keeps the margin nowhere: take the ring if it is about as long
+    if (clipper.room(first) <
+        clipper.inset().margin) { // the line keeps the margin nowhere: take the ring if it is about as long
         const Line* ring = clipper.ring(first);
         const bool alike = ring && ring->closed && surface::curve::length(*ring) < kDetour * ways.back();
         return alike ? *ring : Line{};
     }
     const Line open = surface::curve::part(line, ways, begin, begin + ways.back());
-    auto found = RingFollower(s, clipper, open, surface::curve::arc_lengths(open), margin).stretches();
+    auto found = RingFollower(s, clipper, open, surface::curve::arc_lengths(open), half).stretches();
     if (found.size() != 1 || distance(found[0][0], found[0].places.back().point) > kCameRound) return {};
     found[0].places.pop_back();
     found[0].closed = true;
@@ -240,15 +255,25 @@ Line closed_within(const Surface& s, const InsetClipper& clipper, const Line& li
 }
 
 std::vector<Line> stretches(const Surface& s, const InsetClipper& clipper, const Line& line,
-                            std::span<const double> ways, double margin) {
-    if (!line.closed) return RingFollower(s, clipper, line, ways, margin).stretches();
-    if (const auto kept = clipper.kept(line, ways, 1); kept.size() == 1 && kept[0] == std::pair(0.0, ways.back()))
+                            std::span<const double> ways, double half) {
+    if (!line.closed) return RingFollower(s, clipper, line, ways, half).stretches();
+    if (const auto kept = clipper.kept(line, ways, clipper.inset().margin);
+        kept.size() == 1 && kept[0] == std::pair(0.0, ways.back()))
         return {line};
     const auto [nearest, farthest] = clipper.extremes(line, ways);
-    if (Line whole = closed_within(s, clipper, line, ways, margin, farthest); whole.size() > 2) return {whole};
+    if (Line whole = closed_within(s, clipper, line, ways, half, farthest); whole.size() > 2) return {whole};
     // Opened where it is nearest to a rim.
     const Line open = surface::curve::part(line, ways, nearest, nearest + ways.back());
-    return RingFollower(s, clipper, open, surface::curve::arc_lengths(open), margin).stretches();
+    return RingFollower(s, clipper, open, surface::curve::arc_lengths(open), half).stretches();
+}
+
+// Appends the closed lines along the rims, the outermost first.
+void add_rim_beads(const Surface& s, const InsetClipper& clipper, const RowLimits& limits, Rows& out) {
+    for (unsigned i = 0; i < limits.rim_beads; ++i)
+        for (const Line& line : clipper.at_distance((1 + 2 * i) * limits.margin)) {
+            Row row{surface::curve::ease(s, line, {.radius = limits.radius, .corridor = limits.give}).line, 0, {}, {}};
+            if (row.line.closed) out.rows.push_back(std::move(row));
+        }
 }
 
 } // namespace
@@ -285,7 +310,8 @@ void leave_out(std::vector<UnclippedLine>& lines, std::span<const char> marked) 
 Rows rows(const Surface& s, const std::vector<UnclippedLine>& lines, const RowLimits& limits) {
     const double margin = limits.margin;
     Rows out;
-    InsetClipper clipper(s, margin, limits.give);
+    InsetClipper clipper(s, limits);
+    add_rim_beads(s, clipper, limits, out);
     double least = margin; // until a row reaches limits.shortest
     for (const UnclippedLine& raw : lines) {
         auto parts = stretches(s, clipper, raw.line, surface::curve::arc_lengths(raw.line), margin);

@@ -15,6 +15,7 @@ using surface::curve::Place;
 // The lines at a margin from the rims, beyond which paths must not go.
 struct Inset {
     double margin = 0;                     // mm
+    double half = 0;                       // mm: half a spacing; equal to the margin without beads along the rims
     std::vector<Line> rings;               // lines at that distance from the rims
     std::vector<std::vector<double>> ways; // arc lengths of the points of each ring
     geodesic::ExactField field;            // distance from the rims, up to a few margins
@@ -61,15 +62,16 @@ struct Rows {
 };
 
 struct RowLimits {
-    double margin = 0;   // mm: distance from every rim
-    double shortest = 0; // mm: shorter remainders of lines are dropped, unless all are
-    double radius = 0;   // mm: radius to which clipped lines are eased
-    double give = 0;     // mm: by which easing may move them
+    double margin = 0;      // mm: distance from every rim, half a spacing
+    double shortest = 0;    // mm: shorter remainders of lines are dropped, unless all are
+    double radius = 0;      // mm: radius to which clipped lines are eased
+    double give = 0;        // mm: by which easing may move them
+    unsigned rim_beads = 0; // closed lines along every rim, two margins apart; rows end that much farther inside
 };
 
 // Clips `lines` to the places that keep the margin, measured exactly along the surface. A line that comes nearer to a
 // rim along which it runs follows the inset there; closed lines stay closed where possible. Lines in the middle of
-// parts that are too narrow for the margin are kept.
+// parts that are too narrow for the margin are kept. With `rim_beads`, the rows include these closed lines.
 Rows rows(const Surface& s, const std::vector<UnclippedLine>& lines, const RowLimits& limits);
 
 } // namespace filum::surfpath::rows

@@ -130,7 +130,7 @@ SurfaceTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches
     auto eased = surface::curve::ease(surface_, line, {.radius = kEasedWider * radius, .corridor = kEasing * radius});
     // Around a convex corner, as of a hole, rounding comes too near to the rim; then the tight line is better.
     const bool inside = std::all_of(eased.line.places.begin(), eased.line.places.end(), [&](const Place& p) {
-        return rows_.inset.room(surface_, p) >= kRoom * rows_.inset.margin;
+        return rows_.inset.room(surface_, p) >= rows_.inset.margin - (1 - kRoom) * rows_.inset.half;
     });
     out.line = inside ? std::move(eased.line) : std::move(line);
     const auto k = curvatures(out.line, surface::curve::arc_lengths(out.line));
@@ -227,7 +227,7 @@ SurfaceTurn Turner::turn_between(std::uint32_t a, std::uint32_t b, double behind
         return t.bulb ? turn_between(a, b, behind, false) : out;
     laid.line.places.back() = end;
     for (const Place& p : laid.line.places)
-        if (rows_.inset.room(surface_, p) < kRoom * rows_.inset.margin)
+        if (rows_.inset.room(surface_, p) < rows_.inset.margin - (1 - kRoom) * rows_.inset.half)
             return t.bulb ? turn_between(a, b, behind, false) : out;
     out.line = std::move(laid.line);
     out.radius = t.radius;
