@@ -38,7 +38,7 @@ cli::Spec spec(Options& o) {
              Option{"rim-beads", &o.how.rim_beads, "N",
                     "plies have 0, 1 to N closed beads along the rims in turn; rows turn inside of them"}
                  .within(0, 20)
-                 .when("!turn-outside"),
+                 .when("!turn-outside !turns=none"),
              Option{"strict", &o.how.strict, "",
                     "refuse (exit 1) a ply if more than --max-tight of it turns tighter than --min-radius"}
                  .a_limit(),

@@ -61,7 +61,7 @@ std::vector<Option> options(Options& o) {
              .when("algorithm=planned|fina|fexa|ortheo|field"),
          Option{"rim-beads", &o.plan.rim_beads, "N", "closed beads along every rim; rows turn inside of them"}
              .within(0, 20)
-             .when("algorithm=planned|field !turn-outside"),
+             .when("algorithm=planned|field !turn-outside !turns=none"),
          Option{"width-change", &o.plan.width_change, "SHARE",
                 "beads may be wider or narrower by this share of the spacing, to fit the room between lines"}
              .within(0, 0.5),
