@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace filum::mesh {
 
@@ -59,6 +60,22 @@ void add_records(std::string_view records, Weld<std::uint32_t>& weld, std::vecto
         weld.reserve(3 * count);
         add_block(records.data() + kRecord * t, count, weld, out);
     }
+}
+
+// Passes the name behind "solid" or "endsolid". It ends with its line, or before a facet or the end of the solid: some
+// programs write all on one line.
+void pass_name(Text& text) {
+    const char comment = std::exchange(text.comment, '\0'); // a name may hold its sign
+    while (text.more_on_line()) {
+        const char* const from = text.at;
+        const std::string_view word = text.word();
+        const char* const behind = text.at;
+        const bool ends =
+            begins_with(word, "endsolid") || (begins_with(word, "facet") && begins_with(text.word(), "normal"));
+        text.at = ends ? from : behind;
+        if (ends) break;
+    }
+    text.comment = comment;
 }
 
 // Throws the error of a bad line.  On an unterminated last line, it says that the file was cut short.
@@ -128,7 +145,7 @@ Mesh read_stl_ascii(std::string_view bytes, const std::string& name, Notes& note
             corners.clear();
         } else if (begins_with(word, "solid") || begins_with(word, "endsolid")) {
             in_solid = begins_with(word, "solid");
-            text.skip_line(); // its name
+            pass_name(text);
         } else if (!begins_with(word, "endloop") && !begins_line)
             ++passed.count;
         else if (!begins_with(word, "endloop"))

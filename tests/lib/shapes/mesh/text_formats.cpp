@@ -2,6 +2,8 @@
 #include "base/error.hpp"
 #include "mesh/read.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <gtest/gtest.h>
 
 using namespace filum;
@@ -81,6 +83,22 @@ TEST(TextFormats, WordsBehindTheEndOfAnStlLineArePassedOver) {
     EXPECT_THROW(mesh::read(text, "it"), Error);
     std::string line = text_formats::with_ends(text_formats::kStl.substr(13), " "); // all on one line
     text_formats::expect_triangle("solid\n" + line, "one line");
+}
+
+TEST(TextFormats, AnStlMayStandOnOneLine) {
+    using namespace text_formats;
+    for (const std::string head : {"", "solid", "solid a part", "solid part #3", "SOLID facet", "solid normal facet"})
+        for (const std::string tail : {"endsolid", "endsolid a part", "ENDSOLID part #3\n", "endsolid\n\n"})
+            for (const std::string blank : {" ", "  ", "\t"}) {
+                std::string facets = kStl.substr(14, kStl.find("endsolid") - 14);
+                if (head.starts_with("SOLID"))
+                    std::transform(facets.begin(), facets.end(), facets.begin(),
+                                   [](char c) { return static_cast<char>(std::toupper(c)); });
+                const std::string line = with_ends(head + "\n" + facets + tail, blank);
+                expect_triangle(line, line);
+                const mesh::File twice = mesh::read(line + blank + line, line);
+                EXPECT_EQ(twice.mesh.triangles.size(), 2U) << line;
+            }
 }
 
 TEST(TextFormats, AnOffKeywordMayStandOnItsFirstNumber) {
