@@ -67,6 +67,18 @@ area_of_layer() { peek --text "$1" | sed -n "s/^region .* layer $2 .* area \([0-
     "$FILUM_SOURCE/scripts/gcode-strokes" two.gcode | awk -F'\t' 'NR == 2 { exit $2 != 2 }'
 }
 
+@test "beads are as wide as the nozzle of the machine, and layers half as high, unless something else is asked" {
+    asked() { filum print solid.stl --dry-run -o x.gcode "$@"; }
+    for vase in "" --vase; do
+        [[ $(asked --machine clay $vase) == *"--layer-height=1.5"*"--bead-width=3 "* ]]
+        [[ $(asked --machine pellet $vase --layer-height 0.8) == *"--layer-height=0.8"*"--bead-width=2 "* ]]
+        run -0 asked --machine concrete $vase --bead-width 20
+        [[ $output == *"--bead-width=20"* && $output != *layer-height* ]]
+        run -0 asked --machine mk3s $vase
+        [[ $output != *bead-width* && $output != *layer-height* ]]
+    done
+}
+
 @test "clay in one stroke: cold, nothing taken back, each layer as long as asked" {
     filum print solid.stl --vase --scale 4 --machine clay --nozzle 3 --layer-height 1.5 -q -o clay.gcode
     [[ $(grep -cE '^(M104|M109|M140|M190|M106)' clay.gcode) == 0 ]]

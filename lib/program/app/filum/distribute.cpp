@@ -5,6 +5,7 @@
 #include "base/number.hpp"
 #include "cli/needs.hpp"
 #include "cli/other_names.hpp"
+#include "machine/profile.hpp"
 #include "plate/grid.hpp"
 
 #include <algorithm>
@@ -103,14 +104,35 @@ std::string value_of(const std::string& name, const std::vector<StageArguments>&
     return "";
 }
 
+// The diameter of the nozzle that the machine's profile states, mm; 0: none. A profile that cannot be read is left to
+// the stage that reads it.
+double nozzle_of(const std::string& machine) {
+    if (machine.empty()) return 0;
+    try {
+        return machine::load_profile(machine).extrusion.nozzle;
+    } catch (const Error&) {
+        return 0;
+    }
+}
+
+// Beads are as wide as the nozzle that is asked for, or else as the one of the machine. Then layers are half as high.
+void hand_on_nozzle(const std::vector<Stage>& stages, std::vector<StageArguments>& to) {
+    const std::string nozzle = value_of("nozzle", to);
+    if (!nozzle.empty()) return hand_on("bead-width", nozzle, stages, to);
+    const double own = value_of("bead-width", to).empty() ? nozzle_of(value_of("machine", to)) : 0;
+    if (!(own > 0)) return;
+    hand_on("bead-width", shortest_text(own), stages, to);
+    hand_on("layer-height", shortest_text(own / 2), stages, to);
+}
+
 // Sets options that follow from others.  The single wall of a vase is a helix.  Two or more walls side by side are
-// printed flat, layer by layer, since a helix cannot return to its start.  A bead is as wide as the nozzle.  Parts in
-// wells and grids stay in place, and travels rise above the walls of wells.  Of several materials each body gets its
-// volume.  In a bath the order keeps the distance of the travels, and inner shells come before outer ones.
+// printed flat, layer by layer, since a helix cannot return to its start.  Parts in wells and grids stay in place, and
+// travels rise above the walls of wells.  Of several materials each body gets its volume.  In a bath the order keeps
+// the distance of the travels, and inner shells come before outer ones.
 void hand_on_meant(const Request& request, const std::vector<Stage>& stages, std::vector<StageArguments>& to) {
-    const std::string walls = value_of("walls", to), nozzle = value_of("nozzle", to), wells = value_of("wells", to);
+    const std::string walls = value_of("walls", to), wells = value_of("wells", to);
     if (request.vase) hand_on("lift", walls.empty() || walls == "1" ? "helical" : "ramp", stages, to);
-    if (!nozzle.empty()) hand_on("bead-width", nozzle, stages, to);
+    hand_on_nozzle(stages, to);
     if (!wells.empty() || !value_of("grid", to).empty()) hand_on("place", "as-is", stages, to);
     if (const std::string bath = value_of("bath", to); !bath.empty()) {
         hand_on("clearance", bath, stages, to);
