@@ -14,11 +14,11 @@
 #include "surfpath/plan/canonical.hpp"
 #include "surfpath/plan/coarse.hpp"
 #include "surfpath/plan/cost.hpp"
+#include "surfpath/plan/coverage.hpp"
 #include "surfpath/plan/declare.hpp"
 #include "surfpath/plan/ground.hpp"
 #include "surfpath/plan/kinks.hpp"
 #include "surfpath/plan/refined.hpp"
-#include "surfpath/plan/voids.hpp"
 #include "surfpath/plan/widths.hpp"
 #include "surfpath/slits.hpp"
 

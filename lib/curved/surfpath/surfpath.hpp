@@ -68,8 +68,8 @@ void leave_out_short(Plan& plan, double least);
 
 // Finishes a plan from any planner. Leaves out strokes shorter than the least length, with a note. Measures and marks
 // turns tighter than the least radius (plan/declare.hpp): facts "tight-turns", "tight-length", "kink-length" and
-// "least-radius", note NoteCode::bend_too_tight. Reports voids and overlap (plan/voids.hpp). Throws Error(failure) with
-// the place if more than the allowed share is too tight and the options are strict.
+// "least-radius", note NoteCode::bend_too_tight. Reports voids and overlap (plan/coverage.hpp). Throws Error(failure)
+// with the place if more than the allowed share is too tight and the options are strict.
 void finish(const Surface& surface, Plan& plan, const Options& options);
 
 } // namespace filum::surfpath

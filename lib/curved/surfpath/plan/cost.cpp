@@ -1,7 +1,7 @@
 #include "surfpath/plan/cost.hpp"
 
+#include "surfpath/plan/coverage.hpp"
 #include "surfpath/plan/declare.hpp"
-#include "surfpath/plan/voids.hpp"
 #include "surfpath/plan/widths.hpp"
 
 #include <limits>

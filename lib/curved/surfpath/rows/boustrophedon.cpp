@@ -43,7 +43,8 @@ struct CandidatePath {
 class RowPathPlanner {
   public:
     RowPathPlanner(const Surface& s, const Rows& rows, const TurnOptions& o)
-        : surface_(s), rows_(rows), transits_(rows), turner_(s, rows, transits_, o), turns_(turner_.turns()), o_(o) {}
+        : surface_(s), rows_(rows), transits_(rows), turner_(s, rows, transits_, o), turns_(turner_.candidates()),
+          o_(o) {}
 
     plan::Plan plan() {
         for (const auto& chains : orders()) {
@@ -166,7 +167,7 @@ class RowPathPlanner {
         std::vector<std::vector<RowChain>> out;
         for (const std::size_t kept : kBeams) {
             const auto found = order(n, links, costs, kept);
-            out = {plan::improved(n, links, costs, kTight, found)};
+            out = {plan::improved(n, links, costs, kTightCosts, found)};
             if (out[0].size() > 1) out.push_back(found); // its chains may be nearer to each other
             if (good(out[0], links) || kept * n > kMostWork) break;
         }
@@ -183,7 +184,7 @@ class RowPathPlanner {
         for (std::size_t i = 1; i < c.size(); ++i) {
             const std::uint32_t out = leave(c[i - 1]), in = entry(c[i]), a = std::min(out, in), b = std::max(out, in);
             for (std::size_t l = 0; l < links.size(); ++l)
-                if (links[l].from == a && links[l].to == b && turns_[l].radius > 0 && links[l].cost >= kTight)
+                if (links[l].from == a && links[l].to == b && turns_[l].radius > 0 && links[l].cost >= kTightCosts)
                     return false;
         }
         return true;

@@ -143,7 +143,7 @@ class LineExchanger {
         std::vector<LineExchange> out;
         for (const BeadPoint& bead : beads_.neighbours(a, at.point, chart.normal, kBesideAt * d_)) {
             out.push_back({0, a, bead.line, way, bead.arc, kFirstCut * d_, kFirstCut * d_});
-            out.back().waste = d_ * longer(out.back(), turns(chart, out.back()));
+            out.back().waste = d_ * longer(out.back(), turn_pair(chart, out.back()));
         }
         return out;
     }
@@ -175,7 +175,7 @@ class LineExchanger {
         return {p, l > 0 ? 1 / l * (b - a) : Vec2{}};
     }
 
-    [[nodiscard]] TurnPair turns(const surface::curve::Chart& chart, const LineExchange& e) const {
+    [[nodiscard]] TurnPair turn_pair(const surface::curve::Chart& chart, const LineExchange& e) const {
         TurnPair out;
         out.same = dot(heading(chart, e.a, e.at_a).t, heading(chart, e.b, e.at_b).t) >= 0;
         const Heading a0 = heading(chart, e.a, e.at_a - e.cut_a), a1 = heading(chart, e.a, e.at_a + e.cut_a),
@@ -236,7 +236,7 @@ class LineExchanger {
 
     // Additional void and overlap, mm2. Overlap is the area of beads less the covered area.
     [[nodiscard]] double waste(const Surroundings& view, const LineExchange& e) {
-        const TurnPair t = turns(view.chart, e);
+        const TurnPair t = turn_pair(view.chart, e);
         swath_ = rest_;
         for (const auto& bead : view.beads)
             if ((bead.line == e.a || bead.line == e.b) && kept(bead, e)) swath_.add(bead.p);
@@ -264,7 +264,7 @@ class LineExchanger {
 
     // Makes the exchange. Returns false if the turns leave the surface or cross other lines.
     bool take(const Surroundings& view, const LineExchange& e) {
-        const TurnPair t = turns(view.chart, e);
+        const TurnPair t = turn_pair(view.chart, e);
         if (crosses(view, e, t)) return false;
         const double a0 = e.at_a - e.cut_a, a1 = e.at_a + e.cut_a, b0 = e.at_b - e.cut_b, b1 = e.at_b + e.cut_b;
         auto there = on_surface(view.chart, t.there, lanes_.at(e.a, a0), lanes_.at(e.b, t.same ? b0 : b1));

@@ -95,7 +95,7 @@ struct RowPair {
 };
 
 // Two arcs connected by a straight line at height `top`; none if the arcs would overlap.
-FlatTurn wide(const RowPair& s, double r, double top) {
+FlatTurn arc_line_arc(const RowPair& s, double r, double top) {
     const auto a = s.first.touch(r, top - r), b = s.second.touch(r, top - r);
     if (!a || !b || a->centre.x > b->centre.x) return {};
     FlatTurn out{{a->foot}, r, a->arc, b->arc, 0, false};
@@ -106,7 +106,7 @@ FlatTurn wide(const RowPair& s, double r, double top) {
 }
 
 // One arc that touches both rows, with its top at height `top`.
-FlatTurn narrow(const RowPair& s, double most, double top) {
+FlatTurn one_arc(const RowPair& s, double most, double top) {
     double depth = most;
     FlatTurn out;
     for (int round = 0; round < 20; ++round) {
@@ -204,9 +204,9 @@ FlatTurn fitted(const TurnRoom& room, const Form& form) {
 
 FlatTurn turn(const TurnRoom& room, double radius, bool bulbs) {
     const RowPair sides{{room.first, true}, {room.second, false}};
-    FlatTurn out = fitted(room, [&](double top) { return wide(sides, radius, top); });
+    FlatTurn out = fitted(room, [&](double top) { return arc_line_arc(sides, radius, top); });
     if (!out.points.empty()) return out;
-    out = fitted(room, [&](double top) { return narrow(sides, radius, top); });
+    out = fitted(room, [&](double top) { return one_arc(sides, radius, top); });
     if (out.radius >= kAsWide * radius || !bulbs) return out;
     FlatTurn round = fitted(room, [&](double top) { return bulb(sides, radius, top); });
     return round.points.empty() ? out : round;

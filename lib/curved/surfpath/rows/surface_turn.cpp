@@ -22,10 +22,10 @@ constexpr double kWider = 1.07, kEasedWider = 1.15;
 constexpr double kRoom = 0.8;      // margins between turns and rims: a tenth of a spacing less than rows, as eased rows
 constexpr double kTurning = 0.25;  // mm: steps in which curvature is measured, as in metrics
 constexpr double kDeepestTurn = 2; // radii: largest depth of a turn behind the rim; there the next arc lies beside this
-constexpr double kSameRadius = 1e-6;  // mm: smaller differences are rounding
-constexpr double kHairpin = 0.75;     // least radii: a tighter turn costs as much as a hairpin
-constexpr double kBulb = 2 * kTight;  // mm: cost of a bulb, for the voids beside it
-constexpr double kSharp = 3 * kTight; // mm: cost of a hairpin
+constexpr double kSameRadius = 1e-6;              // mm: smaller differences are rounding
+constexpr double kHairpinBelow = 0.75;            // least radii: a tighter turn costs as much as a hairpin
+constexpr double kBulbCosts = 2 * kTightCosts;    // mm: cost of a bulb, for the voids beside it
+constexpr double kHairpinCosts = 3 * kTightCosts; // mm: cost of a hairpin
 // Limits of the ends between which turns are considered. More turns take more time; the order found may be better or
 // worse, since the search keeps a limited number of states.
 constexpr double kSameRow = 0.3;    // spacings across the rows: nearer ends belong to one line
@@ -75,14 +75,14 @@ Turner::Turner(const Surface& s, const Rows& rows, const Transits& transits, con
     }
 }
 
-std::vector<SurfaceTurn> Turner::turns() const {
+std::vector<SurfaceTurn> Turner::candidates() const {
     std::vector<SurfaceTurn> out;
     const auto n = static_cast<std::uint32_t>(2 * rows_.rows.size());
     for (std::uint32_t a = 0; a < n; ++a)
         for (std::uint32_t b = a + 1; b < n; ++b) {
             if (a / 2 == b / 2) continue;
             const bool one = same_line(a, b);
-            if (!one && near(a, b))
+            if (!one && may_turn(a, b))
                 if (auto t = turn_between(a, b, 0); t.line.size() > 1) {
                     out.push_back(std::move(t));
                     continue;
@@ -173,7 +173,7 @@ Vec3 Turner::tangent(std::uint32_t end) const {
 }
 
 // Whether a turn between the two ends is worth considering.
-bool Turner::near(std::uint32_t a, std::uint32_t b) const {
+bool Turner::may_turn(std::uint32_t a, std::uint32_t b) const {
     if (ring_place(a).ring != ring_place(b).ring || ring_place(a).ring == surface::kNone) return false;
     const Vec3 d = inwards(b)[0] - inwards(a)[0];
     const double spacing = o_.spacing, two = 2 * o_.least_radius,
@@ -183,7 +183,7 @@ bool Turner::near(std::uint32_t a, std::uint32_t b) const {
     if (dot(u, tangent(b)) < kAlike) return false;
     const double w = norm(d - dot(d, u) * u);
     // Of ends too near for an arc only the nearest are considered, for hairpins and bulbs.
-    if (w > kNextButOne * spacing && w < kHairpin * two) return false;
+    if (w > kNextButOne * spacing && w < kHairpinBelow * two) return false;
     return w > kSameRow * spacing && w < most && norm(d) < kAskew * w + spacing;
 }
 
@@ -231,14 +231,15 @@ SurfaceTurn Turner::turn_between(std::uint32_t a, std::uint32_t b, double behind
             return t.bulb ? turn_between(a, b, behind, false) : out;
     out.line = std::move(laid.line);
     out.radius = t.radius;
-    out.cost = t.length - out.from_trim - out.to_trim + (t.bulb ? kBulb : tightness(t.radius));
+    out.cost = t.length - out.from_trim - out.to_trim + (t.bulb ? kBulbCosts : tightness(t.radius));
     return out;
 }
 
 // Cost of a tight turn, mm.
 double Turner::tightness(double radius) const {
     const double part = radius / o_.least_radius;
-    return o_.tight || part >= 0.999 ? 0 : (part < kHairpin ? kSharp : kTight) + kTight * (1 - part);
+    return o_.tight || part >= 0.999 ? 0
+                                     : (part < kHairpinBelow ? kHairpinCosts : kTightCosts) + kTightCosts * (1 - part);
 }
 
 } // namespace filum::surfpath::rows

@@ -9,7 +9,7 @@
 
 namespace filum::surfpath::rows {
 
-inline constexpr double kTight = 20; // mm: least cost of a tight turn
+inline constexpr double kTightCosts = 20; // mm: least cost of a tight turn
 
 struct TurnOptions {           // limits that are left out do not apply
     double spacing = 1;        // mm, between rows
@@ -47,7 +47,7 @@ class Turner {
     Turner(const Surface& s, const Rows& rows, const Transits& transits, const TurnOptions& o);
 
     // The turns worth considering, sorted by their ends, and the ways around holes that interrupt a line.
-    [[nodiscard]] std::vector<SurfaceTurn> turns() const;
+    [[nodiscard]] std::vector<SurfaceTurn> candidates() const;
 
     // The same turn at several depths behind the rim, the outermost first, `apart` mm from each other, as long as its
     // radius stays the same: to a depth of two radii, where rows of the outermost turn are straight again.
@@ -68,7 +68,7 @@ class Turner {
     [[nodiscard]] std::span<const double> ways_inwards(std::uint32_t end) const;
     [[nodiscard]] double length(std::uint32_t row) const { return ways_[row].back(); }
     [[nodiscard]] Vec3 tangent(std::uint32_t end) const;
-    [[nodiscard]] bool near(std::uint32_t a, std::uint32_t b) const;
+    [[nodiscard]] bool may_turn(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] bool same_line(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] bool leads_on(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] SurfaceTurn turn_between(std::uint32_t a, std::uint32_t b, double behind, bool bulbs = true) const;

@@ -1,7 +1,7 @@
 // What the tests ask of plans.
 #pragma once
 
-#include "surfpath/plan/voids.hpp"
+#include "surfpath/plan/coverage.hpp"
 #include "surfpath/plan/widths.hpp"
 
 #include <gtest/gtest.h>

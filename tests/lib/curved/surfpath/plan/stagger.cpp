@@ -2,7 +2,7 @@
 #include "surfpath/plan/stagger.hpp"
 
 #include "surface/curve/walk.hpp"
-#include "surfpath/plan/voids.hpp"
+#include "surfpath/plan/coverage.hpp"
 #include "surfpath/rows/boustrophedon.hpp"
 
 #include "../../../shapes/surface/grid.hpp"

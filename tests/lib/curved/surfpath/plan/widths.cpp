@@ -3,7 +3,7 @@
 
 #include "../plate_lines.hpp"
 #include "base/mix.hpp"
-#include "surfpath/plan/voids.hpp"
+#include "surfpath/plan/coverage.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "geom/segment.hpp"
 #include "surface/curve/locate.hpp"
 #include "surface/curve/walk.hpp"
-#include "surfpath/plan/voids.hpp"
+#include "surfpath/plan/coverage.hpp"
 
 #include "../../../shapes/surface/grid.hpp"
 #include "../../../trials.hpp"

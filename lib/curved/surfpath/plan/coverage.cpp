@@ -1,4 +1,4 @@
-#include "surfpath/plan/voids.hpp"
+#include "surfpath/plan/coverage.hpp"
 
 #include "parallel/parallel.hpp"
 #include "surfpath/plan/path_segments.hpp"

@@ -1,5 +1,5 @@
 // What a plan leaves without a bead, and what it lays twice, is told, with area and place.
-#include "surfpath/plan/voids.hpp"
+#include "surfpath/plan/coverage.hpp"
 
 #include "surface/curve/locate.hpp"
 
