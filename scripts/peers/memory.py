@@ -49,7 +49,7 @@ STATED = {
     "regions": (r"33 layers at 8 times", lambda read, wrote: 8 * most_of(frames(read), 33)),
     "skins": (r"the whole part at 8 times", lambda read, wrote: 8 * sum(frames(read))),
     "sequence": (r"the whole graph at 8 times", lambda read, wrote: 8 * sum(frames(read))),
-    "fill": (r"one region per thread at 20 times the bytes that it writes.*up to 64 MB",
+    "fill": (r"one region per thread at 20 times the bytes that it writes.*64 MB",
              lambda read, wrote: 64e6 + 20 * os.cpu_count() * max(frames(wrote), default=0)),
     "link3d": (r"the regions it looks ahead at 8 times", lambda read, wrote: 8 * most_of(frames(read), 17)),
     "postproc": (r"half a million moves \(100 MB\), some spans at 32 times.*48 MiB",

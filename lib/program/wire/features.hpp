@@ -1,10 +1,9 @@
-// The features of beads, and the share of their width that lies over air. Private to lib/program/wire.
+// The features of beads, and the share of their width that lies over air. Private to lib/program/wire: `c` is
+// a message of protobuf, which installed headers do not name.
 #pragma once
 
 #include "toolpath/path.hpp"
 #include "wire/checks.hpp"
-
-#include "filum/stream.pb.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,10 +23,10 @@ inline std::uint8_t percent_over_air(std::uint32_t value, const char* what) {
     return static_cast<std::uint8_t>(value);
 }
 
-inline std::size_t segments(const proto::Curve& c, std::size_t points) { return points - (c.closed() ? 0 : 1); }
+inline std::size_t segments(const auto& c, std::size_t points) { return points - (c.closed() ? 0 : 1); }
 
 // The features of a curve, one for all segments or one for each.
-inline std::vector<toolpath::Feature> features(const proto::Curve& c, std::size_t points) {
+inline std::vector<toolpath::Feature> features(const auto& c, std::size_t points) {
     const auto n = static_cast<std::size_t>(c.feature_size());
     if (n > 1 && n != segments(c, points))
         bad_frame("paths", "its features must be none, one for all, or one per segment");
@@ -38,7 +37,7 @@ inline std::vector<toolpath::Feature> features(const proto::Curve& c, std::size_
 }
 
 // The shares over air of a curve, one for each segment or none.
-inline std::vector<std::uint8_t> over_air(const proto::Curve& c, std::size_t points) {
+inline std::vector<std::uint8_t> over_air(const auto& c, std::size_t points) {
     const auto n = static_cast<std::size_t>(c.over_air_size());
     if (n > 0 && n != segments(c, points)) bad_frame("paths", "its shares over air must be none, or one per segment");
     std::vector<std::uint8_t> out;

@@ -141,7 +141,8 @@ std::vector<cli::Option> line_options(Options& o) {
         Option{"min-radius", &o.plan.least_radius, "MM", "minimum radius of turns, where there is room"}
             .within(0, 1e5)
             .same_as({"choose.min-radius"}),
-        Option{"strict", &o.plan.strict, "", "refuse (exit 1) a path if more than --max-tight of it turns tighter than --min-radius"}
+        Option{"strict", &o.plan.strict, "",
+               "refuse (exit 1) a path if more than --max-tight of it turns tighter than --min-radius"}
             .a_limit(),
         Option{"max-tight", &o.plan.max_tight, "SHARE", "share of the length that may turn tighter than --min-radius"}
             .within(0, 1)
