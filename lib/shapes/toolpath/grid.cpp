@@ -100,6 +100,7 @@ std::vector<Vec2> all_offsets() {
         return a.first * a.first + a.second * a.second < b.first * b.first + b.second * b.second;
     });
     std::vector<Vec2> out;
+    out.reserve(steps.size());
     for (const auto& [x, y] : steps) out.push_back({x * 1e-3, y * 1e-3});
     return out;
 }
