@@ -175,8 +175,11 @@ std::optional<Farthest> farthest(const Loops& area, std::span<const polygon::Reg
     Search search(all, least, tolerance);
     search.add_vertices(area);
     const double most = search.best().reach + tolerance; // mm; places nearer than that do not count
-    const Loops rest = parts_beyond(area, all, most, tolerance / 4);
-    for (const Loops& part : polygon::split(rest).part) search.add_squares(part);
+    geom::Box2 both = polygon::bounds(area);
+    for (const Vec2 p : all.points) both.add(p);
+    if (most < geom::distance(both.lo, both.hi)) // else no place of the area is so far
+        for (const Loops& part : polygon::split(parts_beyond(area, all, most, tolerance / 4)).part)
+            search.add_squares(part);
     if (search.best().reach <= least) return std::nullopt;
     return search.best();
 }

@@ -140,7 +140,7 @@ TEST(HollowOverAir, SharesOfRandomRegionsAreThoseOfPointsAcrossTheBead) {
                 off += std::abs(100.0 * count / kPoints - c.over_air_at(i)) > 12 ? 1 : 0;
             }
     }
-    EXPECT_GT(compared, 200U);
+    EXPECT_GT(compared, kSanitized ? 40U : 200U); // fewer cases then
     EXPECT_LT(static_cast<double>(off), 0.05 * static_cast<double>(compared));
 }
 
