@@ -62,8 +62,9 @@ cli::Spec spec(Options& o) {
         .description = cli::kDescription,
         .in = cli::reads(stream::Payload::paths),
         .out = cli::writes(stream::Payload::toolpath),
-        .memory = "the regions it looks ahead at 10 times the bytes that it reads; all of them with --connect inside or "
-                  "outside",
+        .memory =
+            "the regions it looks ahead at 10 times the bytes that it reads; all of them with --connect inside or "
+            "outside",
         .options = cli::with(options(o), cli::head_options(o.head)),
         .groups = {{"regions that lie aside", {"reach", "look-ahead", "connect", "strand"}},
                    {"starts", {"seam", "seam-in", "interlace", "alternate-direction"}},
