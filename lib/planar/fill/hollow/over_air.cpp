@@ -88,46 +88,10 @@ void cut_walls(Curve& c, const Pieces& pieces) {
     if (any || !c.over_air.empty()) c.over_air = std::move(out.over_air);
 }
 
-class WallsOverAir {
+// An area, and where its edges are.
+class OutlinedArea {
   public:
-    WallsOverAir(const Loops& carried, double w)
-        : w_(w), inside_(carried), edge_(polygon::segments(carried)), grid_(edge_, geom::cell_for(edge_, 2 * w)) {}
-
-    // The pieces of segment i of `c`, cut where it passes the edge of what is carried. Pieces shorter than a bead
-    // belong to the one before.
-    [[nodiscard]] std::vector<Piece> pieces(const Curve& c, std::size_t i) const {
-        const Vec2 a = c.points[i], b = c.points[(i + 1) % c.points.size()];
-        const double length = geom::distance(a, b);
-        std::vector<double> cuts{0, 1};
-        if (length > w_)
-            grid_.near({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)},
-                       [&](std::uint32_t k) {
-                           const auto hit = geom::ray_parameters(a, b - a, edge_[k].a, edge_[k].b);
-                           if (hit && hit->t < 1) cuts.push_back(hit->t);
-                       });
-        std::ranges::sort(cuts);
-        std::vector<Piece> out;
-        for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-            const bool over_air = !inside_(geom::lerp(a, b, (cuts[k] + cuts[k + 1]) / 2));
-            const bool is_short = (cuts[k + 1] - cuts[k]) * length < w_;
-            const Feature feature = over_air ? Feature::bridge : c.feature[i];
-            if (out.empty() || (!is_short && feature != out.back().feature))
-                out.push_back({cuts[k], feature, c.over_air_at(i)});
-        }
-        return out;
-    }
-
-  private:
-    double w_; // mm, width of a bead
-    polygon::InsideTest inside_;
-    std::vector<geom::Segment> edge_;
-    geom::SegmentGrid grid_;
-};
-
-// The edges of an area, and how far away they are.
-class Edges {
-  public:
-    Edges(const Loops& area, double w)
+    OutlinedArea(const Loops& area, double w)
         : inside_(area), edge_(polygon::segments(area)), grid_(edge_, geom::cell_for(edge_, 2 * w)) {}
 
     [[nodiscard]] bool contains(Vec2 p) const { return inside_(p); }
@@ -139,11 +103,49 @@ class Edges {
         });
         return out;
     }
+    // The shares of the way from a to b at which it crosses an edge, in no order.
+    [[nodiscard]] std::vector<double> crossings(Vec2 a, Vec2 b) const {
+        std::vector<double> out;
+        grid_.near({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)},
+                   [&](std::uint32_t k) {
+                       const auto hit = geom::ray_parameters(a, b - a, edge_[k].a, edge_[k].b);
+                       if (hit && hit->t < 1) out.push_back(hit->t);
+                   });
+        return out;
+    }
 
   private:
     polygon::InsideTest inside_;
     std::vector<geom::Segment> edge_;
     geom::SegmentGrid grid_;
+};
+
+class WallsOverAir {
+  public:
+    WallsOverAir(const Loops& carried, double w) : w_(w), carried_(carried, w) {}
+
+    // The pieces of segment i of `c`, cut where it passes the edge of what is carried. Pieces shorter than a bead
+    // belong to the one before.
+    [[nodiscard]] std::vector<Piece> pieces(const Curve& c, std::size_t i) const {
+        const Vec2 a = c.points[i], b = c.points[(i + 1) % c.points.size()];
+        const double length = geom::distance(a, b);
+        std::vector<double> cuts = length > w_ ? carried_.crossings(a, b) : std::vector<double>{};
+        cuts.insert(cuts.end(), {0, 1});
+        std::ranges::sort(cuts);
+        std::vector<Piece> out;
+        for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+            const bool over_air = !carried_.contains(geom::lerp(a, b, (cuts[k] + cuts[k + 1]) / 2));
+            const bool is_short = (cuts[k + 1] - cuts[k]) * length < w_;
+            const Feature feature = over_air ? Feature::bridge : c.feature[i];
+            if (out.empty() || (!is_short && feature != out.back().feature))
+                out.push_back({cuts[k], feature, c.over_air_at(i)});
+        }
+        return out;
+    }
+
+  private:
+    double w_; // mm, width of a bead
+    OutlinedArea carried_;
 };
 
 class Overhangs {
@@ -182,7 +184,7 @@ class Overhangs {
 
     double w_;        // mm, width of a bead
     double last_ = 0; // percent, of the segment before
-    Edges bottom_, carried_;
+    OutlinedArea bottom_, carried_;
 };
 
 } // namespace
