@@ -163,8 +163,9 @@ std::optional<Entry> go_around(State& state) {
     if (state.around.empty()) state.around = all_bounds(state);
     const auto& head = state.options.head;
     const double cone = head.cone_radius(head.cone_height), carriage = std::max(head.carriage_x, head.carriage_y) / 2;
+    const double beside = state.printed.widest() / 2 + kClearance; // mm between middle lines and the head
     std::optional<std::pair<std::vector<Vec3>, Entry>> best;
-    for (const double margin : {kDetourMargin * r.width, cone + kClearance, carriage + kClearance})
+    for (const double margin : {kDetourMargin * r.width, cone + beside, carriage + beside})
         if ((best = way_around(state, margin))) break;
     if (!best) return std::nullopt;
     auto& [way, entry] = *best;
@@ -176,7 +177,7 @@ std::optional<Entry> go_around(State& state) {
     state.counts.connector_free += free;
     const Vec3 middle = way[way.size() / 2];
     state.front.joins.push_back({false, {way[way.size() - 2].xy(), way.back().xy()}, {r.width}});
-    state.printed.connector(way);
+    state.printed.connector(way, r.width);
     for (std::size_t i = 0; i + 1 < way.size(); ++i) state.strands.emplace_back(way[i], way[i + 1]);
     state.printed.begin(); // the two ends of a connector are two bodies
     Span out = span(state, Role::connector);

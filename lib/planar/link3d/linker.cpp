@@ -121,7 +121,7 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
         settle(state_);
         for (const Span& s : state_.front.spans) emit(s);
         state_.at = state_.front.spans.back().points.back();
-        state_.printed.add(r.index.bounds(), r.paths.z);
+        state_.printed.add(r.index.bounds(), r.widest, r.paths.z);
         state_.before.printed = true;
         state_.before.width = r.width;
     } else if (r.paths.area > 0) {

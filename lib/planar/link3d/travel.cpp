@@ -27,9 +27,10 @@ bool passes(Vec2 a, Vec2 b, const Box2& box, double margin) {
 
 } // namespace
 
-void PrintedBodies::add(const Box2& box, double top) {
-    bodies.back().box.add(box.lo);
-    bodies.back().box.add(box.hi);
+void PrintedBodies::add(const Box2& lines, double width, double top) {
+    bodies.back().box.add(lines.lo);
+    bodies.back().box.add(lines.hi);
+    bodies.back().half = std::max(bodies.back().half, width / 2);
     bodies.back().top = std::max(bodies.back().top, top);
 }
 
@@ -43,18 +44,24 @@ Box2 PrintedBodies::bounds() const {
     return out;
 }
 
+double PrintedBodies::widest() const {
+    double half = 0;
+    for (const auto& b : bodies) half = std::max(half, b.half);
+    return 2 * half;
+}
+
 bool PrintedBodies::blocks(Vec3 a, Vec3 b, double z, double margin, bool own) const {
     for (std::size_t i = 0; i + (own ? 1 : 0) < bodies.size(); ++i)
         if (bodies[i].top > z && passes(a.xy(), b.xy(), bodies[i].box, margin)) return true;
     return false;
 }
 
-void PrintedBodies::connector(std::span<const Vec3> way) {
+void PrintedBodies::connector(std::span<const Vec3> way, double width) {
     for (std::size_t i = 0; i + 1 < way.size(); ++i) {
         Box2 box;
         box.add(way[i].xy());
         box.add(way[i + 1].xy());
-        bodies.push_back({box, std::max(way[i].z, way[i + 1].z), false});
+        bodies.push_back({box, std::max(way[i].z, way[i + 1].z), width / 2, false});
     }
 }
 
@@ -65,14 +72,14 @@ bool PrintedBodies::hits(Vec3 a, Vec3 b, const machine::Head& head) const {
         const double up = body.top - z;
         if (up <= kTouch) return false;
         if (up > head.gantry_height) return true;
-        return passes(a.xy(), b.xy(), body.box, up > head.cone_height ? carriage : head.cone_radius(up));
+        return passes(a.xy(), b.xy(), body.box, body.half + (up > head.cone_height ? carriage : head.cone_radius(up)));
     });
 }
 
 bool PrintedBodies::meets_itself(std::span<const Vec3> way, double width, const machine::Head& head) {
     for (std::size_t i = 2; i + 1 < way.size(); ++i) {
         PrintedBodies before;
-        before.connector(way.first(i));
+        before.connector(way.first(i), width);
         if (before.hits(way[i], way[i + 1], head) || before.blocks(way[i], way[i + 1], -1, width, false)) return true;
     }
     return false;
@@ -84,9 +91,9 @@ std::vector<Vec3> travel(const PrintedBodies& printed, Vec3 from, Vec3 to, const
     double z = level;
     for (const auto& b : printed.bodies) {
         if (head.none || b.top <= level) continue;
-        if (passes(from.xy(), to.xy(), b.box, cone))
+        if (passes(from.xy(), to.xy(), b.box, b.half + cone))
             z = std::max(z, b.top);
-        else if (passes(from.xy(), to.xy(), b.box, carriage))
+        else if (passes(from.xy(), to.xy(), b.box, b.half + carriage))
             z = std::max(z, b.top - head.cone_height);
     }
     std::vector<Vec3> out{from};

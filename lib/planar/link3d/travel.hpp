@@ -18,22 +18,25 @@ using geom::Vec3;
 // Printed material as boxes: one for each stroke, which grows with it, and one for each leg of a connector.
 struct PrintedBodies {
     struct Body {
-        Box2 box;
+        Box2 box;         // of the middle lines of its beads
         double top = 0;   // mm
+        double half = 0;  // mm: half the width of its widest bead
         bool part = true; // false for connectors
     };
     std::vector<Body> bodies;
 
-    void begin() { bodies.emplace_back(); }    // begins a new stroke
-    void add(const Box2& box, double top);     // extends the newest body
-    void connector(std::span<const Vec3> way); // adds a body for each leg
-    [[nodiscard]] Box2 bounds() const;         // of the part, without connectors
+    void begin() { bodies.emplace_back(); } // begins a new stroke
+    // Extends the newest body by beads whose middle lines lie in `lines`, and of which the widest has `width` mm.
+    void add(const Box2& lines, double width, double top);
+    void connector(std::span<const Vec3> way, double width); // adds a body for each leg
+    [[nodiscard]] Box2 bounds() const;                       // of the middle lines of the part, without connectors
+    [[nodiscard]] double widest() const;                     // mm: the width of the widest bead
     // Whether the head would touch a body on the straight way from a to b.
     [[nodiscard]] bool hits(Vec3 a, Vec3 b, const machine::Head& head) const;
     // Whether the head would touch an earlier leg of this way, or its bead would cross one.
     [[nodiscard]] static bool meets_itself(std::span<const Vec3> way, double width, const machine::Head& head);
-    // Whether a -> b comes within `margin` mm of a body that reaches above `z`. With `own` the newest body does not
-    // count.
+    // Whether a -> b comes within `margin` mm of the middle lines of a body that reaches above `z`. With `own` the
+    // newest body does not count.
     [[nodiscard]] bool blocks(Vec3 a, Vec3 b, double z, double margin, bool own) const;
 };
 

@@ -15,14 +15,20 @@ double region_width(const toolpath::RegionPaths& r) {
     return r.curves.empty() ? 0 : sum / static_cast<double>(r.curves.size());
 }
 
+double widest_bead(const toolpath::RegionPaths& r) {
+    double out = 0;
+    for (const auto& c : r.curves) out = std::max(out, *std::ranges::max_element(c.width));
+    return out;
+}
+
 } // namespace
 
 Waiting waiting(toolpath::RegionPaths region) {
     SegmentIndex index(region.curves);
-    const double width = region_width(region);
+    const double width = region_width(region), widest = widest_bead(region);
     bool closed = false, open = false;
     for (const auto& c : region.curves) (c.closed ? closed : open) = true;
-    return {std::move(region), std::move(index), width, closed, open};
+    return {std::move(region), std::move(index), width, widest, closed, open};
 }
 
 Place at_corner(Place place, const toolpath::Curve& curve, Vec2 from) {

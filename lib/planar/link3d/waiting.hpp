@@ -14,6 +14,7 @@ struct Waiting {
     toolpath::RegionPaths paths;
     SegmentIndex index;
     double width;      // mm, mean of its curves
+    double widest;     // mm, of its widest bead
     bool closed, open; // whether it has curves of this kind
 };
 

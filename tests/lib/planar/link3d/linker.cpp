@@ -1,8 +1,10 @@
 #include "../../trials.hpp"
 #include "stacks.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace filum::link3d {
 
@@ -300,12 +302,39 @@ TEST(PrintedBodies, IgnoresBodiesWithNothingInThem) {
     PrintedBodies printed;
     printed.begin();
     printed.begin();
-    printed.add({{0, 0}, {1, 1}}, 2);
+    printed.add({{0, 0}, {1, 1}}, 0.4, 2);
     EXPECT_EQ(printed.bounds().hi, (Vec2{1, 1}));
     EXPECT_FALSE(printed.blocks({5, 5, 1}, {6, 6, 1}, 0.5, 0.1, false));
     EXPECT_TRUE(printed.blocks({-1, 0.5, 1}, {2, 0.5, 1}, 0.5, 0.1, false));
     EXPECT_FALSE(printed.blocks({-1, 0.5, 1}, {2, 0.5, 1}, 0.5, 0.1, true));
     EXPECT_EQ(travel(printed, {50, 50, 1}, {60, 60, 1.5}, {}).size(), 3U);
+}
+
+// The head touches the side of a bead, half a width beside its middle line: whatever its place, width and height.
+TEST(PrintedBodies, AreAsWideAsTheirBeads) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> any(0, 1);
+    const machine::Head head;
+    for (int trial = 0; trial < 1000; ++trial) {
+        const double width = 0.1 + 2 * any(random), up = 0.01 + 0.99 * any(random) * head.cone_height;
+        const double near = width / 2 + head.cone_radius(up), side = 20 * any(random) - 10;
+        for (const bool connector : {false, true}) {
+            PrintedBodies printed;
+            const std::array<Vec3, 2> line{{{-5, side, up}, {5, side, up}}};
+            if (connector) {
+                printed.connector(line, width);
+            } else {
+                printed.begin();
+                printed.add({line[0].xy(), line[1].xy()}, width, up);
+            }
+            EXPECT_DOUBLE_EQ(printed.widest(), width);
+            for (const double sign : {-1.0, 1.0}) {
+                const double touching = side + sign * (near - 1e-3), clear = side + sign * (near + 1e-3);
+                EXPECT_TRUE(printed.hits({-9, touching, 0}, {9, touching, 0}, head)) << width << " " << up;
+                EXPECT_FALSE(printed.hits({-9, clear, 0}, {9, clear, 0}, head)) << width << " " << up;
+            }
+        }
+    }
 }
 
 TEST(Linker, TakesNothingAndOddThings) {
