@@ -2,6 +2,8 @@
 
 #include "geodesic/query.hpp"
 
+#include <algorithm>
+
 namespace filum::geodesic {
 
 using surface::kNone;
@@ -9,6 +11,8 @@ using surface::kNone;
 namespace {
 
 constexpr double kTolerance = 1e-3; // mm between an isoline and the level set
+// shares of the distance of levels: a level nearer to a vertex's distance is raised, to twice that above it
+constexpr double kOffVertices = 1e-6;
 
 struct Crossing {
     std::uint32_t edge;                                            // the half-edge of lower number
@@ -182,6 +186,18 @@ std::vector<Isoline> isolines(const Surface& s, std::span<const double> distance
             out.push_back((level - a) / (b - a) * surface::side_length(s, h));
         },
         [](std::uint32_t, const Vec3&) { return 0.0; }); // not used, as there are two crossings at most
+}
+
+std::vector<double> off_vertices(std::vector<double> levels, std::vector<double> distance, double apart) {
+    std::sort(distance.begin(), distance.end());
+    const double off = kOffVertices * apart;
+    for (double& level : levels)
+        while (true) {
+            const auto near = std::lower_bound(distance.begin(), distance.end(), level - off);
+            if (near == distance.end() || *near > level + off) break;
+            level = *near + 2 * off;
+        }
+    return levels;
 }
 
 } // namespace filum::geodesic

@@ -45,6 +45,10 @@ void refine(const Surface& surface, Isoline& line, const Inside& at, double tole
 std::vector<Isoline> isolines(const Surface& surface, const ExactField& field, std::span<const double> levels,
                               std::vector<EdgePlace>* begins = nullptr);
 
+// The levels, ascending, slightly raised where one equals the distance of a vertex, which is common on grids: rounding
+// would break the isolines there. `apart` is the distance of the levels, mm.
+std::vector<double> off_vertices(std::vector<double> levels, std::vector<double> distance, double apart);
+
 // The isolines of a function that is linear on every triangle.
 std::vector<Isoline> isolines(const Surface& surface, std::span<const double> distance, std::span<const double> levels);
 

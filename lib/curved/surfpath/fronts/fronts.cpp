@@ -14,36 +14,10 @@ namespace {
 
 // Most fronts of a field.
 constexpr std::size_t kMostFronts = 20'000;
-constexpr double kArrived = 0.05;     // steps: a line that ends farther from the next front has not reached it
-constexpr double kInset = 0.02;       // grains between the ends of a front and its outermost samples
-constexpr double kOffVertices = 1e-4; // steps between a level and the distance of any vertex
-constexpr double kSpeck = 1e-3;       // steps: shorter fronts are dropped
-constexpr int kRings = 3;             // rings of triangles around a place in which fronts are searched
-
-double farthest(const Surface& s, std::span<const double> distance) {
-    double out = 0;
-    for (const auto& t : s.triangles)
-        for (const std::uint32_t v : t)
-            if (std::isfinite(distance[v])) out = std::max(out, distance[v]);
-    return out;
-}
-
-// step, 2 step, ... up to `far`, slightly raised where a level equals the distance of a vertex: rounding would break
-// the isolines there.
-std::vector<double> levels_between(std::vector<double> distance, double step, double far) {
-    std::sort(distance.begin(), distance.end());
-    std::vector<double> out;
-    for (std::size_t k = 1; static_cast<double>(k) * step <= far; ++k) {
-        double level = static_cast<double>(k) * step;
-        while (true) {
-            const auto near = std::lower_bound(distance.begin(), distance.end(), level - kOffVertices * step);
-            if (near == distance.end() || *near > level + kOffVertices * step) break;
-            level = *near + 2 * kOffVertices * step;
-        }
-        out.push_back(level);
-    }
-    return out;
-}
+constexpr double kArrived = 0.05; // steps: a line that ends farther from the next front has not reached it
+constexpr double kInset = 0.02;   // grains between the ends of a front and its outermost samples
+constexpr double kSpeck = 1e-3;   // steps: shorter fronts are dropped
+constexpr int kRings = 3;         // rings of triangles around a place in which fronts are searched
 
 // The triangle and its neighbours, ring by ring.
 std::vector<std::uint32_t> about(const Surface& s, std::uint32_t triangle) {
@@ -104,7 +78,7 @@ Vec3 right_of(const Vec3& along, const Vec3& normal) { return cross(along, norma
 
 Fronts::Fronts(const Surface& surface, const surface::Sources& sources, double step, double grain)
     : surface_(surface), field_(geodesic::exact(surface, sources)), step_(step) {
-    const double far = farthest(surface, field_.distance);
+    const double far = geodesic::farthest(surface, field_);
     if (!(far / step < kMostFronts)) throw Error(Exit::usage, "cannot follow more than 20000 fronts; raise --spacing");
     std::vector<Line> lines = source_lines(sources);
     for (std::size_t i = 0, n = lines.size(); i < n; ++i) {
@@ -113,7 +87,9 @@ Fronts::Fronts(const Surface& surface, const surface::Sources& sources, double s
         lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(2 * i + 1), std::move(back));
     }
     add_level(std::move(lines));
-    const std::vector<double> levels = levels_between(field_.distance, step, far);
+    std::vector<double> levels;
+    for (std::size_t k = 1; static_cast<double>(k) * step <= far; ++k) levels.push_back(static_cast<double>(k) * step);
+    levels = geodesic::off_vertices(std::move(levels), field_.distance, step);
     const auto isolines = geodesic::isolines(surface, field_, levels);
     std::size_t next = 0;
     for (const double level : levels) {

@@ -19,22 +19,6 @@ using surface::Isoline;
 using surface::kNone;
 using surface::Surface;
 
-constexpr double kSameLevel = 1e-7;  // spacings: a level this near to a vertex's distance counts as equal
-constexpr double kLevelShift = 1e-5; // spacings by which it is then raised
-
-// The levels, slightly raised where they equal the distance of a vertex, which is common on grids: rounding would
-// break the isolines there.
-std::vector<double> off_vertices(std::vector<double> levels, std::vector<double> distance, double spacing) {
-    std::sort(distance.begin(), distance.end());
-    for (double& level : levels)
-        while (true) {
-            const auto near = std::lower_bound(distance.begin(), distance.end(), level - kSameLevel * spacing);
-            if (near == distance.end() || *near > level + kSameLevel * spacing) break;
-            level = *near + kLevelShift * spacing;
-        }
-    return levels;
-}
-
 struct LevelIsolines {
     std::vector<double> levels;
     std::vector<Isoline> lines; // closed
@@ -67,7 +51,7 @@ class RingLevels {
         std::vector<double> even;
         const double top = geodesic::farthest(s, field);
         for (double i = 0.5; i * o.spacing < top; ++i) even.push_back(i * o.spacing);
-        even_ = level_isolines(s, field, off_vertices(std::move(even), field.distance, o.spacing));
+        even_ = level_isolines(s, field, geodesic::off_vertices(std::move(even), field.distance, o.spacing));
     }
 
     Levels run(Facts& facts, Notes& notes) {
@@ -135,7 +119,7 @@ class RingLevels {
             out.at.push_back(level);
             out.ring.push_back(by[0].second);
         }
-        out.at = off_vertices(std::move(out.at), field_.distance, o_.spacing);
+        out.at = geodesic::off_vertices(std::move(out.at), field_.distance, o_.spacing);
         LevelIsolines all = at_levels(out.at);
         const std::vector<std::uint32_t> owner = owners(all);
         auto by = wanted.begin();

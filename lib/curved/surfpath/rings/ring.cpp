@@ -1,28 +1,12 @@
 #include "surfpath/rings/ring.hpp"
 
+#include "surface/curve/nearest.hpp"
+
 #include <algorithm>
 
 namespace filum::surfpath::rings {
 
 namespace {
-
-constexpr double kSoughtBeside = 0.5; // mm on both sides of the nearest point
-constexpr int kSoughtSteps = 100;     // steps on either side
-
-// Refines a position by sampling the ring on both sides of it.
-RingPosition refined(std::span<const Ring> rings, RingPosition out, const Vec3& p) {
-    const Ring& ring = rings[out.line];
-    const double all = ring.ways.back(), from = out.way;
-    for (int i = -kSoughtSteps; i <= kSoughtSteps; ++i) {
-        const double way = from + kSoughtBeside * i / kSoughtSteps;
-        const double d = distance(surface::curve::at(ring.line, ring.ways, way).point, p);
-        if (d < out.distance) {
-            out.distance = d;
-            out.way = std::fmod(way + all, all);
-        }
-    }
-    return out;
-}
 
 std::vector<Vec3> points_of(std::span<const Ring> rings) {
     std::vector<Vec3> out;
@@ -42,7 +26,8 @@ RingPosition RingTree::nearest(const Vec3& p) const {
     const auto found = tree_.nearest(p);
     const auto r = static_cast<std::size_t>(std::upper_bound(end_.begin(), end_.end(), found.index) - end_.begin());
     const std::size_t i = found.index - (r > 0 ? end_[r - 1] : 0);
-    return refined(rings_, {r, rings_[r].ways[i], found.distance}, p);
+    const auto at = surface::curve::nearest_beside(rings_[r].line, rings_[r].ways, p, i);
+    return {r, at.way, at.distance};
 }
 
 } // namespace filum::surfpath::rings

@@ -3,6 +3,7 @@
 #include "geodesic/isolines.hpp"
 #include "geodesic/query.hpp"
 #include "surface/curve/ease.hpp"
+#include "surface/curve/nearest.hpp"
 #include "surface/curve/walk.hpp"
 
 #include <algorithm>
@@ -90,20 +91,12 @@ class InsetClipper {
     // The nearest place of the inset's rings, if it is within half a spacing.
     [[nodiscard]] RingPlace nearest(const Vec3& p) const {
         RingPlace out;
-        double least = std::numeric_limits<double>::infinity();
-        for (std::uint32_t r = 0; r < inset_.rings.size(); ++r) {
-            const Line& ring = inset_.rings[r];
-            const std::size_t n = ring.size();
-            for (std::size_t i = 0; i + 1 < inset_.ways[r].size(); ++i) {
-                const Vec3 &a = ring[i], d = ring[(i + 1) % n] - a;
-                const double l2 = dot(d, d), t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;
-                const double far = distance(p, a + t * d);
-                if (far < least && far < half_) {
-                    least = far;
-                    out = {r, inset_.ways[r][i] + t * std::sqrt(l2)};
-                }
+        double least = half_;
+        for (std::uint32_t r = 0; r < inset_.rings.size(); ++r)
+            if (const auto at = surface::curve::nearest(inset_.rings[r], inset_.ways[r], p); at.distance < least) {
+                least = at.distance;
+                out = {r, at.way};
             }
-        }
         return out;
     }
 

@@ -1,5 +1,6 @@
 #include "surfpath/rows/winding.hpp"
 
+#include "surface/curve/nearest.hpp"
 #include "surface/curve/walk.hpp"
 
 #include <algorithm>
@@ -10,27 +11,13 @@ namespace filum::surfpath::rows {
 
 namespace {
 
+using surface::curve::nearest;
+
 constexpr std::size_t kSamples = 24; // sample points of a ring to decide whether another runs beside it
 constexpr double kRingsBeside = 1.6; // largest distance of rings beside each other, in differences of their levels
 constexpr double kSpiralStep = 0.4;  // spacings between places of a spiral
 constexpr double kApart = 100;       // spacings of level between unrelated chains
 constexpr double kNearInset = 2;     // spacings from the inset within which a spiral's end is led to it
-
-struct NearestPoint {
-    double far = std::numeric_limits<double>::infinity();
-    double way = 0;
-};
-
-// The place of a closed or open line that is nearest to `p`.
-NearestPoint nearest_point(const Line& line, std::span<const double> ways, const Vec3& p) {
-    NearestPoint out;
-    for (std::size_t i = 0; i + 1 < ways.size(); ++i) {
-        const Vec3 &a = line[i], d = line[(i + 1) % line.size()] - a;
-        const double l2 = dot(d, d), t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;
-        if (const double far = distance(p, a + t * d); far < out.far) out = {far, ways[i] + t * std::sqrt(l2)};
-    }
-    return out;
-}
 
 struct RingLine {
     Line line;
@@ -55,7 +42,7 @@ double apart(const RingLine& a, const RingLine& b, double most) {
         for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)}) {
             const double way = static_cast<double>(i) / kSamples * from->ways.back();
             const double far =
-                nearest_point(to->line, to->ways, surface::curve::at(from->line, from->ways, way).point).far;
+                nearest(to->line, to->ways, surface::curve::at(from->line, from->ways, way).point).distance;
             if (far > most) return std::numeric_limits<double>::infinity();
             sum += far;
         }
@@ -101,7 +88,7 @@ class SpiralWinder {
         for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
             const Line lap = over(chain[i], at, chain[i + 1]);
             surface::curve::append(line, lap);
-            at = nearest_point(chain[i + 1].line, chain[i + 1].ways, line.places.back().point).way;
+            at = nearest(chain[i + 1].line, chain[i + 1].ways, line.places.back().point).way;
         }
         const RingLine& last = chain.back();
         if (chain.size() > 1) {
@@ -130,10 +117,11 @@ class SpiralWinder {
         double least = kNearInset * spacing_, from = 0;
         for (std::uint32_t r = 0; r < rows_.inset.rings.size(); ++r)
             for (std::size_t i = 0; i < ring.line.size();) {
-                const NearestPoint f = nearest_point(rows_.inset.rings[r], rows_.inset.ways[r], ring.line[i]);
-                const double nearer = ring.ways[i] + f.far - least; // no place before this arc length can be nearer
-                if (f.far < least) {
-                    least = f.far;
+                const auto f = nearest(rows_.inset.rings[r], rows_.inset.ways[r], ring.line[i]);
+                const double nearer =
+                    ring.ways[i] + f.distance - least; // no place before this arc length can be nearer
+                if (f.distance < least) {
+                    least = f.distance;
                     place = {r, f.way};
                     from = ring.ways[i];
                 }
@@ -149,8 +137,8 @@ class SpiralWinder {
         if (chain.size() == 1) return to_inset;
         double way = place.ring == surface::kNone ? 0 : to_inset + chain.back().ways.back() / 2;
         for (std::size_t i = chain.size() - 1; i-- > 0;)
-            way = nearest_point(chain[i].line, chain[i].ways,
-                                surface::curve::at(chain[i + 1].line, chain[i + 1].ways, way).point)
+            way = nearest(chain[i].line, chain[i].ways,
+                          surface::curve::at(chain[i + 1].line, chain[i + 1].ways, way).point)
                       .way;
         return way;
     }
@@ -181,7 +169,7 @@ class SpiralWinder {
     }
 
     [[nodiscard]] double outward(const RingLine& ring, double at, const RingLine& to, double gap) const {
-        const auto off = [&](double left) { return nearest_point(to.line, to.ways, aside(ring, at, left).point).far; };
+        const auto off = [&](double left) { return nearest(to.line, to.ways, aside(ring, at, left).point).distance; };
         return off(gap) <= off(-gap) ? 1 : -1;
     }
 
@@ -215,7 +203,7 @@ void turn_from(const Surface& s, Line& b, const RingLine& a) {
     const auto ways = surface::curve::arc_lengths(b);
     const Place p = b.places[0];
     const Vec3 t = surface::curve::at(b, ways, ways.back() / 1000).point - p.point;
-    const Vec3 q = surface::curve::at(a.line, a.ways, nearest_point(a.line, a.ways, p.point).way).point;
+    const Vec3 q = surface::curve::at(a.line, a.ways, nearest(a.line, a.ways, p.point).way).point;
     if (dot(cross(surface::normal(s, p.triangle), t), q - p.point) < 0) surface::curve::reverse(b);
 }
 
