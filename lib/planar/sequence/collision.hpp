@@ -12,7 +12,7 @@ namespace filum::sequence {
 // counts as a collision: this adds precedences, and all of them lead upwards, so it can cost strokes but never a
 // collision.
 struct DistanceWork {
-    std::uint64_t limit = 40'000'000;
+    std::uint64_t limit = 80'000'000;
     std::uint64_t steps = 0;           // used
     std::uint64_t assumed = 0;         // collisions that were not measured
     std::size_t done = 0, regions = 0; // regions that were looked at, and all of them

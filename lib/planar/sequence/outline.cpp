@@ -15,6 +15,7 @@ using geom::Vec2;
 
 constexpr double kNeedle = 1e-3; // mm: without a head, regions this near are touched, as they are above or below
 constexpr double kLevel = 1e-6;  // mm: heights this near are equal, since sums of layers are not exact
+constexpr double kRay = 1e-6;    // mm: half the width of a ray, more than the rounding of capsules
 
 inline double gap_x(const Box2& a, const Box2& b) { return std::max(0.0, std::max(a.lo.x - b.hi.x, b.lo.x - a.hi.x)); }
 inline double gap_y(const Box2& a, const Box2& b) { return std::max(0.0, std::max(a.lo.y - b.hi.y, b.lo.y - a.hi.y)); }
@@ -146,11 +147,23 @@ bool any_pair(const Outline& a, const Outline& b, std::uint64_t* steps, const do
     return false;
 }
 
+// Whether the region contains p: polygon::contains(), of the edges that the ray from p to the right may cross.
 bool holds(const Outline& a, Vec2 p, std::uint64_t* steps) {
     const Box2& b = a.box;
     if (p.x < b.lo.x || p.x > b.hi.x || p.y < b.lo.y || p.y > b.hi.y) return false;
-    if (steps != nullptr) *steps += a.loops.points.size();
-    return polygon::contains(a.loops, p);
+    const Box2 ray{p - Vec2{kRay, kRay}, Vec2{b.hi.x, p.y} + Vec2{kRay, kRay}};
+    bool inside = false;
+    a.edges.visit(ray, [&](geom::CapsuleTree::Run run) {
+        EdgeCursor edge(a.loops, run.first);
+        for (std::size_t k = run.first; k < run.last; ++k) {
+            const auto [from, to] = edge.at(k);
+            if ((from.y > p.y) == (to.y > p.y)) continue;
+            if (p.x < from.x + (to.x - from.x) * (p.y - from.y) / (to.y - from.y)) inside = !inside;
+        }
+        if (steps != nullptr) *steps += run.last - run.first;
+        return true;
+    });
+    return inside;
 }
 
 // Bounds of the least distance(p, q, s, t) of any two edges, as distance_bounds() gives them.

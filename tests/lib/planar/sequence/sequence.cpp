@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace filum::sequence {
@@ -93,6 +94,55 @@ TEST(Outline, OneInsideTheOtherIsAtDistanceZeroAndOneInItsHoleIsNot) {
     EXPECT_EQ(distance(outline(ring), outline(box(0.5, 0.5, 1, 1))), 0);
     EXPECT_NEAR(distance(outline(ring), outline(box(4, 4, 1, 1))), 2, 1e-12);
     EXPECT_EQ(distance(outline(box(-5, -5, 50, 50)), outline(ring)), 0);
+}
+
+// A point lies in a region or not, also where corners of the region are as high as the point.
+TEST(Outline, ContainsThePointsOfItsArea) {
+    Random random(5);
+    int inside = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        polygon::Loops soup;
+        for (int i = 0; i < 12; ++i) {
+            const double x = std::floor(uniform(random, 0, 12)), y = std::floor(uniform(random, 0, 12));
+            const double wide = std::ceil(uniform(random, 0, 5)), high = std::ceil(uniform(random, 0, 5));
+            soup = trial % 2 == 0 || i % 3 > 0 ? polygon::unite(soup, box(x, y, wide, high))
+                                               : polygon::subtract(soup, box(x, y, wide, high));
+        }
+        if (soup.empty()) continue;
+        const polygon::Loops area = polygon::split(soup).part[0];
+        const Outline whole = outline(area);
+        for (int k = 0; k < 40; ++k) {
+            const double x = std::floor(uniform(random, -1, 18)) + 0.5, y = std::floor(uniform(random, -1, 36)) / 2;
+            const polygon::Loops dot = box(x, y, 0.01, 0.01);
+            const bool on_edge = plain_distance(area, dot) == 0 && !polygon::contains(area, dot.points[0]);
+            if (on_edge) continue; // a corner of the dot, or its side
+            EXPECT_EQ(distance(whole, outline(dot)) == 0, polygon::contains(area, dot.points[0])) << x << " " << y;
+            inside += polygon::contains(area, dot.points[0]) ? 1 : 0;
+        }
+    }
+    EXPECT_GT(inside, 500);
+}
+
+// A ring in the hole of another one is not in its area. To find that out takes few edges of each.
+TEST(Outline, LooksAtFewEdgesOfNestedRings) {
+    const auto ring = [](double outer, std::size_t corners) {
+        polygon::Loops out;
+        for (const double sign : {1.0, -1.0}) {
+            std::vector<geom::Vec2> loop;
+            for (std::size_t k = 0; k < corners; ++k) {
+                const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(corners);
+                const double r = sign > 0 ? outer : outer - 1;
+                loop.push_back({r * std::cos(angle), sign * r * std::sin(angle)});
+            }
+            out.add(loop);
+        }
+        return outline(std::move(out));
+    };
+    std::uint64_t few = 0, many = 0;
+    EXPECT_FALSE(within(ring(10, 100), ring(8, 100), {0.01, 0, 0, false}, &few));
+    EXPECT_FALSE(within(ring(10, 10000), ring(8, 10000), {0.01, 0, 0, false}, &many));
+    EXPECT_LT(many, 1000U); // of 20,000 in each ring
+    EXPECT_LT(many, 4 * few);
 }
 
 // Exact optima of k columns.
