@@ -47,3 +47,7 @@ setup() {
         [[ "$stderr" == *"--min-radius"* ]]
     done
 }
+
+@test "hard outlines are filled alike however they are turned, and within their area" {
+    "$FILUM_SOURCE/tests/parts/stress-outlines" --angles 5 --scales 0.25,1
+}

@@ -26,7 +26,7 @@ struct PrintedBodies {
     std::vector<Body> bodies;
 
     void begin() { bodies.emplace_back(); } // begins a new stroke
-    // Extends the newest body by beads whose middle lines lie in `lines`, and of which the widest has `width` mm.
+    // Extends the newest body by beads with their middle lines in `lines`. The widest bead has `width` mm.
     void add(const Box2& lines, double width, double top);
     void connector(std::span<const Vec3> way, double width); // adds a body for each leg
     [[nodiscard]] Box2 bounds() const;                       // of the middle lines of the part, without connectors
