@@ -41,7 +41,7 @@ double cell_for(std::span<const Segment> segments, double least) {
     return std::max(least, std::clamp(apart, mean / kCellsEach, mean));
 }
 
-SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell, double margin) : cell_(cell) {
+CellBlocks::CellBlocks(std::span<const Segment> segments, double cell, double margin) : cell_(cell) {
     if (segments.empty()) return;
     const Extent all(segments);
     origin_ = all.box.lo;
@@ -59,6 +59,11 @@ SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell, double 
 
     blocks_ = (columns_ - 1) / kSide + 1;
     first_.assign(blocks_ * ((rows_ - 1) / kSide + 1), 0);
+}
+
+SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell, double margin)
+    : CellBlocks(segments, cell, margin) {
+    if (segments.empty()) return;
     start_.assign(kSide * kSide + 1, 0);
 
     // Counts the items of each cell, then sums to the end of each cell; inserting an item moves that down to the
@@ -67,12 +72,7 @@ SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell, double 
     for (std::size_t i = 0; i < segments.size(); ++i) {
         std::uint32_t cells = 0;
         cells_of(segments[i], margin, [&](unsigned x, unsigned y) {
-            std::uint32_t& first = first_[block(x, y)];
-            if (first == 0) {
-                first = static_cast<std::uint32_t>(start_.size() - 1);
-                start_.resize(start_.size() + kSide * kSide, 0);
-            }
-            const std::size_t c = number(x, y);
+            const std::size_t c = number_in(start_, x, y);
             ++start_[c];
             only[i] = cells++ == 0 ? static_cast<std::uint32_t>(c) : kNone;
         });
@@ -85,6 +85,12 @@ SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell, double 
         else
             cells_of(segments[i], margin, [&](unsigned x, unsigned y) { item_[--start_[number(x, y)]] = i; });
     }
+}
+
+SegmentPairs::SegmentPairs(std::span<const Segment> segments, double cell, double margin)
+    : CellBlocks(segments, cell, margin), segments_(segments), margin_(margin), last_(kSide * kSide + 1, 0),
+      entries_(1), met_(segments.size(), kNone) {
+    entries_.reserve(3 * segments.size()); // most segments are in two cells or three
 }
 
 } // namespace filum::geom

@@ -18,12 +18,51 @@ struct Segment {
 // long it is. Cells that long rows share cost little: the pairs of rows in them are as many for any size of cells.
 double cell_for(std::span<const Segment> segments, double least);
 
-// Segment i is in every cell to which its distance along x and along y is less than `margin`. Cells are stored in
-// blocks of 8 x 8, in the order in which segments reach them, and only if a block is not empty. So neighbouring cells
-// along a line are near each other in memory, and a thin ring in a large box needs memory for its own area only. Cells
-// grow if the box would need more than about eight blocks per segment or 16 million, or if the segments would be in
-// more cells than 4 million and 24 each, which bounds memory for any coordinates.
-class SegmentGrid {
+// The numbers of the cells of a uniform grid over some segments. Cells are stored in blocks of 8 x 8, in the order in
+// which segments reach them, and only if a block is not empty. So neighbouring cells along a line are near each other
+// in memory, and a thin ring in a large box needs memory for its own area only. Cells grow if the box would need more
+// than about eight blocks per segment or 16 million, or if the segments would be in more cells than 4 million and 24
+// each, which bounds memory for any coordinates.
+class CellBlocks {
+  protected:
+    static constexpr unsigned kSide = 8; // cells per side of a block
+
+    CellBlocks(std::span<const Segment> segments, double cell, double margin);
+
+    [[nodiscard]] bool none() const { return columns_ == 0; }
+    [[nodiscard]] unsigned column(double x) const { return clamp_to((x - origin_.x) * per_mm_, columns_); }
+    [[nodiscard]] unsigned row(double y) const { return clamp_to((y - origin_.y) * per_mm_, rows_); }
+    [[nodiscard]] std::size_t number(unsigned x, unsigned y) const {
+        return first_[block(x, y)] + kSide * (y % kSide) + x % kSide;
+    }
+    // The number of a cell whose block gets cells in `cells` if it has none.
+    std::size_t number_in(std::vector<std::uint32_t>& cells, unsigned x, unsigned y) {
+        std::uint32_t& first = first_[block(x, y)];
+        if (first == 0) {
+            first = static_cast<std::uint32_t>(cells.size() - 1);
+            cells.resize(cells.size() + kSide * kSide, 0);
+        }
+        return first + kSide * (y % kSide) + x % kSide;
+    }
+    // Calls f(x, y) for the cells of segment s.
+    template <class F>
+    void cells_of(const Segment& s, double margin, F&& f) const;
+
+  private:
+    [[nodiscard]] std::size_t block(unsigned x, unsigned y) const { return y / kSide * blocks_ + x / kSide; }
+    static unsigned clamp_to(double v, unsigned n) {
+        return static_cast<unsigned>(static_cast<int>(std::clamp(v, 0.0, n - 1.0)));
+    }
+
+    Vec2 origin_;
+    double cell_ = 1, per_mm_ = 1; // mm; cells per mm
+    unsigned columns_ = 0, rows_ = 0;
+    std::size_t blocks_ = 0;           // per row of blocks
+    std::vector<std::uint32_t> first_; // per block: its first cell; 0 for empty blocks
+};
+
+// Segment i is in every cell to which its distance along x and along y is less than `margin`.
+class SegmentGrid : private CellBlocks {
   public:
     SegmentGrid(std::span<const Segment> segments, double cell, double margin = 0);
 
@@ -38,7 +77,7 @@ class SegmentGrid {
     // Calls f(i) for every segment whose cells meet the box, possibly several times.
     template <class F>
     void near(Vec2 lo, Vec2 hi, F&& f) const {
-        if (columns_ == 0) return;
+        if (none()) return;
         const unsigned x0 = column(lo.x), x1 = column(hi.x), y0 = row(lo.y), y1 = row(hi.y);
         for (unsigned y = y0; y <= y1; ++y)
             for (unsigned x = x0, last = 0; x <= x1; x = last + 1) { // cells of a row within a block are consecutive
@@ -52,7 +91,7 @@ class SegmentGrid {
     // segment passes few of the cells of its box.
     template <class F>
     void along(Vec2 p, Vec2 q, F&& f) const {
-        if (columns_ == 0) return;
+        if (none()) return;
         cells_of({p, q}, 0, [&](unsigned x, unsigned y) {
             for (const std::uint32_t i : in(number(x, y))) f(i);
         });
@@ -69,30 +108,55 @@ class SegmentGrid {
     }
 
   private:
-    [[nodiscard]] unsigned column(double x) const { return clamp_to((x - origin_.x) * per_mm_, columns_); }
-    [[nodiscard]] unsigned row(double y) const { return clamp_to((y - origin_.y) * per_mm_, rows_); }
-    [[nodiscard]] std::size_t block(unsigned x, unsigned y) const { return y / kSide * blocks_ + x / kSide; }
-    [[nodiscard]] std::size_t number(unsigned x, unsigned y) const {
-        return first_[block(x, y)] + kSide * (y % kSide) + x % kSide;
-    }
-    static unsigned clamp_to(double v, unsigned n) {
-        return static_cast<unsigned>(static_cast<int>(std::clamp(v, 0.0, n - 1.0)));
-    }
-    // Calls f(x, y) for the cells of segment s.
-    template <class F>
-    void cells_of(const Segment& s, double margin, F&& f) const;
-
-    Vec2 origin_;
-    double cell_ = 1, per_mm_ = 1; // mm; cells per mm
-    unsigned columns_ = 0, rows_ = 0;
-    static constexpr unsigned kSide = 8; // cells per side of a block
-    std::size_t blocks_ = 0;             // per row of blocks
-    std::vector<std::uint32_t> first_;   // per block: its first cell; 0 for empty blocks
     std::vector<std::uint32_t> start_, item_;
 };
 
+// Finds the pairs of segments that share a cell while segments are added, so a segment's cells are walked once.
+class SegmentPairs : private CellBlocks {
+  public:
+    // `segments`: all that will be added.
+    SegmentPairs(std::span<const Segment> segments, double cell, double margin = 0);
+
+    // Adds segment i. Calls f(k) once for every segment k added before it that is in one of its cells.
+    template <class F>
+    void add(std::uint32_t i, F&& f) {
+        cells_of(segments_[i], margin_, [&](unsigned x, unsigned y) {
+            std::uint32_t& last = last_[number_in(last_, x, y)];
+            for (std::uint32_t k = last; k != 0; k = entries_[k].before) {
+                const std::uint32_t segment = entries_[k].segment;
+                if (met_[segment] == i) continue;
+                met_[segment] = i;
+                f(segment);
+            }
+            entries_.push_back({i, last});
+            last = static_cast<std::uint32_t>(entries_.size() - 1);
+        });
+    }
+
+    // Calls f(k) for every segment k added so far that shares a cell with the segment p-q, possibly several times.
+    template <class F>
+    void along(Vec2 p, Vec2 q, F&& f) const {
+        if (none()) return;
+        cells_of({p, q}, 0, [&](unsigned x, unsigned y) {
+            for (std::uint32_t k = last_[number(x, y)]; k != 0; k = entries_[k].before) f(entries_[k].segment);
+        });
+    }
+
+  private:
+    // A segment in a cell, and the entry of the same cell before it; 0: none.
+    struct Entry {
+        std::uint32_t segment, before;
+    };
+
+    std::span<const Segment> segments_;
+    double margin_;
+    std::vector<std::uint32_t> last_; // per cell: its last entry; 0: none
+    std::vector<Entry> entries_;      // the first one is not used
+    std::vector<std::uint32_t> met_;  // per segment: the last one that it was reported for
+};
+
 template <class F>
-void SegmentGrid::cells_of(const Segment& s, double margin, F&& f) const {
+void CellBlocks::cells_of(const Segment& s, double margin, F&& f) const {
     const Vec2 a = s.a.y <= s.b.y ? s.a : s.b, b = s.a.y <= s.b.y ? s.b : s.a;
     const double beside = margin + 1e-9 * cell_; // adds a cell on each side where rounding could decide
     const unsigned y0 = row(a.y - margin), y1 = row(b.y + margin);

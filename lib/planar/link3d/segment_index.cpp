@@ -9,6 +9,7 @@ namespace filum::link3d {
 namespace {
 
 constexpr double kOnSegment = 1e-6; // mm; a point closer than this lies on the segment
+constexpr double kLeastCell = 0.01; // mm; segments of the grid are no finer in general
 
 } // namespace
 
@@ -115,6 +116,46 @@ void SegmentIndex::within(const Box2& box, const std::function<bool(std::uint32_
         }
         return true;
     });
+}
+
+std::vector<geom::Segment> SegmentIndex::segments() const {
+    std::vector<geom::Segment> out;
+    if (empty()) return out;
+    out.reserve(first_.back());
+    for (std::size_t c = 0; c + 1 < first_.size(); ++c)
+        for (std::uint32_t s = first_[c]; s < first_[c + 1]; ++s) out.push_back({points_[s + c], points_[s + c + 1]});
+    return out;
+}
+
+SegmentCells::SegmentCells(const SegmentIndex& index)
+    : segments_(index.segments()), cell_(geom::cell_for(segments_, kLeastCell)), grid_(segments_, cell_) {}
+
+void SegmentCells::search(Vec2 p, double limit, std::optional<Nearest>& found) const {
+    grid_.near(p - Vec2{limit, limit}, p + Vec2{limit, limit}, [&](std::uint32_t s) {
+        const double e = geom::point_segment_distance(segments_[s].a, segments_[s].b, p);
+        if (e > limit) return;
+        if (!found || e < found->distance || (e == found->distance && s < found->segment)) found = Nearest{s, e};
+    });
+}
+
+std::optional<SegmentCells::Nearest> SegmentCells::nearest(Vec2 p, double limit) const {
+    std::optional<Nearest> found;
+    search(p, std::min(limit, cell_), found); // where lines are close together this is enough
+    if (!found && limit > cell_) search(p, limit, found);
+    return found;
+}
+
+bool SegmentCells::is_free(Vec2 a, Vec2 b, double margin) const {
+    Box2 box;
+    box.add(a - Vec2{margin, margin});
+    box.add(a + Vec2{margin, margin});
+    box.add(b - Vec2{margin, margin});
+    box.add(b + Vec2{margin, margin});
+    bool free = true;
+    grid_.near(box.lo, box.hi, [&](std::uint32_t s) {
+        free = free && geom::segment_distance(a, b, segments_[s].a, segments_[s].b) > margin;
+    });
+    return free;
 }
 
 bool is_free(const SegmentIndex& index, Vec2 a, Vec2 b, double margin, double skip_a, double skip_b) {

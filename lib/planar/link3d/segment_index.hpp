@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geom/capsule_tree.hpp"
+#include "geom/segment_grid.hpp"
 #include "geom/vec.hpp"
 #include "toolpath/path.hpp"
 
@@ -51,17 +52,45 @@ class SegmentIndex {
     // The points with the least x, greatest x, least y and greatest y, in this order. Tie: the lowest segment number.
     [[nodiscard]] std::vector<Place> extremes() const;
 
+    // The segments in their order.
+    [[nodiscard]] std::vector<geom::Segment> segments() const;
+
     // The place at parameter t of segment number `segment`; its distance is measured from `from`.
     [[nodiscard]] Place place(std::uint32_t segment, double t, Vec2 from) const;
 
+    [[nodiscard]] std::uint32_t curve_of(std::uint32_t segment) const;
+
   private:
     [[nodiscard]] std::pair<Vec2, Vec2> ends(std::uint32_t segment) const;
-    [[nodiscard]] std::uint32_t curve_of(std::uint32_t segment) const;
 
     std::vector<Vec2> points_;         // of all curves; the first point of a closed curve is repeated at its end
     std::vector<std::uint32_t> first_; // segment numbers: curve c has [first_[c], first_[c + 1])
     Box2 bounds_;
     geom::CapsuleTree tree_; // of all segments
+};
+
+// The segments of an index in a grid. It takes longer to build than the tree of the index, and answers many questions
+// about small neighbourhoods faster: their cells are found by calculation.
+class SegmentCells {
+  public:
+    explicit SegmentCells(const SegmentIndex& index);
+
+    struct Nearest {
+        std::uint32_t segment;
+        double distance; // mm
+    };
+    // The segment nearest to p that is at most `limit` mm away. Tie: the lowest number.
+    [[nodiscard]] std::optional<Nearest> nearest(Vec2 p, double limit) const;
+
+    // Whether a -> b stays more than `margin` mm away from every segment.
+    [[nodiscard]] bool is_free(Vec2 a, Vec2 b, double margin) const;
+
+  private:
+    void search(Vec2 p, double limit, std::optional<Nearest>& found) const;
+
+    std::vector<geom::Segment> segments_;
+    double cell_; // mm
+    geom::SegmentGrid grid_;
 };
 
 // Whether a -> b stays more than `margin` mm away from every segment, without its first `skip_a` mm and its last

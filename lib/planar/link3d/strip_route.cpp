@@ -105,8 +105,9 @@ Triangulation triangulate(const Pieces& lines) {
 // Searches from door to door, nearest first (Dijkstra). The distances from doors to lines stay for further searches.
 class Search {
   public:
-    Search(Triangulation& t, std::span<const toolpath::Curve> curves, const SegmentIndex& index, Vec2 from)
-        : t_(t), curves_(curves), index_(index), from_(from),
+    Search(Triangulation& t, std::span<const toolpath::Curve> curves, const SegmentIndex& index,
+           const SegmentCells& cells, Vec2 from)
+        : t_(t), curves_(curves), index_(index), cells_(cells), from_(from),
           begin_(t.insert(Point(from.x, from.y))) { // a vertex already, if `from` is a point of a line
         for (Face f : t_.all_face_handles()) f->info() = {kNone, kNone, kNone};
     }
@@ -154,24 +155,35 @@ class Search {
             const int at = door(f, side);
             if (at == kNone || at == before) continue;
             auto& d = doors_[static_cast<std::size_t>(at)];
-            const double l = length + geom::distance(from, d.middle);
+            const double step = geom::distance(from, d.middle), l = length + step;
             if (d.done || l >= d.length) continue;
-            if (before != kNone && !is_free(index_, from, d.middle, narrow_, 0, 0)) continue;
+            if (before != kNone && !free_step(doors_[static_cast<std::size_t>(before)], d, step)) continue;
             d.length = l;
             d.before = before;
             open_.emplace(l, at);
         }
     }
 
+    // Whether the line between the middles of two doors, `step` mm long, keeps away from lines. Each of its points is
+    // as far from them as either middle, less its distance from that. Mostly this is enough.
+    [[nodiscard]] bool free_step(const Door& a, const Door& b, double step) const {
+        return (a.clear + b.clear - step) / 2 > narrow_ + kPointRounding || cells_.is_free(a.middle, b.middle, narrow_);
+    }
+
     // Whether the middle of a door is in a strip that the path may use.
     [[nodiscard]] bool in_strip(Door& door) const {
         if (door.half <= narrow_) return false;
         if (door.clear < 0) {
-            const auto near = index_.nearest(door.middle, door.half + kPointRounding);
+            const auto near = cells_.nearest(door.middle, door.half + kPointRounding);
             door.clear = near ? near->distance : 0;
-            door.beyond_bead = near ? door.clear - curves_[near->curve].width_at(near->segment) / 2 : 0;
+            door.beyond_bead = near ? door.clear - bead_width(near->segment, door.middle) / 2 : 0;
         }
         return door.clear > narrow_ && door.beyond_bead <= beyond_;
+    }
+
+    [[nodiscard]] double bead_width(std::uint32_t segment, Vec2 at) const {
+        const Place place = index_.place(segment, 0, at);
+        return curves_[place.curve].width_at(place.segment);
     }
 
     // The number of the door at this side of f; kNone if a path may not pass there.
@@ -200,6 +212,7 @@ class Search {
     Triangulation& t_;
     std::span<const toolpath::Curve> curves_;
     const SegmentIndex& index_;
+    const SegmentCells& cells_;
     Vec2 from_;
     Triangulation::Vertex_handle begin_;
     double narrow_ = 0, beyond_ = 0; // mm
@@ -208,7 +221,7 @@ class Search {
 };
 
 // Drops points where the line between their neighbours stays within `tolerance` of them and clear of the lines.
-std::vector<Vec2> straighten(const std::vector<Vec2>& way, const SegmentIndex& index, double clear, double tolerance) {
+std::vector<Vec2> straighten(const std::vector<Vec2>& way, const SegmentCells& cells, double clear, double tolerance) {
     std::vector<Vec2> out{way.front()};
     for (std::size_t i = 1; i + 1 < way.size();) {
         std::size_t far = i;
@@ -216,7 +229,7 @@ std::vector<Vec2> straighten(const std::vector<Vec2>& way, const SegmentIndex& i
             bool near = true;
             for (std::size_t k = i; k < j && near; ++k)
                 near = geom::point_segment_distance(out.back(), way[j], way[k]) <= tolerance;
-            if (!near || out.size() == 1 || !is_free(index, out.back(), way[j], clear, 0, 0)) break;
+            if (!near || out.size() == 1 || !cells.is_free(out.back(), way[j], clear)) break;
             far = j;
         }
         out.push_back(way[far]);
@@ -236,10 +249,11 @@ std::optional<std::vector<Vec2>> strip_route(std::span<const std::vector<Vec2>> 
     for (const auto& line : lines) length += geom::length(line);
     Triangulation t = triangulate(pieces(lines, std::max(width, length / kMostPieces)));
     if (t.dimension() < 2) return std::nullopt;
-    Search search(t, curves, index, from);
+    const SegmentCells cells(index);
+    Search search(t, curves, index, cells, from);
     for (const auto& [narrow, beyond] : strips)
         if (const auto way = search.run(narrow * width, beyond * width, best, rank))
-            return straighten(*way, index, narrow * width, width / 20);
+            return straighten(*way, cells, narrow * width, width / 20);
     return std::nullopt;
 }
 

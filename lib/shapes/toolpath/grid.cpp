@@ -124,17 +124,12 @@ void put_on_grid(Curve& curve) {
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_pairs(const std::vector<Curve>& curves, double cell) {
     const std::vector<geom::Segment> all = segments_of(curves);
-    const geom::SegmentGrid grid(all, geom::cell_for(all, cell));
+    geom::SegmentPairs pairs(all, geom::cell_for(all, cell));
     Pairs out;
-    std::vector<std::uint32_t> seen(all.size(), 0); // the last segment it was compared with: pairs share several cells
-    for (std::uint32_t i = 0; i < all.size(); ++i) {
-        const Vec2 a = all[i].a, b = all[i].b;
-        grid.along(a, b, [&](std::uint32_t j) {
-            if (j <= i || seen[j] == i + 1) return;
-            seen[j] = i + 1;
-            if (geom::cross_properly(a, b, all[j].a, all[j].b)) out.emplace_back(i, j);
+    for (std::uint32_t j = 0; j < all.size(); ++j)
+        pairs.add(j, [&](std::uint32_t i) {
+            if (geom::cross_properly(all[i].a, all[i].b, all[j].a, all[j].b)) out.emplace_back(i, j);
         });
-    }
     std::sort(out.begin(), out.end());
     return out;
 }

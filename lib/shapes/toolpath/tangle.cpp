@@ -114,13 +114,9 @@ std::vector<Tangle> tangles(const Line& line, std::span<const Move> moves, std::
         return Tangle{begins[m], std::min(std::max(end, begins[m]), line.size() - 2)};
     };
     const bool arcs = std::any_of(moves.begin(), moves.end(), [](const Move& m) { return m.sweep != 0; });
-    const geom::SegmentGrid cells(all.segments, geom::cell_for(all.segments, kLeastMove), arcs ? 2 * kSagitta : 0);
-    const auto near = [&](const geom::Segment& s, auto&& f) { cells.along(s.a, s.b, f); };
-    std::vector<std::uint32_t> seen(n, 0); // per segment: the last one it was compared with; long rows share many cells
-    for (std::uint32_t i = 0; i < n; ++i)
-        near(all.segments[i], [&](std::uint32_t k) {
-            if (k <= i || seen[k] == i + 1) return;
-            seen[k] = i + 1;
+    geom::SegmentPairs pairs(all.segments, geom::cell_for(all.segments, kLeastMove), arcs ? 2 * kSagitta : 0);
+    for (std::uint32_t k = 0; k < n; ++k)
+        pairs.add(k, [&](std::uint32_t i) {
             const Move &m = moves[all.move[i]], &n = moves[all.move[k]];
             if (k == i + 1 && ((m.sweep == 0 && n.sweep == 0) || all.move[i] == all.move[k])) return;
             if (!cross(all.segments[i], m, all.segments[k], n)) return;
@@ -130,7 +126,7 @@ std::vector<Tangle> tangles(const Line& line, std::span<const Move> moves, std::
             out.push_back(other);
         });
     for (const geom::Segment& s : others)
-        near(s, [&](std::uint32_t k) {
+        pairs.along(s.a, s.b, [&](std::uint32_t k) {
             const geom::Segment other{rounded(s.a, grid), rounded(s.b, grid)};
             if (!cross(all.segments[k], moves[all.move[k]], other, {})) return;
             if (const Tangle one = range(all.move[k]); !crossed_before(line, one, s)) out.push_back(one);
