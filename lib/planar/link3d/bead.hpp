@@ -55,6 +55,6 @@ void pin(Bead& bead, Vec2 p, double reach);
 // edge of the bead stays in place. The two ends of the bead and the point at `fixed` do not move. `lines` are the lines
 // for which the bead must leave room. Returns the area taken, mm2.
 double thin_beside(Bead& bead, std::span<const Vec2> lane, double lane_width, double reach, double least,
-                   const SegmentIndex& lines, std::optional<Vec2> fixed = std::nullopt);
+                   const SegmentCells& lines, std::optional<Vec2> fixed = std::nullopt);
 
 } // namespace filum::link3d

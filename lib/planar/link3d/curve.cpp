@@ -81,7 +81,7 @@ void print_curve(State& state, const Entry& entry, bool last) {
     if (last) way = lane_to_start(state, c, out);
     if (last && !way) way = leave(state, c, out, [&] { return curve.closed ? bead(!turn) : out; });
     if (way)
-        thin_beside(out, *way, kThin * r.width, r.width, kThin, SegmentIndex(as_printed(state, c, out)),
+        thin_beside(out, *way, kThin * r.width, r.width, kThin, SegmentCells(as_printed(state, c, out)),
                     state.front.pin);
     if (last && (state.options.connect != Connect::stop || leads_in(state)))
         keep_lines(state, SegmentIndex(as_printed(state, c, out, way ? *way : std::vector<Vec2>{})));

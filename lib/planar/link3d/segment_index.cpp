@@ -1,6 +1,7 @@
 #include "link3d/segment_index.hpp"
 
 #include "geom/segment.hpp"
+#include "toolpath/grid.hpp"
 
 #include <algorithm>
 
@@ -118,17 +119,8 @@ void SegmentIndex::within(const Box2& box, const std::function<bool(std::uint32_
     });
 }
 
-std::vector<geom::Segment> SegmentIndex::segments() const {
-    std::vector<geom::Segment> out;
-    if (empty()) return out;
-    out.reserve(first_.back());
-    for (std::size_t c = 0; c + 1 < first_.size(); ++c)
-        for (std::uint32_t s = first_[c]; s < first_[c + 1]; ++s) out.push_back({points_[s + c], points_[s + c + 1]});
-    return out;
-}
-
-SegmentCells::SegmentCells(const SegmentIndex& index)
-    : segments_(index.segments()), cell_(geom::cell_for(segments_, kLeastCell)), grid_(segments_, cell_) {}
+SegmentCells::SegmentCells(std::span<const toolpath::Curve> curves)
+    : segments_(toolpath::segments_of(curves)), cell_(geom::cell_for(segments_, kLeastCell)), grid_(segments_, cell_) {}
 
 void SegmentCells::search(Vec2 p, double limit, std::optional<Nearest>& found) const {
     grid_.near(p - Vec2{limit, limit}, p + Vec2{limit, limit}, [&](std::uint32_t s) {
@@ -156,6 +148,12 @@ bool SegmentCells::is_free(Vec2 a, Vec2 b, double margin) const {
         free = free && geom::segment_distance(a, b, segments_[s].a, segments_[s].b) > margin;
     });
     return free;
+}
+
+bool is_free(const SegmentCells& cells, Vec2 a, Vec2 b, double margin, double skip_a, double skip_b) {
+    const double length = geom::distance(a, b);
+    if (length <= skip_a + skip_b) return true;
+    return cells.is_free(geom::lerp(a, b, skip_a / length), geom::lerp(b, a, skip_b / length), margin);
 }
 
 bool is_free(const SegmentIndex& index, Vec2 a, Vec2 b, double margin, double skip_a, double skip_b) {

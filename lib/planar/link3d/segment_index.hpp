@@ -52,9 +52,6 @@ class SegmentIndex {
     // The points with the least x, greatest x, least y and greatest y, in this order. Tie: the lowest segment number.
     [[nodiscard]] std::vector<Place> extremes() const;
 
-    // The segments in their order.
-    [[nodiscard]] std::vector<geom::Segment> segments() const;
-
     // The place at parameter t of segment number `segment`; its distance is measured from `from`.
     [[nodiscard]] Place place(std::uint32_t segment, double t, Vec2 from) const;
 
@@ -69,11 +66,11 @@ class SegmentIndex {
     geom::CapsuleTree tree_; // of all segments
 };
 
-// The segments of an index in a grid. It takes longer to build than the tree of the index, and answers many questions
-// about small neighbourhoods faster: their cells are found by calculation.
+// The segments of curves in a grid, numbered as in SegmentIndex. It answers questions about small neighbourhoods faster
+// than a tree, because their cells are found by calculation.
 class SegmentCells {
   public:
-    explicit SegmentCells(const SegmentIndex& index);
+    explicit SegmentCells(std::span<const toolpath::Curve> curves);
 
     struct Nearest {
         std::uint32_t segment;
@@ -95,6 +92,7 @@ class SegmentCells {
 
 // Whether a -> b stays more than `margin` mm away from every segment, without its first `skip_a` mm and its last
 // `skip_b` mm. True if nothing of a -> b is left.
+bool is_free(const SegmentCells& cells, Vec2 a, Vec2 b, double margin, double skip_a, double skip_b);
 bool is_free(const SegmentIndex& index, Vec2 a, Vec2 b, double margin, double skip_a, double skip_b);
 
 } // namespace filum::link3d

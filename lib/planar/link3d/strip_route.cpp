@@ -249,7 +249,7 @@ std::optional<std::vector<Vec2>> strip_route(std::span<const std::vector<Vec2>> 
     for (const auto& line : lines) length += geom::length(line);
     Triangulation t = triangulate(pieces(lines, std::max(width, length / kMostPieces)));
     if (t.dimension() < 2) return std::nullopt;
-    const SegmentCells cells(index);
+    const SegmentCells cells(curves);
     Search search(t, curves, index, cells, from);
     for (const auto& [narrow, beyond] : strips)
         if (const auto way = search.run(narrow * width, beyond * width, best, rank))

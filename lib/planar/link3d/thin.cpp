@@ -1,5 +1,6 @@
 // Thins and moves the beads beside a lane, so that the amount of material stays the same.
 #include "geom/segment.hpp"
+#include "geom/segment_grid.hpp"
 #include "link3d/bead.hpp"
 #include "toolpath/grid.hpp"
 
@@ -23,10 +24,53 @@ struct Share {
     Vec2 away; // unit vector away from the lane
 };
 
+// The segments of a bead whose boxes come within `reach` of that of a lane, in a grid.
+class BeadBeside {
+  public:
+    BeadBeside(const std::vector<Vec2>& bead, std::span<const Vec2> lane, double reach) : grid_({}, reach) {
+        Box2 box;
+        for (const Vec2 p : lane) box.add(p);
+        box = {box.lo - Vec2{reach, reach}, box.hi + Vec2{reach, reach}};
+        for (std::uint32_t i = 0; i + 1 < bead.size(); ++i) {
+            Box2 own;
+            own.add(bead[i]);
+            own.add(bead[i + 1]);
+            if (!meet(own, box)) continue;
+            segments_.push_back({bead[i], bead[i + 1]});
+            number_.push_back(i);
+        }
+        grid_ = geom::SegmentGrid(segments_, reach);
+    }
+    // Calls f(number, from, to) for every segment in reach of p, possibly several times.
+    template <class F>
+    void near(Vec2 p, double reach, F&& f) const {
+        grid_.near(p - Vec2{reach, reach}, p + Vec2{reach, reach},
+                   [&](std::uint32_t k) { f(number_[k], segments_[k].a, segments_[k].b); });
+    }
+
+  private:
+    std::vector<geom::Segment> segments_;
+    std::vector<std::uint32_t> number_; // of each segment, along the bead
+    geom::SegmentGrid grid_;
+};
+
+// The nearest places of the bead to the left and to the right of point m of the lane, which runs along d.
+void find_beside(const BeadBeside& bead, Vec2 m, Vec2 d, double reach, std::array<double, 2>& near,
+                 std::array<Share, 2>& side) {
+    bead.near(m, reach, [&](std::uint32_t s, Vec2 a, Vec2 b) {
+        const double t = geom::nearest_parameter(a, b, m);
+        const Vec2 q = geom::lerp(a, b, t) - m;
+        const std::size_t which = geom::cross(d, q) > 0 ? 0 : 1;
+        const double e = geom::norm(q);
+        if (e > near[which] || e >= reach || (e == near[which] && s >= side[which].segment)) return;
+        near[which] = e;
+        side[which] = {s, t, 0, e > 0 ? (1 / e) * q : Vec2{}};
+    });
+}
+
 // The places of the bead that make room for the lane, in the order of the bead.
 std::vector<Share> shares(const Bead& bead, std::span<const Vec2> lane, double lane_width, double reach) {
-    const toolpath::Curve line{false, bead.points, {1.0}};
-    const SegmentIndex index(std::span(&line, 1));
+    const BeadBeside beside(bead.points, lane, reach);
     std::vector<Share> out;
     for (std::size_t i = 0; i + 1 < lane.size(); ++i) {
         const Vec2 d = lane[i + 1] - lane[i];
@@ -37,16 +81,7 @@ std::vector<Share> shares(const Bead& bead, std::span<const Vec2> lane, double l
                 geom::lerp(lane[i], lane[i + 1], (static_cast<double>(k) + 0.5) / static_cast<double>(pieces));
             std::array<double, 2> near{reach, reach};
             std::array<Share, 2> side{};
-            index.within({m - Vec2{reach, reach}, m + Vec2{reach, reach}}, [&](std::uint32_t s, Vec2 a, Vec2 b) {
-                const double t = geom::nearest_parameter(a, b, m);
-                const Vec2 q = geom::lerp(a, b, t) - m;
-                const std::size_t which = geom::cross(d, q) > 0 ? 0 : 1;
-                if (const double e = geom::norm(q); e < near[which]) {
-                    near[which] = e;
-                    side[which] = {s, t, 0, e > 0 ? (1 / e) * q : Vec2{}};
-                }
-                return true;
-            });
+            find_beside(beside, m, d, reach, near, side);
             const int found = static_cast<int>(near[0] < reach) + static_cast<int>(near[1] < reach);
             for (std::size_t w = 0; w < 2; ++w)
                 if (near[w] < reach) {
@@ -140,7 +175,7 @@ void stay_apart(const std::vector<Vec2>& from, double cell, std::vector<Vec2>& t
 // The moved points of the bead: each moves away from the lane by half of `less`, its loss of width in mm, so that the
 // far edge stays in place. Points stay where `lines` leave no room, or where the bead would fold or cross itself. The
 // ends and a point at `fixed` stay too.
-std::vector<Vec2> aside(const ThinnedBead& t, const std::vector<double>& less, double reach, const SegmentIndex& lines,
+std::vector<Vec2> aside(const ThinnedBead& t, const std::vector<double>& less, double reach, const SegmentCells& lines,
                         std::optional<Vec2> fixed) {
     const auto& from = t.bead.points;
     const std::size_t n = from.size();
@@ -177,7 +212,7 @@ std::vector<Vec2> aside(const ThinnedBead& t, const std::vector<double>& less, d
 } // namespace
 
 double thin_beside(Bead& bead, std::span<const Vec2> lane, double lane_width, double reach, double least,
-                   const SegmentIndex& lines, std::optional<Vec2> fixed) {
+                   const SegmentCells& lines, std::optional<Vec2> fixed) {
     ThinnedBead t = split_at_shares(bead, shares(bead, lane, lane_width, reach), reach / 2);
     settle(t, least);
     const std::size_t n = t.take.size();

@@ -67,16 +67,6 @@ std::vector<Loops> common_runs(const std::vector<Loops>& layers, std::size_t n) 
     return out;
 }
 
-// The part of layer i that has enough material both above and below.
-Loops covered(const Loops& layer, const std::vector<Loops>& above, const std::vector<Loops>& below, std::size_t i,
-              const Options& o) {
-    const auto top = static_cast<std::size_t>(o.top), bottom = static_cast<std::size_t>(o.bottom);
-    Loops out = layer;
-    if (top > 0) out = i + 1 < above.size() ? common(out, above[i + 1]) : Loops{};
-    if (bottom > 0) out = i >= bottom && i - bottom < below.size() ? common(out, below[i - bottom]) : Loops{};
-    return out;
-}
-
 // How far skins extend over sparse areas, mm: half the line spacing, so that a line lies below every skin.
 double reach(const Options& o) {
     return infill_width(o) * (o.infill > 0 ? std::clamp(1 / (2 * o.infill), kReach, kReachMost) : kReachMost);
@@ -247,13 +237,14 @@ struct Sparse {
     std::vector<Loops> plain, dense; // lines at the spacing; more lines, below skins
 };
 
-// The part of each layer that has enough material above and below.
+// The part of each layer that has enough material above and below: what it has in common with `bottom` layers below and
+// `top` above.
 std::vector<Loops> inner_of(const std::vector<Loops>& layers, const Options& o) {
-    const auto above = common_runs(layers, static_cast<std::size_t>(o.top));
-    const auto below = o.bottom == o.top ? above : common_runs(layers, static_cast<std::size_t>(o.bottom));
+    const auto top = static_cast<std::size_t>(o.top), bottom = static_cast<std::size_t>(o.bottom);
     std::vector<Loops> out(layers.size());
-    parallel::for_chunks(layers.size(), 1, 0,
-                         [&](std::size_t i, std::size_t) { out[i] = covered(layers[i], above, below, i, o); });
+    if (layers.size() <= top || layers.size() - top <= bottom) return out; // also where a sum would be too large
+    auto runs = common_runs(layers, bottom + 1 + top);
+    std::move(runs.begin(), runs.end(), out.begin() + static_cast<std::ptrdiff_t>(bottom));
     return out;
 }
 

@@ -10,14 +10,6 @@ namespace {
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-std::vector<geom::Segment> segments_of(const std::vector<Curve>& curves) {
-    std::vector<geom::Segment> out;
-    for (const Curve& c : curves)
-        for (std::size_t i = 0; i + (c.closed ? 0 : 1) < c.points.size(); ++i)
-            out.push_back({c.points[i], c.points[i + 1 == c.points.size() ? 0 : i + 1]});
-    return out;
-}
-
 // A point of a curve, and the segments that end and begin there.
 struct Knot {
     Vec2* point;
@@ -106,6 +98,14 @@ std::vector<Vec2> all_offsets() {
 }
 
 } // namespace
+
+std::vector<geom::Segment> segments_of(std::span<const Curve> curves) {
+    std::vector<geom::Segment> out;
+    for (const Curve& c : curves)
+        for (std::size_t i = 0; i + (c.closed ? 0 : 1) < c.points.size(); ++i)
+            out.push_back({c.points[i], c.points[i + 1 == c.points.size() ? 0 : i + 1]});
+    return out;
+}
 
 void put_on_grid(Curve& curve) {
     Curve out{curve.closed, {}, {}};

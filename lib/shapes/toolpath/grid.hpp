@@ -1,12 +1,14 @@
 // Rounds lines to the grid of machines without new crossings.
 #pragma once
 
+#include "geom/segment_grid.hpp"
 #include "toolpath/merge.hpp"
 #include "toolpath/path.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -19,8 +21,11 @@ inline Vec2 on_grid(Vec2 p) { return {std::round(p.x * 1e3) / 1e3, std::round(p.
 // have fewer than three points (an open one: two) keeps all. Precondition: the curve has no features.
 void put_on_grid(Curve& curve);
 
+// The segments of all curves in their order, the last one of a closed curve included.
+std::vector<geom::Segment> segments_of(std::span<const Curve> curves);
+
 // Pairs (i, j), i < j, of segments that cross properly: each goes from one side of the other to the other side.
-// Segments are numbered through all curves, the last one of a closed curve included. Ascending. `cell`: mm, about the
+// Segments are numbered as in segments_of(). Ascending. `cell`: mm, about the
 // length of a segment or the distance between lines; affects only the speed.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_pairs(const std::vector<Curve>& curves, double cell);
 

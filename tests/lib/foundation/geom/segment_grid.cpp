@@ -43,4 +43,26 @@ TEST(SegmentGrid, OneLongSegmentTakesBoundedMemory) {
     EXPECT_LT(SegmentGrid(one, 0.4, 0.4).cells(), 16e6);
 }
 
+// Each pair of segments that is found while they are added is found once, and no pair that is near is missing.
+TEST(SegmentPairs, FindsEveryNearPairOnce) {
+    std::mt19937 random(2);
+    for (const double longest : {1.0, 1e3, 1e8})
+        for (const double margin : {0.0, 0.4}) {
+            const auto segments = random_segments(random, longest);
+            SegmentPairs pairs(segments, 0.4, margin);
+            std::set<std::pair<std::uint32_t, std::uint32_t>> found;
+            for (std::uint32_t k = 0; k < segments.size(); ++k) {
+                pairs.add(k, [&](std::uint32_t i) { EXPECT_TRUE(i < k && found.emplace(i, k).second); });
+                std::set<std::uint32_t> along;
+                pairs.along(segments[k].a, segments[k].b, [&](std::uint32_t i) { along.insert(i); });
+                for (std::uint32_t i = 0; i <= k; ++i) {
+                    const Segment &s = segments[i], &t = segments[k];
+                    const double apart = segment_distance(s.a, s.b, t.a, t.b);
+                    EXPECT_TRUE(i == k || apart > margin || found.contains({i, k})) << i << " " << k;
+                    EXPECT_TRUE(apart > margin || along.contains(i)) << i << " " << k;
+                }
+            }
+        }
+}
+
 } // namespace

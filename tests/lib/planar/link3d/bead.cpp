@@ -136,7 +136,8 @@ TEST(StripRoute, CrossesNothingAndKeepsTheVolume) {
                 EXPECT_EQ(crossings(*way, bead.points), 0);
                 EXPECT_GT(clearance(*way, index), 0.19 * kWidth);
                 const double before = area(bead), lane = 0.5 * kWidth * length(*way);
-                const double taken = thin_beside(bead, *way, 0.5 * kWidth, kWidth, 0.5, index);
+                const double taken =
+                    thin_beside(bead, *way, 0.5 * kWidth, kWidth, 0.5, SegmentCells(std::span(&line, 1)));
                 EXPECT_NEAR(before - area(bead), taken, 1e-9);
                 EXPECT_EQ(crossings(bead.points, bead.points), 0);
                 EXPECT_EQ(crossings(*way, bead.points), 0);
@@ -152,7 +153,7 @@ TEST(Bead, KeepsItsFarEdgeBesideALane) {
     Bead b{{{0, 0}, {10, 0}, {10, kWidth}, {0, kWidth}}, {kWidth}};
     const std::vector<Vec2> lane{{3, kWidth / 2}, {7, kWidth / 2}};
     const Curve line{false, b.points, {kWidth}};
-    thin_beside(b, lane, kWidth / 2, kWidth, 0.5, SegmentIndex(std::span(&line, 1)));
+    thin_beside(b, lane, kWidth / 2, kWidth, 0.5, SegmentCells(std::span(&line, 1)));
     int beside = 0;
     for (std::size_t i = 0; i < b.points.size(); ++i) {
         if (b.points[i].x < 3.4 || b.points[i].x > 6.6) continue;
@@ -173,7 +174,7 @@ TEST(Bead, StaysWhereAJogLeavesIt) {
         pin(b, jog, 0.02);
         const std::vector<Vec2> lane{{3, kWidth / 2}, {7, kWidth / 2}};
         const Curve line{false, b.points, {kWidth}};
-        thin_beside(b, lane, kWidth / 2, kWidth, 0.5, SegmentIndex(std::span(&line, 1)),
+        thin_beside(b, lane, kWidth / 2, kWidth, 0.5, SegmentCells(std::span(&line, 1)),
                     kept ? std::optional(jog) : std::nullopt);
         EXPECT_EQ(std::count(b.points.begin(), b.points.end(), jog), kept ? 1 : 0);
     }
@@ -197,7 +198,7 @@ TEST(Bead, TipsThatWouldCrossThemselvesStay) {
         {20.4863, 0.029}, {20.593, 0.1985}, {20.51, 0.2985}, {20.1243, 0.3055}, {20.0423, 0.3395}};
     const Curve line{false, b.points, b.width};
     ASSERT_TRUE(toolpath::crossing_pairs({line}, kWidth).empty());
-    EXPECT_GT(thin_beside(b, lane, kWidth / 2, kWidth, 0.5, SegmentIndex(std::span(&line, 1))), 0);
+    EXPECT_GT(thin_beside(b, lane, kWidth / 2, kWidth, 0.5, SegmentCells(std::span(&line, 1))), 0);
     EXPECT_TRUE(toolpath::crossing_pairs({{false, b.points, b.width}}, kWidth).empty());
 }
 

@@ -98,4 +98,24 @@ TEST(SegmentIndex, HoldsNothing) {
     EXPECT_TRUE(is_free(none, {0, 0}, {1, 1}, 1, 0, 0));
 }
 
+TEST(SegmentCells, AnswersAsTheTreeDoes) {
+    Random random{3};
+    const auto curves = some_curves(random);
+    const SegmentIndex index(curves);
+    const SegmentCells cells(curves);
+    for (int k = 0; k < 3000; ++k) {
+        const Vec2 p{24 * random() - 2, 24 * random() - 2}, q = p + Vec2{2 * random() - 1, 2 * random() - 1};
+        const double limit = 3 * random(), margin = random();
+        const auto place = index.nearest(p, limit);
+        const auto near = cells.nearest(p, limit);
+        ASSERT_EQ(place.has_value(), near.has_value()) << k;
+        if (near) {
+            EXPECT_NEAR(place->distance, near->distance, 1e-12);
+            const Place same = index.place(near->segment, 0, p);
+            EXPECT_TRUE(same.curve == place->curve && same.segment == place->segment) << k;
+        }
+        EXPECT_EQ(is_free(index, p, q, margin, 0.2, 0.1), is_free(cells, p, q, margin, 0.2, 0.1)) << k;
+    }
+}
+
 } // namespace filum::link3d
