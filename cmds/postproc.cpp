@@ -1,8 +1,8 @@
 // postproc - a toolpath to machine code
 // reads:  Toolpath
 // writes: text
-// memory: half a million moves (100 MB), some spans at 32 times the bytes that it reads; what else arrives is kept,
-// beyond 48 MiB in a temporary file
+// memory: half a million moves (100 MB), further ones at 4 to 28 bytes, some spans at 32 times the bytes that it reads;
+// what else arrives is kept, beyond 48 MiB in a temporary file
 #include "app/postproc/postproc.hpp"
 #include "cli/deviation_options.hpp"
 #include "cli/head_options.hpp"
@@ -71,10 +71,10 @@ cli::Spec spec(postproc::Options& o) {
             .description = cli::kDescription,
             .in = cli::reads(stream::Payload::toolpath),
             .out = cli::text("machine code"),
-            .memory =
-                "half a million moves (100 MB), some spans at 32 times the bytes that it reads; what else arrives is "
-                "kept, beyond 48 MiB in a temporary file "
-                "in $TMPDIR",
+            .memory = "half a million moves (100 MB), further ones at 4 to 28 bytes, some spans at 32 times the bytes "
+                      "that it reads; what else arrives is "
+                      "kept, beyond 48 MiB in a temporary file "
+                      "in $TMPDIR",
             .options = options(o),
             .groups = {{"where the part stands", {"place", "orient", "z-offset", "wall-height"}},
                        {"the machine", {"machine", "set", "nozzle", "diameter", "least-layer-time"}},

@@ -80,6 +80,7 @@ struct MoveSequence {
     std::vector<Move> moves;
     std::vector<std::uint32_t> begins;
     double off = 0;
+    MergeSteps steps;
 };
 
 double mean(const Line& l, const std::vector<double>& values, std::uint32_t from, std::uint32_t to) {
@@ -139,6 +140,13 @@ void fold_short(MoveSequence& c) {
     c.begins.resize(n);
 }
 
+MergeSteps steps_of(const MoveSequence& c) {
+    MergeSteps out{c.begins, {}, c.off};
+    for (std::uint32_t i = 0; i < c.moves.size(); ++i)
+        if (c.moves[i].sweep != 0) out.turns.push_back({i, c.moves[i].centre, c.moves[i].sweep});
+    return out;
+}
+
 // `given`: segments of the line that must not change.
 MoveSequence course(const Line& l, const Tolerance& t, const std::vector<std::uint8_t>& given) {
     MoveSequence out;
@@ -159,6 +167,7 @@ MoveSequence course(const Line& l, const Tolerance& t, const std::vector<std::ui
         }
         i = last;
     }
+    out.steps = steps_of(out);
     fold_short(out);
     return out;
 }
@@ -184,7 +193,21 @@ MergeResult merge(const Span& span, const Tolerance& given, std::span<const geom
         for (const Tangle& x : all) std::fill(as_given.begin() + x.first, as_given.begin() + x.last + 1, 1);
         c = course(l, t, as_given);
     }
-    return {std::move(c.moves), c.off};
+    return {std::move(c.moves), c.off, std::move(c.steps)};
+}
+
+MergeResult merge_again(const Span& span, const MergeSteps& steps) {
+    const Line l = line_of(span);
+    MoveSequence c;
+    auto turn = steps.turns.begin();
+    for (std::uint32_t i = 0; i < steps.begins.size(); ++i) {
+        const std::uint32_t to = i + 1 < steps.begins.size() ? steps.begins[i + 1] : l.size() - 1;
+        const bool bent = turn != steps.turns.end() && turn->step == i;
+        put(c, l, steps.begins[i], to, bent ? Arc{to, turn->centre, turn->sweep} : Arc{});
+        if (bent) ++turn;
+    }
+    fold_short(c);
+    return {std::move(c.moves), steps.off, {}};
 }
 
 } // namespace filum::toolpath

@@ -40,9 +40,22 @@ struct Move {
     std::uint32_t first = 0;      // the segment of the span in which it begins: segment i connects points i and i + 1
 };
 
+// What a merge has found, from which its moves can be made again without a search: four bytes for most moves.
+struct MergeSteps {
+    struct Turn {
+        std::uint32_t step; // which one is this arc
+        Vec2 centre;
+        double sweep;
+    };
+    std::vector<std::uint32_t> begins; // points at which steps begin
+    std::vector<Turn> turns;           // by step
+    double off = 0;                    // that of the result
+};
+
 struct MergeResult {
     std::vector<Move> moves; // from the first point of the span to its last, which do not change
     double off = 0;          // mm: upper bound of the Fréchet distance of both lines
+    MergeSteps steps;
 };
 
 // A chord of up to three bead widths may deviate by the whole tolerance, one of squared length `length2` by this
@@ -61,6 +74,9 @@ inline double full_share(double width, double length2) { // mm, mm2
 // the line stays as given. Spans that do not fill also stay as given, because their new place would not be known to
 // other spans. The sum of volumes stays the same. Ties: the later point, a straight move before an arc.
 MergeResult merge(const Span& span, const Tolerance& tolerance, std::span<const geom::Segment> others = {});
+
+// The result of merge() that had these steps, for the same span; it has none itself.
+MergeResult merge_again(const Span& span, const MergeSteps& steps);
 
 // The farthest of good, ..., last that fits, by doubling the step and then bisecting; `good` fits. Exact if every
 // value below one that fits also fits; otherwise a value that fits and whose successor does not, or `last`.

@@ -17,7 +17,7 @@ class MoveQueue {
         : profile_(&profile), joins_(&joins), threads_(threads) {}
 
     // Passes the remaining spans of `spool` to `take`, in their order.  `moves` is null for a span that does not
-    // extrude. The first call keeps up to kMost moves for later calls, which compute the others again.
+    // extrude. The first call keeps up to kMost moves for later calls, and the steps of all further ones.
     using Take = std::function<void(toolpath::Span span, const toolpath::MergeResult* moves)>;
     void each(stream::Spool& spool, const Take& take);
 
@@ -29,6 +29,7 @@ class MoveQueue {
     int threads_;
     std::vector<toolpath::MergeResult> kept_; // moves of the first spans, one item for each
     std::size_t moves_ = 0;                   // number of moves in kept_
+    std::vector<toolpath::MergeSteps> steps_; // of the spans after those in kept_
     bool first_ = true;
 };
 

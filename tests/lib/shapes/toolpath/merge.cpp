@@ -38,6 +38,11 @@ std::size_t crossings(const std::vector<Vec3>& line) {
     return filum::test::crossing_pairs_of(std::move(all));
 }
 
+bool same(const Move& a, const Move& b) {
+    return a.to == b.to && a.length == b.length && a.volume == b.volume && a.width == b.width && a.height == b.height &&
+           a.sweep == b.sweep && a.centre == b.centre && a.first == b.first;
+}
+
 } // namespace
 
 TEST(Merge, KeepsTheLineItsEndsAndItsMaterial) {
@@ -52,6 +57,9 @@ TEST(Merge, KeepsTheLineItsEndsAndItsMaterial) {
         const MergeResult m = merge(s, t);
         ASSERT_FALSE(m.moves.empty());
         ASSERT_EQ(m.moves.back().to, s.points.back()) << k;
+        const MergeResult again = merge_again(s, m.steps);
+        ASSERT_TRUE(std::equal(again.moves.begin(), again.moves.end(), m.moves.begin(), m.moves.end(), same)) << k;
+        ASSERT_EQ(again.off, m.off);
         double laid = 0, length = 0;
         for (const Move& move : m.moves) {
             laid += move.volume;
