@@ -135,13 +135,17 @@ class Sample {
     std::vector<Loops> rooms_;
 };
 
-// The spacing between lo and hi at which `length_of` is `wanted`; hi if the length is greater even there.
+// The spacing between lo and hi at which `length_of` is `wanted`; hi if the length is greater even there. `from`: a
+// first guess. Length times spacing changes little, so a guess times the ratio of lengths is a good next one.
 template <class LengthOf>
-double bisected(double lo, double hi, double wanted, LengthOf&& length_of) {
+double spacing_of(double lo, double hi, double wanted, double from, LengthOf&& length_of) {
     if (length_of(hi) > wanted) return hi;
-    while (hi - lo > kSame * lo) {
-        const double middle = (lo + hi) / 2;
-        (length_of(middle) > wanted ? lo : hi) = middle;
+    for (double at = from; hi - lo > kSame * lo;) {
+        if (!(at > lo && at < hi)) at = (lo + hi) / 2;
+        const double length = length_of(at);
+        (length > wanted ? lo : hi) = at;
+        // Less or more by half of the precision: so the bracket closes from both sides.
+        at *= length / wanted * (length > wanted ? 1 + kSame / 2 : 1 - kSame / 2);
     }
     return (lo + hi) / 2;
 }
@@ -258,11 +262,11 @@ double spacing_for(std::span<const Task> tasks, double density, double bead_widt
     };
     const Sample sample(tasks, endless);
     double laid = 1; // mm per calculated mm: corners are rounded, and narrow cells left out
-    double spacing = bisected(bead_width, kWidest * endless, wanted, by_calculation);
+    double spacing = spacing_of(bead_width, kWidest * endless, wanted, endless, by_calculation);
     for (int round = 0; round < kRounds; ++round) {
         const double calculated = sample.calculated(spacing), real = sample.laid(spacing);
         if (real > 0) laid = real / calculated;
-        spacing = bisected(bead_width, kWidest * endless, wanted / laid, by_calculation);
+        spacing = spacing_of(bead_width, kWidest * endless, wanted / laid, spacing, by_calculation);
     }
     const auto circles = [](const Task& t) { return t.lines.pattern == InfillPattern::concentric; };
     if (density >= kFew && std::none_of(tasks.begin(), tasks.end(), circles)) return spacing;

@@ -116,7 +116,12 @@ Loops carrying(const Loops& area, const std::vector<LoopIndex>& sparse_of, std::
     for (std::size_t up = 1; up <= kCarrying && !plain.empty(); ++up)
         plain = layer + up < sparse_of.size() ? common(plain, sparse_of[layer + up].near(box)) : Loops{};
     const double open = 2 * kNarrowest * inner_width(o) / 2;
-    return polygon::opened_difference(area, polygon::opened(plain, open, kBeadArc), open / 2, kBeadArc);
+    // opened_difference(area, opened(plain, open), open / 2), whose growths of `plain` are one
+    Loops core = polygon::offset(area, -open / 2, kBeadArc);
+    if (!core.empty() && !plain.empty())
+        core =
+            polygon::subtract(core, polygon::offset(polygon::offset(plain, -open, kBeadArc), 3 * open / 2, kBeadArc));
+    return polygon::offset(core, open / 2, kBeadArc);
 }
 
 // The part of the sparse area `all` beside its dense part, without the slivers that rounding leaves where both have the
