@@ -1,6 +1,7 @@
 #include "surfpath/capped.hpp"
 
 #include "surface/trace.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 
@@ -13,8 +14,7 @@ using surface::Surface;
 
 namespace {
 
-constexpr double kHole = 0.5;   // largest length of a hole's rim, as a share of the outer rim's length
-constexpr double kAtRim = 1e-6; // mm: a point nearer than this lies on the rim
+constexpr double kHole = 0.5; // largest length of a hole's rim, as a share of the outer rim's length
 
 std::vector<const Rim*> holes(const Surface& s) {
     std::vector<double> outer(s.components, 0);
@@ -28,7 +28,7 @@ std::vector<const Rim*> holes(const Surface& s) {
 
 bool at_rim(const Surface& s, const Rim& rim, const Vec3& p) {
     return std::any_of(rim.sides.begin(), rim.sides.end(),
-                       [&](std::uint32_t h) { return surface::distance_to_side(s, h, p) < kAtRim; });
+                       [&](std::uint32_t h) { return surface::distance_to_side(s, h, p) < rules::kSamePoint; });
 }
 
 } // namespace
@@ -61,8 +61,9 @@ surface::Sources bridged(const Surface& s, const Surface& closed, const surface:
         std::vector<Vec3> ends;
         for (const auto& g : seed.segments)
             for (const Vec3& p : {g.a, g.b})
-                if (at_rim(s, *rim, p) &&
-                    std::none_of(ends.begin(), ends.end(), [&](const Vec3& q) { return distance(p, q) < kAtRim; }))
+                if (at_rim(s, *rim, p) && std::none_of(ends.begin(), ends.end(), [&](const Vec3& q) {
+                        return distance(p, q) < rules::kSamePoint;
+                    }))
                     ends.push_back(p);
         if (ends.size() != 2) continue;
         const auto way = surface::trace(closed, ends);

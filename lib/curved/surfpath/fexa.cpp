@@ -4,6 +4,7 @@
 #include "geodesic/isolines.hpp"
 #include "surfpath/rows/boustrophedon.hpp"
 #include "surfpath/rows/winding.hpp"
+#include "surfpath/rules/rules.hpp"
 #include "surfpath/seed_side.hpp"
 
 #include <algorithm>
@@ -13,11 +14,9 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kFlat = 1e-6; // largest distance of the seed from its plane, as a share of the seed's size
 // the seed is a straight line if it deviates from one by less than this share of its size
 constexpr double kStraight = 1e-4;
 constexpr int kBins = 20;        // steps per spacing in which heights above the plane are tabulated
-constexpr double kWide = 1.1;    // spacings: rows farther apart than this are reported
 constexpr double kSteepest = 20; // largest 1 / slope: the surface is almost parallel to the plane there
 
 // Change of height per mm along the triangle.
@@ -80,8 +79,8 @@ class HeightScale {
     std::vector<double> way_; // mm along the surface, per height in steps of bin_
 };
 
-// The area on which rows are more than kWide spacings apart, because the surface is almost parallel to the plane
-// there.
+// The area on which rows are farther apart than the spacing may change, because the surface is almost parallel to the
+// plane there.
 struct RowGaps {
     double area = 0, most = 0; // mm2; the greatest distance of rows, in spacings
     Vec3 at;                   // a vertex where rows are farthest apart
@@ -94,7 +93,7 @@ void find_gaps(const Surface& s, const SeedSides& sides, std::uint32_t side, std
         const double way = spread.distance((height[a] + height[b] + height[c]) / 3);
         const double rise = spread.height(way + spacing / 2) - spread.height(std::max(0.0, way - spacing / 2));
         const double gap = rise / std::max(1e-9, slope(s, t, height)) / spacing;
-        if (gap <= kWide) continue;
+        if (gap <= 1 + rules::kSpacingChange) continue;
         out.area += surface::area(s, t);
         if (gap > out.most) {
             out.most = gap;
@@ -130,7 +129,7 @@ surface::Plane plane_of(const Surface& s, const surface::Sources& seed) {
     const Vec3 n = 1 / norm(best) * best;
     for (const auto& g : seed.segments)
         for (const Vec3& p : {g.a, g.b})
-            if (std::abs(dot(n, p - a)) > kFlat * far + 1e-9)
+            if (std::abs(dot(n, p - a)) > rules::kSamePoint * std::max(1.0, far))
                 throw Error(Exit::bad_input,
                             "the seed curve is not in a plane; run geodesic --source plane:NX,NY,NZ,D first");
     return {n, dot(n, a)};

@@ -15,9 +15,6 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kFrontStep = 0.5; // spacings between fronts
-constexpr double kGrain = 0.5;     // spacings between the lines whose course determines that of all others
-
 // The line as a line, starting at its first spot.
 Line drawn(const fronts::Fronts& fronts, const fronts::FrontLine& s) {
     Line out{{fronts.place(s.first, s.spots[0])}, false};
@@ -96,7 +93,7 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
         throw Error(Exit::bad_input, "cannot lay lines upright on a seed curve without one; run geodesic --source "
                                      "plane:NX,NY,NZ,D first");
     const Surface& s = sheet.surface;
-    const fronts::Fronts fronts(s, sheet.sources, kFrontStep * o.spacing, kGrain * o.spacing);
+    const fronts::Fronts fronts(s, sheet.sources, o.spacing);
     const bool alone = o.turns == RowTurns::none || o.turns == RowTurns::usual;
     const fronts::FrontLines found =
         fronts::front_lines(fronts, {o.spacing, o.turns == RowTurns::hairpin ? 2U : 1U, o.min_length});

@@ -4,6 +4,7 @@
 #include "base/number.hpp"
 #include "surface/curve/walk.hpp"
 #include "surfpath/fronts/source_lines.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <optional>
 
@@ -11,14 +12,13 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kTouches = 1e-6; // mm: a point nearer than this to a rim lies on it
 // flange depths: how far sources are extended over the flange, which they may cross at a slant
 constexpr double kRunsOut = 1.5;
 
 // Whether the point lies on a rim. It may be at a vertex of the rim, in a triangle without a side on it.
 bool on_rim(const Surface& s, const Vec3& p) {
     for (std::uint32_t h = 0; h < s.twin.size(); ++h)
-        if (s.twin[h] == surface::kNone && surface::distance_to_side(s, h, p) < kTouches) return true;
+        if (s.twin[h] == surface::kNone && surface::distance_to_side(s, h, p) < rules::kSamePoint) return true;
     return false;
 }
 
@@ -30,7 +30,8 @@ void go_on(const Surface& s, const Surface& flanged, Line line, double length, s
     if (!on_rim(s, end.point)) return;
     const Line on = surface::curve::walk(flanged, end, end.point - line.places[n - 2].point, length);
     for (std::size_t i = 0; i + 1 < on.size(); ++i)
-        if (distance(on[i], on[i + 1]) > kTouches) to.segments.push_back({on.places[i].triangle, on[i], on[i + 1]});
+        if (distance(on[i], on[i + 1]) > rules::kSamePoint)
+            to.segments.push_back({on.places[i].triangle, on[i], on[i + 1]});
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "surface/curve/walk.hpp"
 #include "surfpath/lanes/spiral.hpp"
 #include "surfpath/rings/rings.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +75,8 @@ Plan ring_path(const surface::Sheet& sheet, const Options& given, int by) {
     for (std::uint32_t l = 0; l < lanes.size(); ++l)
         if (made.level[l] == 0 && (start == surface::kNone || lanes.length(l) > lanes.length(start))) start = l;
     if (start != surface::kNone) {
-        const lanes::Ladder ladder = lanes::spiral_ladder(lanes, start, 2 * std::sqrt(o.least_radius * o.spacing * by));
+        const lanes::Ladder ladder =
+            lanes::spiral_ladder(lanes, start, rules::shift_length(o.least_radius, by * o.spacing));
         if (ladder.lanes() >= static_cast<std::size_t>(by) + 1) lanes::shift(linked, lanes, ladder, by);
         out.facts.push_back({"", "seam-lanes", static_cast<double>(ladder.lanes()), ""});
         if (ladder.lanes()) out.facts.push_back({"", "seam-length", shortest(lanes, ladder), "mm"});

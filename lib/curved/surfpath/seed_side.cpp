@@ -2,6 +2,7 @@
 
 #include "geodesic/isolines.hpp"
 #include "geodesic/query.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +16,7 @@ using surface::Surface;
 
 namespace {
 
-// steepest slope of the distance along a rim that still runs along the seed (20 degrees)
-constexpr double kAlong = 0.35;
-constexpr double kLongRim = 5;   // spacings: a shorter rim does not count as an end
-constexpr double kStretch = 0.1; // largest change of the spacing, as a share
+constexpr double kLongRim = 5; // spacings: a shorter rim does not count as an end
 // largest variation of the width of a side, as a share, if its lines are to be fitted to both ends
 constexpr double kUneven = 0.06;
 constexpr double kTolerance = 1e-3; // mm: deviation of lines from the level set
@@ -35,7 +33,7 @@ FarRim far_rim(const Surface& s, const SeedSides& sides, std::uint32_t side, std
                 const double a = distance[s.tail(h)], b = distance[s.head(h)], c = distance[s.tail(surface::prev(h))];
                 const Vec3 &p = s.vertices[s.tail(h)], &q = s.vertices[s.head(h)];
                 const double l = geom::distance(p, q), mid = (a + b) / 2;
-                if (sides.of[h / 3] != side || !(std::abs(a - b) <= kAlong * l) || !(c < mid)) continue;
+                if (sides.of[h / 3] != side || !(std::abs(a - b) <= rules::kAlong * l) || !(c < mid)) continue;
                 if (round == 0)
                     far = std::max(far, mid);
                 else if (mid > far - 1.5 * spacing) {
@@ -162,7 +160,7 @@ class BlendedDistance {
 
 double step(const FarRim& rim, double spacing) {
     const double d = rim.mean / std::max(1.0, std::round(rim.mean / spacing));
-    return rim.length >= kLongRim * spacing && std::abs(d / spacing - 1) <= kStretch ? d : 0;
+    return rim.length >= kLongRim * spacing && std::abs(d / spacing - 1) <= rules::kSpacingChange ? d : 0;
 }
 
 std::vector<double> levels(double end, double step) {

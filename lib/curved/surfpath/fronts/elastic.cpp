@@ -7,6 +7,8 @@ namespace filum::surfpath::fronts {
 
 namespace {
 
+using surface::kNone;
+
 constexpr double kNoGap = 2.2; // spacings: larger gaps are open
 // Most sweeps of the relaxation.
 constexpr int kSweeps = 400;
@@ -16,11 +18,9 @@ constexpr double kLean = 1;    // weight of squared slopes relative to squared s
 // Smoothings after the relaxation.
 constexpr int kSmoothings = 4;
 
-constexpr std::size_t kNoKnot = ~std::size_t{0};
-
 // A spot of a line with its neighbours along the front and along the line.
 struct Knot {
-    std::size_t left = kNoKnot, right = kNoKnot, before = kNoKnot, behind = kNoKnot;
+    std::uint32_t left = kNone, right = kNone, before = kNone, behind = kNone;
     double left_gap = 0, right_gap = 0; // mm, before anything moved
     double rim = 0, rim_weight = 0;     // mm by which it is too near to rims, and the weight of that
     double moved = 0;                   // mm along the front
@@ -31,11 +31,12 @@ class ElasticSheet {
   public:
     ElasticSheet(const std::vector<FrontLine>& lines, const Fronts& fronts, double d) : fronts_(fronts), d_(d) {
         for (const FrontLine& s : lines) {
-            first_.push_back(knots_.size());
+            first_.push_back(static_cast<std::uint32_t>(knots_.size()));
             for (std::size_t j = 0; j < s.spots.size(); ++j) {
                 Knot k;
-                if (j > 0) k.before = knots_.size() - 1;
-                if (j + 1 < s.spots.size()) k.behind = knots_.size() + 1;
+                const auto own = static_cast<std::uint32_t>(knots_.size());
+                if (j > 0) k.before = own - 1;
+                if (j + 1 < s.spots.size()) k.behind = own + 1;
                 k.held = s.first + j == 0;
                 knots_.push_back(k);
             }
@@ -43,7 +44,7 @@ class ElasticSheet {
         std::vector<std::vector<FrontKnot>> rows(fronts.levels());
         for (std::size_t i = 0; i < lines.size(); ++i)
             for (std::size_t j = 0; j < lines[i].spots.size(); ++j)
-                rows[lines[i].first + j].push_back({lines[i].spots[j], first_[i] + j});
+                rows[lines[i].first + j].push_back({lines[i].spots[j], first_[i] + static_cast<std::uint32_t>(j)});
         for (std::size_t level = 0; level < rows.size(); ++level) connect(level, rows[level]);
         for (std::size_t i = 0; i < lines.size(); ++i) add_rims(lines[i], first_[i]);
     }
@@ -63,7 +64,7 @@ class ElasticSheet {
   private:
     struct FrontKnot {
         Spot spot;
-        std::size_t knot;
+        std::uint32_t knot;
     };
 
     void connect(std::size_t level, std::vector<FrontKnot>& row) {
@@ -83,7 +84,7 @@ class ElasticSheet {
         }
     }
 
-    void link(std::size_t a, std::size_t b, double gap) {
+    void link(std::uint32_t a, std::uint32_t b, double gap) {
         if (gap > kNoGap * d_) return;
         knots_[a].right = b;
         knots_[a].right_gap = gap;
@@ -110,27 +111,27 @@ class ElasticSheet {
                 k.rim += sign * weight * (d_ / 2 - x);
             };
             const double x = s.spots[j].x, y = s.spots[other].x;
-            if (k.left == kNoKnot) feel(x, y, 1);
-            if (k.right == kNoKnot) feel(front.length() - x, beside.length() - y, -1);
+            if (k.left == kNone) feel(x, y, 1);
+            if (k.right == kNone) feel(front.length() - x, beside.length() - y, -1);
         }
     }
 
     double pull(Knot& k) {
         const double across = 1 / (d_ * d_), along = kLean / (fronts_.step() * fronts_.step());
         double weight = k.rim_weight * across, sum = k.rim * across;
-        if (k.left != kNoKnot) {
+        if (k.left != kNone) {
             weight += across;
             sum += across * (d_ - k.left_gap + knots_[k.left].moved);
         }
-        if (k.right != kNoKnot) {
+        if (k.right != kNone) {
             weight += across;
             sum += across * (k.right_gap - d_ + knots_[k.right].moved);
         }
-        if (k.before != kNoKnot) {
+        if (k.before != kNone) {
             weight += along;
             sum += along * knots_[k.before].moved;
         }
-        if (k.behind != kNoKnot) {
+        if (k.behind != kNone) {
             weight += along;
             sum += along * knots_[k.behind].moved;
         }
@@ -145,7 +146,7 @@ class ElasticSheet {
         std::vector<double> next;
         next.reserve(knots_.size());
         for (const Knot& k : knots_) {
-            const bool inner = k.before != kNoKnot && k.behind != kNoKnot && !k.held;
+            const bool inner = k.before != kNone && k.behind != kNone && !k.held;
             next.push_back(inner ? (knots_[k.before].moved + 2 * k.moved + knots_[k.behind].moved) / 4 : k.moved);
         }
         for (std::size_t i = 0; i < knots_.size(); ++i) knots_[i].moved = next[i];
@@ -154,7 +155,7 @@ class ElasticSheet {
     const Fronts& fronts_;
     double d_;
     std::vector<Knot> knots_;
-    std::vector<std::size_t> first_; // per line: index of its first knot
+    std::vector<std::uint32_t> first_; // per line: index of its first knot
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "surfpath/fronts/front_lines.hpp"
 
 #include "surfpath/fronts/elastic.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,6 @@ namespace {
 using surface::kNone;
 
 constexpr double kTooNear = 0.35; // spacings: of two lines nearer than this one dies
-constexpr double kTie = 1e-9;     // spacings: smaller differences are ties
 constexpr double kBrief = 3;      // spacings: a line is not worth starting, or ending, nearer than this to a rim
 
 struct LiveLine {
@@ -236,13 +236,13 @@ class March {
     bool bear(std::uint32_t f, std::vector<LiveLine>& row) {
         const auto e = excess(f, row);
         const WindowSums w = windows(e, front(f).line.closed, 1);
-        const double allowed = (static_cast<double>(rule_.group) - most_ + kTie) * d_;
+        const double allowed = (static_cast<double>(rule_.group) - most_ + rules::kSamePoint) * d_;
         for (std::size_t i = 0; i < w.sum.size(); ++i) {
             if (!(w.sum[i] > most_ * d_)) continue;
             std::size_t best = e.size();
             for (std::size_t back = 0; back < w.size; ++back) {
                 const std::size_t j = (i + (w.size / 2 + back) % w.size) % w.gaps; // starting in the middle
-                if (w.least(j) >= allowed && (best == e.size() || e[j] > e[best] + kTie * d_)) best = j;
+                if (w.least(j) >= allowed && (best == e.size() || e[j] > e[best] + rules::kSamePoint * d_)) best = j;
             }
             if (best == e.size()) continue;
             insert(f, row, best, rule_.group);
@@ -258,7 +258,7 @@ class March {
         const WindowSums w = windows(e, front(f).line.closed, -1);
         const std::size_t g = rule_.group, size = row.size();
         if (size <= g) return false;
-        const double allowed = (static_cast<double>(g) - most_ + kTie) * d_;
+        const double allowed = (static_cast<double>(g) - most_ + rules::kSamePoint) * d_;
         for (std::size_t i = 0; i < w.sum.size(); ++i) {
             if (!(w.sum[i] > most_ * d_)) continue;
             double least = std::numeric_limits<double>::infinity();
@@ -269,7 +269,7 @@ class March {
                     sum += e[k % w.gaps];
                     room = std::min(room, w.least(k % w.gaps));
                 }
-                if (room >= allowed && sum < least - kTie * d_) {
+                if (room >= allowed && sum < least - rules::kSamePoint * d_) {
                     least = sum;
                     best = j % size;
                 }

@@ -4,6 +4,7 @@
 #include "geodesic/isolines.hpp"
 #include "geodesic/query.hpp"
 #include "surface/curve/walk.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,6 @@ namespace filum::surfpath::fronts {
 
 namespace {
 
-// Most fronts of a field.
-constexpr std::size_t kMostFronts = 20'000;
 constexpr double kArrived = 0.05; // steps: a line that ends farther from the next front has not reached it
 constexpr double kInset = 0.02;   // grains between the ends of a front and its outermost samples
 constexpr double kSpeck = 1e-3;   // steps: shorter fronts are dropped
@@ -76,10 +75,11 @@ Vec3 right_of(const Vec3& along, const Vec3& normal) { return cross(along, norma
 
 } // namespace
 
-Fronts::Fronts(const Surface& surface, const surface::Sources& sources, double step, double grain)
-    : surface_(surface), field_(geodesic::exact(surface, sources)), step_(step) {
-    const double far = geodesic::farthest(surface, field_);
-    if (!(far / step < kMostFronts)) throw Error(Exit::usage, "cannot follow more than 20000 fronts; raise --spacing");
+Fronts::Fronts(const Surface& surface, const surface::Sources& sources, double spacing)
+    : surface_(surface), field_(geodesic::exact(surface, sources)), step_(spacing / 2) {
+    const double step = step_, far = geodesic::farthest(surface, field_);
+    if (!(far < rules::kMostLines * spacing))
+        throw Error(Exit::usage, "cannot follow more than 20000 fronts; raise --spacing");
     std::vector<Line> lines = source_lines(sources);
     for (std::size_t i = 0, n = lines.size(); i < n; ++i) {
         Line back = lines[2 * i];
@@ -98,7 +98,7 @@ Fronts::Fronts(const Surface& surface, const surface::Sources& sources, double s
             if (isolines[next].points.size() > 1) lines.push_back(surface::curve::line(isolines[next]));
         add_level(std::move(lines));
     }
-    for (std::size_t k = 0; k + 1 < levels_.size(); ++k) sample(k, grain);
+    for (std::size_t k = 0; k + 1 < levels_.size(); ++k) sample(k);
 }
 
 void Fronts::add_level(std::vector<Line> lines) {
@@ -171,8 +171,9 @@ std::optional<Spot> Fronts::walk_on(std::size_t level, Spot spot) const {
     return locate(level + 1, surface::curve::walk(surface_, from, way, step_).places.back());
 }
 
-// Computes where lines lead that are `grain` mm apart, in order (see uncross).
-void Fronts::sample(std::size_t level, double grain) {
+// Computes where lines lead that are a step apart, in order (see uncross).
+void Fronts::sample(std::size_t level) {
+    const double grain = step_;
     levels_[level].onward.clear();
     for (std::uint32_t f = 0; f < levels_[level].fronts.size(); ++f) {
         const Front& front = levels_[level].fronts[f];

@@ -25,10 +25,11 @@ struct Spot {
 
 class Fronts {
   public:
-    // Level 0 consists of the source curves, each in both directions; level k is at distance k * step mm from all
-    // sources. `grain` is the distance of the lines that are computed exactly; others are interpolated.
+    // Level 0 consists of the source curves, each in both directions; level k is at distance k * step() mm from all
+    // sources. Steps are half a spacing, as far as a line may be from where it should be. The lines that are computed
+    // exactly are a step apart, too; others are interpolated.
     // Throws Error(usage) if there would be more than 20,000 levels.
-    Fronts(const Surface& surface, const surface::Sources& sources, double step, double grain);
+    Fronts(const Surface& surface, const surface::Sources& sources, double spacing);
 
     [[nodiscard]] std::size_t levels() const { return levels_.size(); }
     [[nodiscard]] const std::vector<Front>& at(std::size_t level) const { return levels_[level].fronts; }
@@ -60,7 +61,7 @@ class Fronts {
         std::vector<std::vector<Sample>> onward; // per front, ascending
     };
     void add_level(std::vector<Line> lines);
-    void sample(std::size_t level, double grain);
+    void sample(std::size_t level);
     [[nodiscard]] Vec3 heading(std::size_t level, Spot spot, const Place& from) const;
     [[nodiscard]] std::optional<Spot> walk_on(std::size_t level, Spot spot) const;
     [[nodiscard]] std::optional<Spot> locate(std::size_t level, const Place& p) const;

@@ -1,5 +1,7 @@
 #include "surfpath/fronts/source_lines.hpp"
 
+#include "surfpath/rules/rules.hpp"
+
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -10,8 +12,6 @@ namespace {
 
 using surface::kNone;
 using surface::Segment;
-
-constexpr double kSamePoint = 1e-6; // mm
 
 // Per segment the numbers of its end points; end points that meet have the same number.
 std::vector<std::array<std::uint32_t, 2>> ends(const std::vector<Segment>& segments) {
@@ -26,8 +26,8 @@ std::vector<std::array<std::uint32_t, 2>> ends(const std::vector<Segment>& segme
         if (number[order[i]] != kNone) continue;
         const Vec3 p = point(order[i]);
         number[order[i]] = next;
-        for (std::size_t j = i + 1; j < n && point(order[j]).x <= p.x + kSamePoint; ++j)
-            if (number[order[j]] == kNone && distance(p, point(order[j])) <= kSamePoint) number[order[j]] = next;
+        for (std::size_t j = i + 1; j < n && point(order[j]).x <= p.x + rules::kSamePoint; ++j)
+            if (number[order[j]] == kNone && distance(p, point(order[j])) <= rules::kSamePoint) number[order[j]] = next;
         ++next;
     }
     std::vector<std::array<std::uint32_t, 2>> out(segments.size());
@@ -94,7 +94,7 @@ class CurveBuilder {
 std::vector<Line> source_lines(const surface::Sources& sources) {
     std::vector<Segment> long_ones;
     for (const Segment& s : sources.segments)
-        if (distance(s.a, s.b) > kSamePoint) long_ones.push_back(s);
+        if (distance(s.a, s.b) > rules::kSamePoint) long_ones.push_back(s);
     return CurveBuilder(std::move(long_ones)).all();
 }
 

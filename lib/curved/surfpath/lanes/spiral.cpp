@@ -1,5 +1,6 @@
 #include "surfpath/lanes/spiral.hpp"
 
+#include "surfpath/rules/rules.hpp"
 #include "weave/join.hpp"
 
 #include <algorithm>
@@ -12,8 +13,6 @@ namespace filum::surfpath::lanes {
 
 namespace {
 
-// Lengths in spacings.
-constexpr double kFarthest = 2; // largest distance of lanes in a ladder; one more lane fits into a larger one
 constexpr double kWanted = 2;   // wanted length of a ladder, in least lengths: links then bend a quarter as much
 constexpr int kPoints = 2;      // points per rung of a link
 constexpr double kMargin = 0.5; // least length of lane between openings: half a bead
@@ -22,9 +21,6 @@ constexpr double kRidge =
 constexpr double kLeastRidge = 4. / 3; // least such distance: the void avoided is then half the overlap that is added
 constexpr double kRidgeDrift = 6;     // length over which the line moves to the middle: 1/6 spacing per spacing at most
 constexpr double kFarthestJoined = 4; // largest distance of lanes that are joined
-
-// Smooth step from 0 to 1 with the least greatest curvature: two parabolas.
-double eased(double t) { return t < 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t); }
 
 weave::End first_rung(std::uint32_t window, double sense) { return {window, sense < 0}; }
 weave::End last_rung(std::uint32_t window, double sense) { return {window, sense > 0}; }
@@ -41,7 +37,7 @@ std::vector<Vec2> change(const Ladder& r, double u0, double u1, double v0, doubl
     const int n = std::max(2, static_cast<int>(std::ceil(std::abs(v1 - v0) * kPoints)));
     for (int i = 0; i <= n; ++i) {
         const double t = static_cast<double>(i) / n, v = v0 + t * (v1 - v0);
-        out.push_back({u0 + (u1 - u0) * eased(v / r.last()), v});
+        out.push_back({u0 + (u1 - u0) * rules::shifted(v / r.last()), v});
     }
     return out;
 }
@@ -114,7 +110,7 @@ Ladder spiral_ladder(const Lanes& lanes, std::uint32_t start, double least) {
     std::vector<Rung> rungs;
     std::size_t most = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        rungs.push_back(rung(lanes, start, step * static_cast<double>(i), 1, kFarthest, lanes.size()));
+        rungs.push_back(rung(lanes, start, step * static_cast<double>(i), 1, rules::kBeside, lanes.size()));
         most = std::max(most, rungs.back().places.size());
     }
     for (std::size_t count = most; count >= 2; --count) {
@@ -143,7 +139,7 @@ static Line along_ridge(const Lanes& lanes, std::uint32_t lane, double arc, doub
         const Line line = surface::curve::join(lanes.surface(), lanes.at(lane, here), lanes.at(lane, over->arc));
         const auto arcs = surface::curve::arc_lengths(line);
         out.places.push_back(
-            surface::curve::at(line, arcs, 0.5 * eased(std::min(1.0, on / (kRidgeDrift * d))) * arcs.back()));
+            surface::curve::at(line, arcs, 0.5 * rules::shifted(std::min(1.0, on / (kRidgeDrift * d))) * arcs.back()));
     }
     return surface::curve::threaded(lanes.surface(), out);
 }

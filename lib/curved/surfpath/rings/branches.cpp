@@ -1,6 +1,7 @@
 #include "surfpath/rings/branches.hpp"
 
 #include "surface/surface.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,6 @@ namespace filum::surfpath::rings {
 namespace {
 
 using surface::kNone;
-
-constexpr double kTwice = 0.5;    // weight of an overlapped area relative to a void, as in `choose`
-constexpr double kNothing = 1e-6; // spacings: smaller shifts are none
 
 class BranchPlanner {
   public:
@@ -72,7 +70,7 @@ class BranchPlanner {
         std::vector<double> change; // mm: change of the spacing outside of each ring of the chain
     };
 
-    // The cheapest such changes; none if changes of kMostChange are not enough.
+    // The cheapest such changes; none if changes of rules::kSpacingChange are not enough.
     [[nodiscard]] std::optional<LevelShift> move(std::span<const std::uint32_t> chain, std::size_t ring,
                                                  double by) const {
         struct SpacingChange {
@@ -89,12 +87,12 @@ class BranchPlanner {
         LevelShift out{by, 0, std::vector<double>(ring + 1, 0)};
         double left = std::abs(by);
         for (const SpacingChange& g : gaps) {
-            const double change = std::min(left, kMostChange * o_.spacing);
+            const double change = std::min(left, rules::kSpacingChange * o_.spacing);
             out.change[g.ring] = by < 0 ? -change : change;
-            out.cost += (by < 0 ? kTwice : 1) * change * g.around;
+            out.cost += (by < 0 ? rules::kOverlapCosts : 1) * change * g.around;
             left -= change;
         }
-        return left > kNothing * o_.spacing ? std::nullopt : std::optional(out);
+        return left > rules::kSamePoint * o_.spacing ? std::nullopt : std::optional(out);
     }
 
     // The cheapest of the shifts that bring a ring to one of the places.
@@ -103,12 +101,12 @@ class BranchPlanner {
         std::optional<LevelShift> out;
         const std::uint32_t first = isles_[chain[0]].ring;
         for (const double place : places) {
-            const double below = std::floor((place - shift) / o_.spacing - 0.5 + kNothing);
+            const double below = std::floor((place - shift) / o_.spacing - 0.5 + rules::kSamePoint);
             for (const double ring : {below, below + 1}) {
                 if (ring < first) continue;
                 const double by = place - shift - (ring + 0.5) * o_.spacing;
-                const auto found =
-                    move(chain, static_cast<std::size_t>(ring) - first, std::abs(by) < kNothing * o_.spacing ? 0 : by);
+                const auto found = move(chain, static_cast<std::size_t>(ring) - first,
+                                        std::abs(by) < rules::kSamePoint * o_.spacing ? 0 : by);
                 if (found && (!out || found->cost < out->cost)) out = found;
             }
         }

@@ -37,8 +37,6 @@ struct BranchOptions {
     bool ridge = false;
 };
 
-inline constexpr double kMostChange = 0.1; // greatest change of a spacing, as a share
-
 // The branches of `isles` (which are sorted by rings), in the order of their first isles; `of` is set to the branch of
 // each isle.
 // The innermost ring of a branch should be half a spacing below the maximum, or as far in as a ring of sufficient

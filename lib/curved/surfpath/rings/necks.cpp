@@ -3,6 +3,7 @@
 #include "geodesic/isolines.hpp"
 #include "geodesic/query.hpp"
 #include "surface/curve/walk.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 
@@ -135,13 +136,12 @@ class NeckFinder {
         const int n = std::max(4, static_cast<int>(std::ceil(length / (0.3 * spacing_))));
         for (int i = 0; i <= n; ++i) {
             const double f = static_cast<double>(i) / n, g = down ? f : 1 - f;
-            const double part = g < 0.5 ? 2 * g * g : 1 - 2 * (1 - g) * (1 - g);
             const Place from = at(t, way + f * length);
             const RingPosition on = tree.nearest(from.point);
             const Line line = surface::curve::join(
                 surface_, from, surface::curve::at(lower[on.line].line, lower[on.line].ways, on.way));
             const auto ways = surface::curve::arc_lengths(line);
-            out.places.push_back(surface::curve::at(line, ways, part * ways.back()));
+            out.places.push_back(surface::curve::at(line, ways, rules::shifted(g) * ways.back()));
         }
         return surface::curve::threaded(surface_, out);
     }

@@ -8,6 +8,7 @@
 #include "surface/finer.hpp"
 #include "surfpath/plan/samples.hpp"
 #include "surfpath/rings/rounding.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,10 +25,7 @@ using surface::kNone;
 
 constexpr double kEdge = 0.5;               // spacings: longest side of the triangles that are classified
 constexpr std::size_t kMostParts = 300'000; // triangles; larger ones only weaken the bound
-constexpr double kWithin = 0.58;   // edge lengths: greatest distance of a place of a triangle from its nearest corner
-constexpr double kTried = 1.0 / 6; // spacings between sample points
-constexpr double kToldOut = 0.01;  // share of the surface above which a note is added
-constexpr double kOutOfReach = std::numeric_limits<double>::infinity();
+constexpr double kToldOut = 0.01;           // share of the surface above which a note is added
 
 // Angle defect of every vertex inside the surface, rad.
 std::vector<double> defects(const Surface& s) {
@@ -67,7 +65,8 @@ enum class Zone : std::uint8_t { margin, open, narrow }; // too near to a rim; w
 class RingBoundSolver {
   public:
     RingBoundSolver(const Surface& s, double spacing, double radius)
-        : s_(s), half_(spacing / 2), edge_(surface::longest_edge(s)), slack_(kWithin * edge_), radius_(radius) {
+        : s_(s), half_(spacing / 2), edge_(surface::longest_edge(s)), slack_(edge_ / std::numbers::sqrt3),
+          radius_(radius) {
         const auto from = geodesic::exact(s, surface::rim_sources(s), half_ + 2 * radius + 2 * edge_);
         unfolding_ = from.unfolding;
         radius_ = on_ball(s, from.distance, radius, half_ + 2 * radius);
@@ -111,7 +110,7 @@ class RingBoundSolver {
         all.reserve(lines.size());
         for (const Isoline& l : lines) all.push_back(&l);
         if (all.empty())
-            off_.distance.assign(s_.vertices.size(), kOutOfReach);
+            off_.distance.assign(s_.vertices.size(), rules::kUnreached);
         else
             off_ = geodesic::exact(s_, as_sources(all), radius_ + std::max(half_, slack_) + 2 * edge_, from.unfolding,
                                    // places farther inside are not needed
@@ -124,7 +123,7 @@ class RingBoundSolver {
 
     void find_kinds(std::span<const double> from_rim) {
         for (const auto& corners : s_.triangles) {
-            double least = kOutOfReach, most = 0;
+            double least = rules::kUnreached, most = 0;
             for (const std::uint32_t v : corners) {
                 least = std::min(least, off(v));
                 most = std::max(most, from_rim[v]);
@@ -207,14 +206,14 @@ class RingBoundSolver {
                 from.vertices.insert(from.vertices.end(), s_.triangles[t].begin(), s_.triangles[t].end());
         std::sort(from.vertices.begin(), from.vertices.end());
         from.vertices.erase(std::unique(from.vertices.begin(), from.vertices.end()), from.vertices.end());
-        beside_.assign(s_.vertices.size(), kOutOfReach);
+        beside_.assign(s_.vertices.size(), rules::kUnreached);
         if (!from.empty()) beside_ = geodesic::exact(s_, from, half_ + slack_ + edge_, unfolding_).distance;
     }
 
     // mm2 of a triangle that are within reach.
     [[nodiscard]] double covered(std::uint32_t t, double area) const {
         const double reach = radius_ + std::max(half_, slack_);
-        double least = kOutOfReach, most = 0;
+        double least = rules::kUnreached, most = 0;
         for (const std::uint32_t v : s_.triangles[t]) {
             if (beside_[v] <= half_ + slack_) return area;
             least = std::min(least, off(v));
@@ -223,14 +222,15 @@ class RingBoundSolver {
         if (most <= reach - edge_) return area;
         if (least > reach + edge_ || !field_) return 0;
         double in = 0;
-        plan::each_sample(s_, t, 2 * half_ * kTried, [&](const plan::Sample& p) {
+        plan::each_sample(s_, t, 2 * half_ * rules::kFineGrain, [&](const plan::Sample& p) {
             if (geodesic::distance_at(s_, off_, t, p.p) <= reach) in += p.area;
         });
         return in;
     }
 
     const Surface& s_;
-    double half_, edge_, slack_, radius_; // mm; half_ is half a spacing
+    // mm: half a spacing; the longest edge; a place of a triangle is at most slack_ from its nearest corner
+    double half_, edge_, slack_, radius_;
     std::shared_ptr<const geodesic::Unfolding> unfolding_;
     geodesic::ExactField off_;         // distance from the border of the area where centres of discs can be
     bool field_ = false;               // whether there is such a border

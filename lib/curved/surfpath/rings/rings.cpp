@@ -7,6 +7,7 @@
 #include "parallel/parallel.hpp"
 #include "surfpath/rings/levels.hpp"
 #include "surfpath/rings/rounding.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,9 +29,7 @@ constexpr double kGains[] = {1,   1.3, 1.7, 2,  2.3, // gains that are tried: le
                              2.6, 2.9, 3.2, 3.5};    // per radian of tight turn
 // tight turns: at most on this share of the length, by this share of the least curvature radius
 constexpr double kTightPart = 0.01, kTighter = 0.8;
-constexpr double kFall = 1.1;          // spacings by which radii may fall from one level to the next
-constexpr double kFarthestPlace = 1e4; // spacings from the sources to the farthest place
-constexpr double kTightest = 0.3;      // spacings: least radius of any ring
+constexpr double kTightest = 0.3; // spacings: least radius of any ring
 
 // The sheet's sources, and all sides of rims that are not among them.
 surface::Sources all_sources(const surface::Sheet& sheet) {
@@ -52,7 +51,7 @@ class RingMaker {
     RingMaker(const surface::Sheet& sheet, const RingLimits& limits, Facts& facts, Notes& notes)
         : s_(sheet.surface), field_(geodesic::exact(s_, all_sources(sheet))), least_(kRounder * limits.least_radius),
           d_(limits.spacing) {
-        if (geodesic::farthest(s_, field_) > kFarthestPlace * d_)
+        if (geodesic::farthest(s_, field_) > rules::kMostLines * d_)
             throw Error(Exit::usage, "cannot plan more than 10000 nested rings; raise --spacing");
         levels_ = levels(s_, field_, {d_, least_, limits.ridge}, facts, notes);
     }
@@ -61,7 +60,7 @@ class RingMaker {
         const Rounding rounding(s_, field_, least_, d_);
         find_batches(rounding);
         const double gain = affordable(rounding);
-        each([&](Batch& b) { rounding.finish(b, gain, floor_.at(b.ring)); });
+        each([&](Batch& b) { rounding.finish(b, gain); });
         Rings out;
         for (auto& b : batches_)
             for (auto& line : b.lines) {
@@ -149,28 +148,16 @@ class RingMaker {
         return out;
     }
 
-    // The excess of all turns over the least radius, rad; also sets the floors. Radii may fall by about a spacing from
-    // one level to the next; if they fell faster, a tip would reach beyond the ring outside.
-    double tight(const Rounding& rounding, double gain) {
-        std::map<std::uint32_t, std::vector<const Batch*>> rings;
-        for (const Batch& b : batches_) rings[b.ring].push_back(&b);
-        double out = 0, before = least_;
-        floor_.clear();
-        for (const auto& [ring, own] : rings) {
-            const double floor = floor_[ring] = before - kFall * d_;
-            before = least_;
-            for (const Batch* b : own) {
-                const auto turns = rounding.turns(*b, gain, floor);
-                out += turns.tight;
-                before = std::min(before, turns.least);
-            }
-        }
+    // The excess of all turns over the least radius, rad.
+    [[nodiscard]] double tight(const Rounding& rounding, double gain) const {
+        double out = 0;
+        for (const Batch& b : batches_) out += rounding.tight(b, gain);
         return out;
     }
 
     // The least of the gains for which tight turns remain rare: at most kTightPart of the length turns tighter, by
     // kTighter.
-    [[nodiscard]] double affordable(const Rounding& rounding) {
+    [[nodiscard]] double affordable(const Rounding& rounding) const {
         double length = 0;
         for (const auto& line : levels_.lines) length += surface::curve::length(surface::curve::line(line));
         const double most = kTightPart * length * kTighter / least_;
@@ -184,7 +171,6 @@ class RingMaker {
     double least_, d_;
     Levels levels_;
     std::vector<Batch> batches_;
-    std::map<std::uint32_t, double> floor_; // mm: least radius, by the number of the ring
 };
 
 } // namespace

@@ -42,13 +42,10 @@ class Rounder {
         }
     }
 
-    [[nodiscard]] Rounding::Tightness turns(const Batch& b) const {
-        Rounding::Tightness out{0, least_};
+    [[nodiscard]] double tight(const Batch& b) const {
+        double out = 0;
         if (!worthwhile(b)) return out;
-        const auto add = [&](double length, double radius) {
-            out.tight += length * std::max(0.0, 1 / radius - 1 / least_);
-            out.least = std::min(out.least, radius);
-        };
+        const auto add = [&](double length, double radius) { out += length * std::max(0.0, 1 / radius - 1 / least_); };
         for (const RoundedCorner& c : bends(b)) add(c.corner->length, b.radii[c.scale]);
         for (const Ring& r : b.rings)
             if (gone(r)) add(2 * std::numbers::pi * b.radii[0], b.radii[0]);
@@ -59,7 +56,7 @@ class Rounder {
         if (!b.rings.empty() && worthwhile(b)) assemble(b);
     }
 
-    double gain = 0, floor = 0;
+    double gain = 0;
 
   private:
     // Morphological opening: the lines at a distance `radius` outside of the isolines `inner`.
@@ -167,7 +164,7 @@ class Rounder {
         double most = c.length + worth * tight(c, b.radii[k]);
         std::vector<const Corner*> best;
         std::size_t by = k;
-        for (std::size_t f = k + 1; f < r.by.size() && b.radii[f] >= floor; ++f) {
+        for (std::size_t f = k + 1; f < r.by.size(); ++f) {
             std::vector<const Corner*> finer;
             double now = r.ahead(c.from, c.to);
             for (const Corner& corner : r.by[f].corners)
@@ -270,16 +267,14 @@ Rounding::Rounding(const Surface& s, const ExactField& field, double least, doub
 void Rounding::prepare(Batch& b, const Within& within) const {
     Rounder(surface_, field_, least_, spacing_, edge_).prepare(b, within);
 }
-Rounding::Tightness Rounding::turns(const Batch& b, double gain, double floor) const {
+double Rounding::tight(const Batch& b, double gain) const {
     Rounder rounder(surface_, field_, least_, spacing_, edge_);
     rounder.gain = gain;
-    rounder.floor = floor;
-    return rounder.turns(b);
+    return rounder.tight(b);
 }
-void Rounding::finish(Batch& b, double gain, double floor) const {
+void Rounding::finish(Batch& b, double gain) const {
     Rounder rounder(surface_, field_, least_, spacing_, edge_);
     rounder.gain = gain;
-    rounder.floor = floor;
     rounder.finish(b);
 }
 

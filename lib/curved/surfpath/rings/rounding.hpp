@@ -38,15 +38,11 @@ class Rounding {
 
     void prepare(Batch& batch, const Within& within) const; // computes its rings
 
-    // How tightly the lines of a batch turn, if smaller discs (at least `floor` mm) are used where they gain `gain`
-    // least radii of length per radian of excess turning.
-    struct Tightness {
-        double tight = 0; // rad by which turns exceed the least radius, in total
-        double least = 0; // mm: least radius that occurs; the least radius asked for if no turn is tighter
-    };
-    [[nodiscard]] Tightness turns(const Batch& batch, double gain, double floor) const;
+    // The angle by which turns of the batch's lines exceed that of the least radius, rad, if smaller discs are used
+    // where they gain `gain` least radii of length per radian of it.
+    [[nodiscard]] double tight(const Batch& batch, double gain) const;
 
-    void finish(Batch& batch, double gain, double floor) const; // computes its lines
+    void finish(Batch& batch, double gain) const; // computes its lines
 
   private:
     const Surface& surface_;

@@ -1,25 +1,21 @@
 #include "surfpath/rows/beads.hpp"
 
+#include "surfpath/rules/rules.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 namespace filum::surfpath::rows {
 
-namespace {
-
-constexpr double kBeadsOfACell = 8; // bead points along a line per cell of the grid
-
-} // namespace
-
-BeadMap::BeadMap(const Surface& s, const std::vector<Line>& lines, const lanes::Lanes& lanes, double apart)
-    : s_(s), apart_(apart), cuts_(lines.size()), cell_(kBeadsOfACell * apart) {
+BeadMap::BeadMap(const Surface& s, const std::vector<Line>& lines, const lanes::Lanes& lanes)
+    : s_(s), apart_(rules::kFineGrain * lanes.spacing()), cuts_(lines.size()), cell_(lanes.spacing()) {
     std::vector<Vec3> points;
     for (std::uint32_t l = 0; l < lines.size(); ++l) {
         length_.push_back(surface::curve::length(lines[l]));
         closed_.push_back(lines[l].closed ? 1 : 0);
         first_.push_back(static_cast<std::uint32_t>(beads_.size()));
-        const auto n = static_cast<std::size_t>(std::ceil(length_[l] / apart));
+        const auto n = static_cast<std::size_t>(std::ceil(length_[l] / apart_));
         for (std::size_t i = 0; i < n; ++i) {
             const double arc = length_[l] * static_cast<double>(i) / static_cast<double>(n);
             const Place p = lanes.at(l, arc);

@@ -34,8 +34,8 @@ struct Surroundings {
 
 class BeadMap {
   public:
-    // `lines` are those of `lanes`, open or closed. Bead points are `apart` mm from each other.
-    BeadMap(const Surface& s, const std::vector<Line>& lines, const lanes::Lanes& lanes, double apart);
+    // `lines` are those of `lanes`, open or closed. Bead points are rules::kFineGrain spacings from each other.
+    BeadMap(const Surface& s, const std::vector<Line>& lines, const lanes::Lanes& lanes);
 
     [[nodiscard]] double length(std::uint32_t line) const { return length_[line]; } // mm
     // Distance of two arc lengths of a line, mm; around the shorter way if it is closed.

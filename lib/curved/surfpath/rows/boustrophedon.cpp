@@ -4,6 +4,7 @@
 #include "surfpath/plan/improve.hpp"
 #include "surfpath/plan/stagger.hpp"
 #include "surfpath/rows/loops.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,6 @@ namespace filum::surfpath::rows {
 
 namespace {
 
-// spacings between the depths that are tried; finer steps are smaller than what a bead covers
-constexpr double kDepthsApart = 0.25;
 constexpr double kBreak = 200; // mm: cost of a chain that must be connected to another one
 
 constexpr std::size_t kBeams[] = {500, 3000, 8000}; // widths of the beam search for an order of rows, tried in turn
@@ -217,7 +216,8 @@ class RowPathPlanner {
                 const double past =
                     first || last || std::isinf(to) || std::isinf(on) ? 0 : way(order[i - 1], order[i + 1]);
                 const double saved = (std::isinf(to) ? 0 : to) + (std::isinf(on) ? 0 : on) - past;
-                if (const double wasted = saved / 2 - length(chains[order[i].chain]); wasted > most) {
+                if (const double wasted = rules::kOverlapCosts * saved - length(chains[order[i].chain]);
+                    wasted > most) {
                     most = wasted;
                     which = i;
                 }
@@ -330,7 +330,7 @@ class RowPathPlanner {
             for (std::size_t i = 0; i < turns[c].size(); ++i) {
                 if (turns[c][i].eased) continue;
                 which.push_back(&turns[c][i]);
-                laid.push_back(turner_.deeper(turns[c][i], kDepthsApart * o_.spacing));
+                laid.push_back(turner_.deeper(turns[c][i], rules::kGrain * o_.spacing));
                 SurfaceTurn& most = deepest[c][i];
                 most.line = {};
                 for (const SurfaceTurn& t : laid.back()) {

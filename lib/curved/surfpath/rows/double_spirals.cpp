@@ -1,6 +1,7 @@
 #include "surfpath/rows/double_spirals.hpp"
 
 #include "surfpath/lanes/spiral.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <cmath>
 
@@ -10,7 +11,6 @@ namespace {
 
 // Two lines need two half turns in any way, so a double spiral gains only from three lines on.
 constexpr std::size_t kFewest = 3;
-constexpr double kShift = 2;            // lines by which an arm shifts on a lap
 constexpr double kExchangeWastes = 0.7; // square spacings of void and overlap of an exchange
 
 // mm2 that stay void at both ends of the double spiral: the links leave a wedge, two lines wide where it begins, and
@@ -25,10 +25,9 @@ double wedges(const lanes::Lanes& lanes, const lanes::Ladder& r, double into) {
 } // namespace
 
 std::size_t wind_double(const Surface& s, std::vector<Line*> lines, const LoopOptions& o) {
-    // two parabolas of the radius shift by kShift lines over this length
-    const double wanted = 2 * std::sqrt(kShift * o.gentle * o.spacing);
+    const double wanted = rules::shift_length(o.gentle, 2 * o.spacing); // an arm shifts by two lines on a lap
     // A link is eased by two parabolas: this share of it is so near to its lane that half turns fit beside it.
-    const double into = std::sqrt((1 - o.nearest) / (2 * kShift));
+    const double into = std::sqrt((1 - o.nearest) / 4);
     std::size_t out = 0;
     while (lines.size() >= kFewest) {
         std::vector<Line> here;

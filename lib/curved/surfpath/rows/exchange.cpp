@@ -6,6 +6,7 @@
 #include "surfpath/rows/beads.hpp"
 #include "surfpath/rows/flat_turn.hpp"
 #include "surfpath/rows/swath.hpp"
+#include "surfpath/rules/rules.hpp"
 #include "weave/join.hpp"
 
 #include <algorithm>
@@ -21,21 +22,14 @@ namespace {
 
 using geom::Vec2;
 
-// Lengths in spacings.
-// Between bead points. The error for a place half a spacing from a line is 0.4 % of that.
-constexpr double kBeadGrain = 0.125;
-// Largest distance of lines side by side; another line would fit into a larger one.
-constexpr double kBesideAt = 2;
 // Half of what is cut out of each line, as it is tried: from tips that lead straight on to gaps that turns just cover.
 constexpr double kCuts[] = {0.4, 0.6, 0.8, 1, 1.2, 1.4};
 // The cut by which sites are ranked at first: two half turns are as long as what they replace.
 constexpr double kFirstCut = std::numbers::pi / 4;
-constexpr double kPlacesApart = 0.5;                                  // between sites that are tried
-constexpr double kSlips[] = {0, -kPlacesApart / 2, kPlacesApart / 2}; // shifts of one line against the other
+constexpr double kSlips[] = {0, -rules::kGrain, rules::kGrain}; // shifts of one line against the other
 // Distance within which coverage can change: the longest cut, the bulge of a turn beyond it, half a bead.
-constexpr double kSwathHalf = kCuts[5] + kPlacesApart / 2 + 0.5 + 0.5;
+constexpr double kSwathHalf = kCuts[5] + rules::kGrain + 0.5 + 0.5;
 constexpr std::size_t kMostTried = 12; // sites per pair of lines that are judged by their waste: limits the work
-constexpr double kSameWaste = 1e-6;    // mm, mm2: smaller differences are rounding
 
 // An exchange between two lines: each is cut out around an arc length, by half of its cut on both sides.
 struct LineExchange {
@@ -57,7 +51,7 @@ class LineExchanger {
                   const ExchangeOptions& o)
         : s_(s), given_(lines), d_(o.spacing), ends_(o.ends), lanes_(s, closed(lines), o.spacing), linked_(lanes_),
           normals_(surface::curve::vertex_normals(s)), anchored_(lines.size(), 0),
-          swath_(o.spacing, kSwathHalf * o.spacing), rest_(swath_), beads_(s, lines, lanes_, kBeadGrain * o.spacing) {
+          swath_(o.spacing, kSwathHalf * o.spacing), rest_(swath_), beads_(s, lines, lanes_) {
         for (std::uint32_t l = 0; l < lines.size(); ++l) {
             anchored_[l] = keep[l] != 0 || !lines[l].closed ? 1 : 0;
             if (!lines[l].closed) linked_.cut(linked_.window(l, beads_.length(l), 0));
@@ -73,7 +67,7 @@ class LineExchanger {
             const double before = e.waste;
             judge(surroundings(lanes_.at(e.a, e.at_a)), e, kCuts, kSlips);
             e.judged = true;
-            if (sure && e.waste <= before + kSameWaste) return weave::Verdict::join;
+            if (sure && e.waste <= before + rules::kSamePoint) return weave::Verdict::join;
             return worth_it(e) ? weave::Verdict::later : weave::Verdict::never; // one made since may be in the way
         };
         weave::join_cheapest(queue_, again, [&](const LineExchange& e) {
@@ -116,7 +110,7 @@ class LineExchanger {
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<LineExchange>> found;
         for (std::uint32_t a = 0; a < given_.size(); ++a) {
             if (!given_[a].closed) continue;
-            const auto n = static_cast<std::size_t>(std::ceil(beads_.length(a) / (kPlacesApart * d_)));
+            const auto n = static_cast<std::size_t>(std::ceil(beads_.length(a) / (2 * rules::kGrain * d_)));
             for (std::size_t i = 0; i < n; ++i)
                 for (LineExchange& e :
                      candidates(a, beads_.length(a) * static_cast<double>(i) / static_cast<double>(n)))
@@ -141,7 +135,7 @@ class LineExchanger {
         const Place at = lanes_.at(a, way);
         const auto chart = chart_at(at);
         std::vector<LineExchange> out;
-        for (const BeadPoint& bead : beads_.neighbours(a, at.point, chart.normal, kBesideAt * d_)) {
+        for (const BeadPoint& bead : beads_.neighbours(a, at.point, chart.normal, rules::kBeside * d_)) {
             out.push_back({0, a, bead.line, way, bead.arc, kFirstCut * d_, kFirstCut * d_});
             out.back().waste = d_ * longer(out.back(), turn_pair(chart, out.back()));
         }
@@ -169,8 +163,9 @@ class LineExchanger {
         Vec2 p, t;
     };
     [[nodiscard]] Heading heading(const surface::curve::Chart& chart, std::uint32_t line, double way) const {
-        const Vec2 p = chart.to(lanes_.at(line, way).point), a = chart.to(lanes_.at(line, way - kBeadGrain * d_).point),
-                   b = chart.to(lanes_.at(line, way + kBeadGrain * d_).point);
+        const Vec2 p = chart.to(lanes_.at(line, way).point),
+                   a = chart.to(lanes_.at(line, way - rules::kFineGrain * d_).point),
+                   b = chart.to(lanes_.at(line, way + rules::kFineGrain * d_).point);
         const double l = distance(a, b);
         return {p, l > 0 ? 1 / l * (b - a) : Vec2{}};
     }
@@ -180,7 +175,7 @@ class LineExchanger {
         out.same = dot(heading(chart, e.a, e.at_a).t, heading(chart, e.b, e.at_b).t) >= 0;
         const Heading a0 = heading(chart, e.a, e.at_a - e.cut_a), a1 = heading(chart, e.a, e.at_a + e.cut_a),
                       b0 = heading(chart, e.b, e.at_b - e.cut_b), b1 = heading(chart, e.b, e.at_b + e.cut_b);
-        const double step = kBeadGrain * d_;
+        const double step = rules::kFineGrain * d_;
         if (out.same) {
             out.there = cubic_turn(a0.p, a0.t, b0.p, -1 * b0.t, step);
             out.back = cubic_turn(b1.p, -1 * b1.t, a1.p, a1.t, step);
@@ -196,7 +191,7 @@ class LineExchanger {
         const auto there = [&](std::uint32_t line, double at, double cut) {
             const double all = beads_.length(line);
             const bool inside = given_[line].closed || (at - cut >= ends_ && at + cut <= all - ends_);
-            return inside && 2 * cut + 2 * d_ <= all && beads_.whole(line, at, cut, kBeadGrain * d_);
+            return inside && 2 * cut + 2 * d_ <= all && beads_.whole(line, at, cut, rules::kFineGrain * d_);
         };
         return there(e.a, e.at_a, e.cut_a) && there(e.b, e.at_b, e.cut_b);
     }
@@ -225,7 +220,7 @@ class LineExchanger {
                     now.cut_b = cut_b * d_;
                     if (!free(now)) continue;
                     now.waste = waste(view, now);
-                    if (now.waste < e.waste - kSameWaste) e = now;
+                    if (now.waste < e.waste - rules::kSamePoint) e = now;
                 }
     }
 
@@ -254,7 +249,8 @@ class LineExchanger {
         };
         for (std::size_t i = 1; i < view.beads.size(); ++i) {
             const auto &a = view.beads[i - 1], &b = view.beads[i];
-            if (a.line != b.line || b.arc - a.arc > 1.5 * kBeadGrain * d_ || !kept(a, e) || !kept(b, e)) continue;
+            if (a.line != b.line || b.arc - a.arc > 1.5 * rules::kFineGrain * d_ || !kept(a, e) || !kept(b, e))
+                continue;
             if (cross(t.there, a.p, b.p) || cross(t.back, a.p, b.p)) return true;
         }
         for (std::size_t i = 1; i < t.back.size(); ++i)
@@ -289,7 +285,7 @@ class LineExchanger {
         turn.front() = chart.to(from.point);
         turn.back() = chart.to(to.point);
         auto out = surface::curve::from_chart(s_, chart, from, turn);
-        if (!out.whole || distance(out.line.places.back().point, to.point) > kSameWaste) return {};
+        if (!out.whole || distance(out.line.places.back().point, to.point) > rules::kSamePoint) return {};
         out.line.places.back() = to;
         return std::move(out.line);
     }

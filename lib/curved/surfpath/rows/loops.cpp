@@ -8,6 +8,7 @@
 #include "surfpath/rows/exchange.hpp"
 #include "surfpath/rows/splice.hpp"
 #include "surfpath/rows/winding.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <map>
@@ -18,14 +19,13 @@ namespace filum::surfpath::rows {
 namespace {
 
 constexpr double kShares[] = {1, 0.5, 0.2}; // radii of shifts that are tried, in least radii
-constexpr double kTurnsTake = 2;            // radii: length that turns may take from the ends of rows
 
 // A ladder on which closed lines can be connected to a spiral, with gentle links if there is room. It covers fewer
 // lanes if no place leads across all lines.
 lanes::Ladder spiral_over(const lanes::Lanes& lanes, const LoopOptions& o) {
-    lanes::Ladder out = lanes::spiral_ladder(lanes, 0, 2 * std::sqrt(o.gentle * o.spacing));
+    lanes::Ladder out = lanes::spiral_ladder(lanes, 0, rules::shift_length(o.gentle, o.spacing));
     if (out.lanes() < lanes.size() && o.radius < o.gentle)
-        out = lanes::spiral_ladder(lanes, 0, 2 * std::sqrt(o.radius * o.spacing));
+        out = lanes::spiral_ladder(lanes, 0, rules::shift_length(o.radius, o.spacing));
     return out;
 }
 
@@ -231,7 +231,7 @@ LoopJoins join_loops(const Surface& s, Rows& rows, const LoopOptions& o) {
         lines.push_back(std::move(row.line));
     }
     const std::size_t wound_double = o.tight ? wind_chains(s, rows, keep, lines, o) : 0;
-    auto out = join(s, lines, keep, kTurnsTake * o.radius, o);
+    auto out = join(s, lines, keep, rules::kTurnReach * o.radius, o);
     out.exchanged += wound_double;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         Row& row = rows.rows[i];

@@ -5,6 +5,7 @@
 #include "surface/curve/ease.hpp"
 #include "surface/curve/nearest.hpp"
 #include "surface/curve/walk.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,6 @@ constexpr double kFollowing = 0.4;
 // Largest slope of the distance from rims along a line between two of them: the slope that leads from the margin to
 // kFollowing of it within a spacing, which is two margins.
 constexpr double kRimsBeside = (1 - kFollowing) / 2;
-constexpr double kCameRound = 1e-6; // mm between the ends of a line that is closed again
 
 // Clips lines where they are nearer to a rim than the margin.
 class InsetClipper {
@@ -241,7 +241,7 @@ Line closed_within(const Surface& s, const InsetClipper& clipper, const Line& li
     }
     const Line open = surface::curve::part(line, ways, begin, begin + ways.back());
     auto found = RingFollower(s, clipper, open, surface::curve::arc_lengths(open), half).stretches();
-    if (found.size() != 1 || distance(found[0][0], found[0].places.back().point) > kCameRound) return {};
+    if (found.size() != 1 || distance(found[0][0], found[0].places.back().point) > rules::kSamePoint) return {};
     found[0].places.pop_back();
     found[0].closed = true;
     return std::move(found[0]);

@@ -4,6 +4,7 @@
 #include "surface/curve/ease.hpp"
 #include "surface/curve/walk.hpp"
 #include "surfpath/lanes/linked_lanes.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +17,6 @@ namespace filum::surfpath::rows {
 namespace {
 
 constexpr double kLoopBeside = 1.3; // spacings: largest distance of lines side by side
-constexpr double kLoopGrain = 0.25; // spacings between sample points
 constexpr double kLoopWider = 1.15; // least radii: radius of shifts, so that their samples keep the least radius
 constexpr double kLoopGive = 0.25;  // spacings by which lines are moved to round the corners of a shift
 
@@ -33,7 +33,7 @@ struct SpliceSite {
     bool same = true;
 };
 
-// A line as points kLoopGrain spacings apart.
+// A line as points rules::kGrain spacings apart.
 struct SampledLine {
     std::vector<Vec3> points;
     geom::Box3 box;
@@ -50,7 +50,7 @@ class Splicer {
     // Sets the radius of the next shifts, mm.
     void keep_to(double radius) {
         radius_ = kLoopWider * std::max(radius, d_ / 2);
-        half_ = std::sqrt(radius_ * d_); // two parabolas of this radius shift by a spacing over twice this length
+        half_ = rules::shift_length(radius_, d_) / 2;
     }
 
     // Splices the loop into another line. Returns false if there is no place for it.
@@ -77,7 +77,7 @@ class Splicer {
         if (lines_[i].size() < 2) return;
         const auto ways = surface::curve::arc_lengths(lines_[i]);
         samples_[i].length = ways.back();
-        for (double way = 0; way < ways.back(); way += kLoopGrain * d_) {
+        for (double way = 0; way < ways.back(); way += rules::kGrain * d_) {
             samples_[i].points.push_back(surface::curve::at(lines_[i], ways, way).point);
             samples_[i].box.add(samples_[i].points.back());
         }
@@ -87,7 +87,7 @@ class Splicer {
     void gather(std::uint32_t loop) {
         spots_.clear();
         std::vector<Vec3> points;
-        const geom::Box3 about = geom::grown(samples_[loop].box, (kLoopBeside + kLoopGrain) * d_);
+        const geom::Box3 about = geom::grown(samples_[loop].box, (kLoopBeside + rules::kGrain) * d_);
         for (std::uint32_t i = 0; i < lines_.size(); ++i) {
             if (i == loop || !geom::meet(about, samples_[i].box)) continue;
             double way = 0;
@@ -96,7 +96,7 @@ class Splicer {
                     spots_.push_back({i, way, 0});
                     points.push_back(p);
                 }
-                way += kLoopGrain * d_;
+                way += rules::kGrain * d_;
             }
         }
         grid_ = geom::PointGrid<Vec3>(points, kLoopBeside * d_);
@@ -143,14 +143,14 @@ class Splicer {
 
     // The other line up to the site, the whole loop, and the rest of the other line: an exchange whose links cross.
     [[nodiscard]] Line joined(std::uint32_t loop, const SpliceSite& at) const {
-        constexpr std::uint32_t kOther = 0, kLoop = 1;
+        // lane 0 is the other line, lane 1 the loop
         Line round = lines_[at.line];
         const bool open = !round.closed;
         const double length = surface::curve::length(round);
         round.closed = true;
         const lanes::Lanes lanes(s_, {std::move(round), lines_[loop]}, d_);
         lanes::LinkedLanes linked(lanes);
-        if (open) linked.cut(linked.window(kOther, length, 0));
+        if (open) linked.cut(linked.window(0, length, 0));
         const auto window = [&](std::uint32_t lane, double middle) {
             return weave::Window{lane, middle - 2 * half_, middle + 2 * half_};
         };
@@ -158,7 +158,7 @@ class Splicer {
         Line back = shift(lanes, at, -1);
         if (there.size() < 2 || back.size() < 2) return {};
         surface::curve::reverse(back);
-        linked.exchange(window(kOther, at.other), window(kLoop, at.loop), !at.same, {there, back});
+        linked.exchange(window(0, at.other), window(1, at.loop), !at.same, {there, back});
         auto curves = linked.curves();
         if (curves.size() != 1 || curves[0].closed == open) return {};
         return curves[0].take(lines_[at.line][0]);
@@ -172,7 +172,7 @@ class Splicer {
             return lanes.at(lane, lane == 0 ? at.other + off : at.loop + turned * off);
         };
         const std::uint32_t from = way > 0 ? 0 : 1, to = 1 - from;
-        const int n = std::max(8, static_cast<int>(std::ceil(2 * half_ / (kLoopGrain * d_))));
+        const int n = std::max(8, static_cast<int>(std::ceil(2 * half_ / (rules::kGrain * d_))));
         Line out;
         for (int i = 0; i < n / 2; ++i) out.places.push_back(on(from, half_ * (2.0 * i / n - 2)));
         for (int i = 0; i <= n; ++i) {
@@ -180,8 +180,7 @@ class Splicer {
             const Line across = surface::curve::join(s_, on(from, off), on(to, off));
             if (!surface::curve::leads(s_, across)) return {};
             const auto ways = surface::curve::arc_lengths(across);
-            const double part = t < 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t);
-            out.places.push_back(surface::curve::at(across, ways, part * ways.back()));
+            out.places.push_back(surface::curve::at(across, ways, rules::shifted(t) * ways.back()));
         }
         for (int i = n / 2; i-- > 0;) out.places.push_back(on(to, half_ * (2 - 2.0 * i / n)));
         return surface::curve::ease(s_, surface::curve::threaded(s_, out),

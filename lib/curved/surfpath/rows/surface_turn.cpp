@@ -3,6 +3,7 @@
 #include "surface/curve/ease.hpp"
 #include "surface/curve/walk.hpp"
 #include "surfpath/rows/flat_turn.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,27 +14,17 @@ using surface::curve::Chart;
 
 namespace {
 
-// Radii by which rounding a transit along a rim may depart from the rim, and reach into the rows: as far as a half
-// turn.
-constexpr double kEasing = 2;
 // Least radii: radius of turns, and of rounded transits, so that they keep the least radius when it is measured in
 // steps of a quarter of a millimetre on triangles.
 constexpr double kWider = 1.07, kEasedWider = 1.15;
-constexpr double kRoom = 0.8;      // margins between turns and rims: a tenth of a spacing less than rows, as eased rows
-constexpr double kTurning = 0.25;  // mm: steps in which curvature is measured, as in metrics
-constexpr double kDeepestTurn = 2; // radii: largest depth of a turn behind the rim; there the next arc lies beside this
-constexpr double kSameRadius = 1e-6;              // mm: smaller differences are rounding
+constexpr double kRoom = 0.8;     // margins between turns and rims: a tenth of a spacing less than rows, as eased rows
+constexpr double kTurning = 0.25; // mm: steps in which curvature is measured, as in metrics
 constexpr double kHairpinBelow = 0.75;            // least radii: a tighter turn costs as much as a hairpin
 constexpr double kBulbCosts = 2 * kTightCosts;    // mm: cost of a bulb, for the voids beside it
 constexpr double kHairpinCosts = 3 * kTightCosts; // mm: cost of a hairpin
-// Limits of the ends between which turns are considered. More turns take more time; the order found may be better or
-// worse, since the search keeps a limited number of states.
-constexpr double kSameRow = 0.3;    // spacings across the rows: nearer ends belong to one line
-constexpr double kNextButOne = 2.5; // spacings: reaches the next row but one
-constexpr double kWidest = 1.6,
-                 kWiderBy = 3.2; // widest turn: times two radii; two radii plus spacings; the lesser counts
-constexpr double kAlike = 0.5;   // cosine of the largest angle between rows
-constexpr double kAskew = 3;     // largest distance along the rows, in distances across
+constexpr double kNextButOne = 2.5;               // spacings: reaches the next row but one
+constexpr double kWidest = 1.6;                   // widest turn, in turns of the least radius
+
 // The first `length` mm of a line on a chart; `flip` mirrors it upside down.
 std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, bool flip) {
     std::vector<Vec2> out;
@@ -99,10 +90,10 @@ std::vector<SurfaceTurn> Turner::deeper(const SurfaceTurn& outermost, double apa
     std::vector<SurfaceTurn> out{outermost};
     const bool swapped = outermost.from > outermost.to;
     const auto [a, b] = std::minmax(outermost.from, outermost.to);
-    for (double behind = apart; behind < kDeepestTurn * o_.least_radius; behind += apart) {
+    for (double behind = apart; behind < rules::kTurnReach * o_.least_radius; behind += apart) {
         SurfaceTurn t = turn_between(a, b, behind);
         if (t.line.size() < 2) break; // the rows are too short for a deeper turn
-        if (t.radius < std::min(outermost.radius, o_.least_radius) - kSameRadius) continue;
+        if (t.radius < std::min(outermost.radius, o_.least_radius) - rules::kSamePoint) continue;
         if (swapped) reverse(t);
         out.push_back(std::move(t));
     }
@@ -119,7 +110,7 @@ Line Turner::part(std::uint32_t in, double from, double to) const {
 }
 
 SurfaceTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, std::uint32_t to) const {
-    const double radius = o_.tight ? o_.spacing / 2 : o_.least_radius, most = kEasing * radius;
+    const double radius = o_.tight ? o_.spacing / 2 : o_.least_radius, most = rules::kTurnReach * radius;
     SurfaceTurn out{from, to,   std::min(most, length(from / 2) / 2), std::min(most, length(to / 2) / 2), 0, 0,
                     {},   false};
     Line line = surface::curve::part(inwards(from), ways_inwards(from), 0, out.from_trim);
@@ -127,7 +118,8 @@ SurfaceTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches
     for (const Line& l : stretches) surface::curve::append(line, l);
     surface::curve::append(line, surface::curve::part(inwards(to), ways_inwards(to), 0, out.to_trim));
     line = surface::curve::threaded(surface_, line);
-    auto eased = surface::curve::ease(surface_, line, {.radius = kEasedWider * radius, .corridor = kEasing * radius});
+    auto eased =
+        surface::curve::ease(surface_, line, {.radius = kEasedWider * radius, .corridor = rules::kTurnReach * radius});
     // Around a convex corner, as of a hole, rounding comes too near to the rim; then the tight line is better.
     const bool inside = std::all_of(eased.line.places.begin(), eased.line.places.end(), [&](const Place& p) {
         return rows_.inset.room(surface_, p) >= rows_.inset.margin - (1 - kRoom) * rows_.inset.half;
@@ -175,16 +167,12 @@ Vec3 Turner::tangent(std::uint32_t end) const {
 // Whether a turn between the two ends is worth considering.
 bool Turner::may_turn(std::uint32_t a, std::uint32_t b) const {
     if (ring_place(a).ring != ring_place(b).ring || ring_place(a).ring == surface::kNone) return false;
-    const Vec3 d = inwards(b)[0] - inwards(a)[0];
-    const double spacing = o_.spacing, two = 2 * o_.least_radius,
-                 most = std::max(std::min(kWidest * two, two + kWiderBy * spacing), kNextButOne * spacing);
-    if (norm(d) > kAskew * most + spacing) return false;
-    const Vec3 u = tangent(a);
-    if (dot(u, tangent(b)) < kAlike) return false;
-    const double w = norm(d - dot(d, u) * u);
+    const double spacing = o_.spacing, two = 2 * o_.least_radius, most = std::max(kWidest * two, kNextButOne * spacing);
+    const Vec3 d = inwards(b)[0] - inwards(a)[0], u = tangent(a);
+    const double w = norm(d - dot(d, u) * u); // across the rows
     // Of ends too near for an arc only the nearest are considered, for hairpins and bulbs.
-    if (w > kNextButOne * spacing && w < kHairpinBelow * two) return false;
-    return w > kSameRow * spacing && w < most && norm(d) < kAskew * w + spacing;
+    if (!(dot(u, tangent(b)) > 0) || norm(d) > w / rules::kAlong + spacing) return false;
+    return w < most && (w <= kNextButOne * spacing || w >= kHairpinBelow * two);
 }
 
 // Whether one line ends at a hole in `a` and continues behind it in `b`.
@@ -223,7 +211,7 @@ SurfaceTurn Turner::turn_between(std::uint32_t a, std::uint32_t b, double behind
     points.front() = flat.to(begin.point);
     points.back() = flat.to(end.point);
     auto laid = surface::curve::from_chart(surface_, flat, begin, points);
-    if (!laid.whole || distance(laid.line.places.back().point, end.point) > 1e-6)
+    if (!laid.whole || distance(laid.line.places.back().point, end.point) > rules::kSamePoint)
         return t.bulb ? turn_between(a, b, behind, false) : out;
     laid.line.places.back() = end;
     for (const Place& p : laid.line.places)

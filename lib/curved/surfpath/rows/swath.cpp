@@ -1,19 +1,15 @@
 #include "surfpath/rows/swath.hpp"
 
+#include "surfpath/rules/rules.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 namespace filum::surfpath::rows {
 
-namespace {
-
-constexpr double kSwathGrain = 0.125; // widths between grid points
-
-} // namespace
-
 Swath::Swath(double width, double half)
-    : half_width_(width / 2), grain_(kSwathGrain * width), size_(2 * static_cast<int>(std::ceil(half / grain_))),
+    : half_width_(width / 2), grain_(rules::kFineGrain * width), size_(2 * static_cast<int>(std::ceil(half / grain_))),
       covered_(static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_), 0) {}
 
 void Swath::add(geom::Vec2 p) {

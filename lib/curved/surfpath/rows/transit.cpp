@@ -1,6 +1,7 @@
 #include "surfpath/rows/transit.hpp"
 
 #include "geom/disjoint_sets.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,6 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kUnreached = std::numeric_limits<double>::infinity();
-constexpr double kNoWay = 1e9; // mm: cost of a missing way in a tour, so that few are missing
 // Number of chains up to which the best tour is computed.
 constexpr std::uint32_t kExact = 8;
 
@@ -30,19 +29,19 @@ double ahead(const Line& ring, std::span<const double> ways, double from, double
 }
 
 // The best tour of all chains, by dynamic programming over subsets (Held, Karp 1962).
-std::vector<OrientedChain> exact_tour(const std::vector<std::vector<double>>& length, std::uint32_t n) {
+std::vector<OrientedChain> exact_tour(const std::vector<std::vector<double>>& length, std::uint32_t n, double no_way) {
     const std::uint32_t sets = 1u << n;
-    std::vector<double> best(sets * 2 * n, kUnreached); // by subset and the end at which the tour stops
+    std::vector<double> best(sets * 2 * n, rules::kUnreached); // by subset and the end at which the tour stops
     std::vector<std::uint32_t> before(best.size(), kNone);
     for (std::uint32_t e = 0; e < 2 * n; ++e) best[(1u << (e / 2)) * 2 * n + e] = 0;
     for (std::uint32_t set = 1; set < sets; ++set)
         for (std::uint32_t e = 0; e < 2 * n; ++e) {
             const double so_far = best[set * 2 * n + e];
-            if (!(so_far < kUnreached)) continue;
+            if (!(so_far < rules::kUnreached)) continue;
             for (std::uint32_t in = 0; in < 2 * n; ++in) {
                 if ((set >> (in / 2) & 1u) != 0) continue;
                 const std::uint32_t to = (set | 1u << (in / 2)) * 2 * n + (in ^ 1u);
-                const double l = so_far + std::min(length[e][in], kNoWay);
+                const double l = so_far + std::min(length[e][in], no_way);
                 if (l < best[to]) {
                     best[to] = l;
                     before[to] = set * 2 * n + e;
@@ -81,7 +80,7 @@ std::vector<OrientedChain> greedy_tour(const std::vector<std::vector<double>>& l
     std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> ways;
     for (std::uint32_t a = 0; a < 2 * n; ++a)
         for (std::uint32_t b = a + 1; b < 2 * n; ++b)
-            if (a / 2 != b / 2 && length[a][b] < kUnreached) ways.emplace_back(length[a][b], a, b);
+            if (a / 2 != b / 2 && length[a][b] < rules::kUnreached) ways.emplace_back(length[a][b], a, b);
     std::sort(ways.begin(), ways.end());
     geom::DisjointSets together(n);
     std::vector<std::uint32_t> linked(2 * n, kNone); // per end: the end to which it is connected
@@ -130,8 +129,8 @@ Transits::Transits(const Rows& rows) : rows_(rows), edges_(2 * rows.rows.size())
 }
 
 Transits::PathTree Transits::search(std::uint32_t from, std::uint32_t to) const {
-    PathTree out{std::vector<double>(edges_.size(), kUnreached), std::vector<std::uint32_t>(edges_.size(), kNone),
-                 std::vector<char>(edges_.size(), 0)};
+    PathTree out{std::vector<double>(edges_.size(), rules::kUnreached),
+                 std::vector<std::uint32_t>(edges_.size(), kNone), std::vector<char>(edges_.size(), 0)};
     using Item = std::pair<double, std::uint32_t>;
     std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
     out.length[from] = 0;
@@ -171,7 +170,7 @@ Line Transits::along(std::uint32_t from, std::uint32_t to) const {
 
 std::optional<Transits::Transit> Transits::shortest(std::uint32_t from, std::uint32_t to) const {
     const PathTree tree = search(from, to);
-    if (!(tree.length[to] < kUnreached)) return std::nullopt;
+    if (!(tree.length[to] < rules::kUnreached)) return std::nullopt;
     std::vector<std::uint32_t> ends{to};
     while (ends.back() != from) ends.push_back(tree.before[ends.back()]);
     std::reverse(ends.begin(), ends.end());
@@ -194,12 +193,15 @@ std::optional<Transits::Transit> Transits::shortest(std::uint32_t from, std::uin
 std::vector<OrientedChain> tour(const std::vector<std::vector<double>>& length) {
     const auto n = static_cast<std::uint32_t>(length.size() / 2);
     if (n == 0) return {};
-    if (n <= kExact) return exact_tour(length, n);
+    double no_way = 1; // mm: cost of a missing way, more than all others together, so that few are missing
+    for (const auto& from : length)
+        for (const double way : from) no_way += std::isfinite(way) ? way : 0;
+    if (n <= kExact) return exact_tour(length, n, no_way);
     const auto ways = [&](const std::vector<OrientedChain>& tour) {
         double sum = 0;
         for (std::size_t i = 1; i < tour.size(); ++i) {
             const std::uint32_t from = 2 * tour[i - 1].chain + (tour[i - 1].reversed ? 0 : 1);
-            sum += std::min(length[from][2 * tour[i].chain + (tour[i].reversed ? 1 : 0)], kNoWay);
+            sum += std::min(length[from][2 * tour[i].chain + (tour[i].reversed ? 1 : 0)], no_way);
         }
         return sum;
     };

@@ -1,0 +1,51 @@
+// The lengths that all planners share. docs/algorithms/surfaces.md#lengths-that-planners-share derives them.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace filum::surfpath::rules {
+
+// ---- Lines side by side, one spacing apart. In spacings.
+
+// Lines up to this far apart are neighbours: between lines that are farther apart one more line fits.
+inline constexpr double kBeside = 2;
+// Step between sample points of lines. A place half a spacing from a line seems at most 3 % farther away.
+inline constexpr double kGrain = 0.25;
+// Step between sample points where the area that beads cover is counted: such a place seems at most 1 % farther away.
+inline constexpr double kFineGrain = kGrain / 2;
+// How far a line may be moved off its place to round it: neighbours that both move are still 0.8 spacings apart.
+inline constexpr double kGive = 0.1;
+// Share by which the spacing may change so that a family of lines ends where it should.
+inline constexpr double kSpacingChange = 0.1;
+
+// Cost of an area that is covered twice, in areas that are left open, as `choose` weighs them.
+inline constexpr double kOverlapCosts = 0.5;
+
+// Slope, as a sine: a rim, or a line, that comes nearer to lines by less than this per mm runs along them (20 degrees).
+// A hairpin at a rim that meets the lines at that angle leaves more than 4 square spacings open.
+inline constexpr double kAlong = 1.0 / 3;
+
+// ---- Turns of a radius r.
+
+// Radii: how much of a row a turn replaces, from where it leaves the row to its outermost place. A half turn is r
+// deep, and its start bends off a row that it may meet at a slant.
+inline constexpr double kTurnReach = 2;
+
+// mm: length over which a line shifts sideways by `by` mm, by two parabolas (shifted()) of this least radius.
+inline double shift_length(double radius, double by) { return 2 * std::sqrt(radius * by); }
+
+// The shift, as a share of the whole, after the share `t` of its length: two parabolas, the shift of least curvature.
+inline double shifted(double t) { return t < 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t); }
+
+// ---- Numerics.
+
+// mm: points nearer to each other than this are one point, and costs that differ by less are equal. Positions are
+// computed to about 1e-9 mm.
+inline constexpr double kSamePoint = 1e-6;
+// Spacings from the sources to the farthest place: more lines than this are refused.
+inline constexpr double kMostLines = 10'000;
+inline constexpr double kUnreached = std::numeric_limits<double>::infinity();
+
+} // namespace filum::surfpath::rules
