@@ -36,10 +36,12 @@ void Fitter::run_by_halves() {
     double scale = 1;
     for (std::uint32_t h = 0; h < m_.twin.size(); ++h)
         if (!m_.gone(h)) scale = std::max(scale, m_.length(h) / target(m_.tail(h), m_.head(h)));
+    // Sides are up to twice as long as the next halving leaves them, and a merged vertex must not make them longer.
     for (; scale > 1; scale /= 2) {
-        collapse_short(scale);
+        collapse_short(2 * scale);
         split_long(scale);
     }
+    collapse_short(2 * scale);
     run();
 }
 

@@ -278,6 +278,20 @@ mesh::Mesh random_cad(std::mt19937& random) {
     return m;
 }
 
+// A fan of needles from one far point: halving each of them alone would triple their number at every step.
+TEST(Fit, NeedlesSideBySideGrowTogetherBeforeTheyAreHalved) {
+    for (const int n : {40, 400}) {
+        mesh::Mesh m;
+        for (int k = 0; k <= n; ++k) m.vertices.push_back({0, 5.0 * k / n, 0});
+        m.vertices.push_back({300, 2, 0});
+        for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(n); ++k)
+            m.triangles.push_back({k + 1, k, static_cast<std::uint32_t>(n) + 1});
+        const FittedSurface f = fitted(connected(m), {0.5, 0.02});
+        EXPECT_LT(f.splits, 4 * f.most_splits / kMostWork) << n; // four for each triangle of the result
+        EXPECT_NEAR(area(f.surface), 750, 1e-6);
+    }
+}
+
 TEST(Fit, WorkIsBoundedHoweverLongAndThinTrianglesAre) {
     std::mt19937 random(6);
     const char* many = std::getenv("FILUM_TRIALS");
