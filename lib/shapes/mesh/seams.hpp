@@ -10,12 +10,18 @@ namespace filum::mesh {
 // vertex.
 inline constexpr double kSeamOfBox = 1e-3, kSeamOfSide = 0.1;
 
+// Vertices of rims this close, as a fraction of the box's diagonal, are one point: the pole of a sphere, whose copies a
+// program computed as sin(pi) in single precision.
+inline constexpr double kSamePoint = 1e-7;
+
 // mm: the width of an ordinary bead. Rims closer than this look like one surface when printed.
 inline constexpr double kBead = 0.4;
 
 // Joins rims that run beside each other within the distances above, with their triangles on opposite sides. Of two
 // vertices, the one with the higher number moves to the other. Where a vertex lies on the side of a triangle, the
-// triangle is split there. A copy of a surface that lies on it is not joined to it. Notes report how many vertices and
+// triangle is split there. Two rims that meet in two points and approximate the same curve with different vertices in
+// between are joined, too: they may be as far apart as the arc of a side whose rise is kSeamOfSide of its length. A
+// copy of a surface that lies on it is not joined to it. Notes report how many vertices and
 // sides were joined, and the length of unjoined rims within kBead of another rim. Does nothing to a closed mesh.
 // Vertices keep their numbers; some lose all their triangles.
 void join_seams(Mesh& mesh, Notes& notes);

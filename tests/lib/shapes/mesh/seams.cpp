@@ -50,6 +50,34 @@ mesh::Mesh tube(int left, int right, double off, std::mt19937& chance) {
     return m;
 }
 
+// A zone of a sphere in patches that divide their curved seams differently: gaps as high as arcs over chords remain
+// between common points. `rows` are the divisions of each patch, from one rim of the zone to the other.
+mesh::Mesh zone(const std::vector<int>& rows, double radius, bool turned) {
+    mesh::Mesh m;
+    const int columns = 24 / static_cast<int>(rows.size()), patches = static_cast<int>(rows.size());
+    for (int p = 0; p < patches; ++p) {
+        const auto first = static_cast<std::uint32_t>(m.vertices.size());
+        const auto high = static_cast<std::uint32_t>(rows[static_cast<std::size_t>(p)]) + 1;
+        for (int c = 0; c <= columns; ++c)
+            for (std::uint32_t r = 0; r < high; ++r) {
+                const double a = 2 * std::numbers::pi * (p * columns + c) / (patches * columns),
+                             b = -0.6 + 1.4 * r / (high - 1);
+                m.vertices.push_back(radius * Vec3{std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)});
+            }
+        for (std::uint32_t c = 0; c < static_cast<std::uint32_t>(columns); ++c)
+            for (std::uint32_t r = 0; r + 1 < high; ++r) {
+                const std::uint32_t v = first + c * high + r;
+                mesh::Triangle one{v, v + high, v + high + 1}, two{v, v + high + 1, v + 1};
+                if (turned && p % 2 == 1) {
+                    std::swap(one[0], one[1]);
+                    std::swap(two[0], two[1]);
+                }
+                m.triangles.insert(m.triangles.end(), {one, two});
+            }
+    }
+    return m;
+}
+
 // mm of sides with one triangle.
 double open(const mesh::Mesh& m) {
     double out = 0;
@@ -81,6 +109,66 @@ TEST(Seams, AreJoinedUpToAThousandthOfTheSize) {
             EXPECT_EQ(seams::find(notes, NoteCode::rim_side_split) != nullptr, left != right);
             EXPECT_EQ(seams::find(notes, NoteCode::rim_near), nullptr) << off << ' ' << left << ' ' << right;
         }
+}
+
+TEST(Seams, PatchesThatDivideACurvedSeamDifferentlyAreJoined) {
+    for (const double radius : {0.5, 50.0, 5000.0})
+        for (const bool turned : {false, true})
+            for (const std::vector<int>& rows :
+                 std::vector<std::vector<int>>{{8, 16}, {4, 12}, {7, 5}, {9, 6, 6, 3}, {13, 12}, {6, 6, 12, 11}}) {
+                mesh::Mesh m = seams::zone(rows, radius, turned);
+                const double ends = 2 * 24 * std::sin(std::numbers::pi / 24) * radius * (std::cos(0.6) + std::cos(0.8));
+                Notes notes;
+                mesh::join_seams(m, notes);
+                EXPECT_NEAR(seams::open(m), ends, 1e-6 * radius) << radius << ' ' << rows[0] << ' ' << rows[1];
+                EXPECT_NE(seams::find(notes, NoteCode::rim_side_split), nullptr);
+                EXPECT_EQ(seams::find(notes, NoteCode::rim_near), nullptr);
+            }
+}
+
+// A disc in two halves whose common diameter is open by a slit with vertices on both sides: no seam.
+TEST(Seams, ASlitThatIsNoSeamStaysOpen) {
+    for (const double wide : {0.15, 3.0}) {
+        mesh::Mesh m;
+        constexpr int n = 8;
+        for (const double side : {-1.0, 1.0}) {
+            const auto first = static_cast<std::uint32_t>(m.vertices.size());
+            for (int k = 0; k <= n; ++k)
+                m.vertices.push_back({10.0 * k, side * wide * std::sin(std::numbers::pi * k / n), 0});
+            for (int k = 0; k <= n; ++k) m.vertices.push_back({10.0 * k, side * 40, 0});
+            for (std::uint32_t k = first; k < first + n; ++k)
+                m.triangles.insert(m.triangles.end(), {{k, k + 1, k + n + 2}, {k, k + n + 2, k + n + 1}});
+        }
+        Notes notes;
+        mesh::join_seams(m, notes);
+        EXPECT_EQ(seams::find(notes, NoteCode::rim_side_split), nullptr);
+        const Note* near = seams::find(notes, NoteCode::rim_near); // of the wide slit only its ends are narrow
+        ASSERT_NE(near, nullptr);
+        EXPECT_NEAR(near->amount, wide < 1 ? 160 : 5, 6);
+    }
+}
+
+// The poles of a sphere whose points a program computed with sin(pi) are not the same to the bit.
+TEST(Seams, VerticesOfOnePointAreJoinedHoweverShortTheirSidesAre) {
+    for (const double off : {1e-16, 1e-12, 1e-8}) {
+        mesh::Mesh m;
+        constexpr std::uint32_t n = 16, rows = 8;
+        for (std::uint32_t r = 0; r <= rows; ++r)
+            for (std::uint32_t c = 0; c < n; ++c) {
+                const double a = 2 * std::numbers::pi * c / n, b = std::numbers::pi * r / rows;
+                const double around = r == 0 || r == rows ? off : std::sin(b);
+                m.vertices.push_back(10 * Vec3{around * std::cos(a), around * std::sin(a), std::cos(b)});
+            }
+        for (std::uint32_t r = 0; r < rows; ++r)
+            for (std::uint32_t c = 0; c < n; ++c) {
+                const std::uint32_t i = r * n + c, j = r * n + (c + 1) % n;
+                m.triangles.insert(m.triangles.end(), {{i, i + n, j + n}, {i, j + n, j}});
+            }
+        Notes notes;
+        mesh::join_seams(m, notes);
+        EXPECT_EQ(seams::open(m), 0) << off;
+        EXPECT_EQ(seams::find(notes, NoteCode::rim_near), nullptr);
+    }
 }
 
 TEST(Seams, WhatStaysOpenWithinABeadIsNotedWithItsLength) {
