@@ -61,20 +61,32 @@ bool faces_inwards(const Sums& c) {
 InwardArea inward(const Surface& s) {
     InwardArea out;
     for (const Sums& c : sums(s)) {
-        if (!faces_inwards(c)) continue;
+        out.which.push_back(faces_inwards(c) ? 1 : 0);
+        if (out.which.back() == 0) continue;
         if (out.components++ == 0) out.place = s.vertices[c.first];
         out.area += c.area / 2;
     }
     return out;
 }
 
-Surface flipped(const Surface& s) {
-    const auto other = [](std::uint32_t h) { return h == kNone ? kNone : 3 * (h / 3) + 2 - h % 3; };
+Surface flipped(const Surface& s, std::span<const char> which) {
+    const auto other = [&](std::uint32_t h) {
+        return h == kNone || which[s.component[h / 3]] == 0 ? h : 3 * (h / 3) + 2 - h % 3;
+    };
     std::vector<Triangle> triangles;
     std::vector<std::uint32_t> twin(s.twin.size());
-    for (const auto& [a, b, c] : s.triangles) triangles.push_back({a, c, b});
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+        const auto& [a, b, c] = s.triangles[t];
+        triangles.push_back(which[s.component[t]] != 0 ? Triangle{a, c, b} : Triangle{a, b, c});
+    }
     for (std::uint32_t h = 0; h < twin.size(); ++h) twin[other(h)] = other(s.twin[h]);
     return assemble(s.vertices, std::move(triangles), std::move(twin));
+}
+
+Surface flipped(const Surface& s) {
+    const InwardArea in = inward(s);
+    if (in.components > 0 && in.components < s.components) return flipped(s, in.which);
+    return flipped(s, std::vector<char>(s.components, 1));
 }
 
 } // namespace filum::surface

@@ -3,6 +3,8 @@
 
 #include "surface/surface.hpp"
 
+#include <span>
+
 namespace filum::surface {
 
 // The components that face inwards, as far as that can be determined: closed ones of negative volume; open ones that
@@ -12,12 +14,16 @@ namespace filum::surface {
 struct InwardArea {
     double area = 0; // mm2
     std::uint64_t components = 0;
-    Vec3 place; // on the first of them
+    Vec3 place;              // on the first of them
+    std::vector<char> which; // per component of the surface
 };
 InwardArea inward(const Surface& s);
 
-// The same surface facing the other way. Triangles keep their numbers; corners b and c of a triangle a, b, c are
-// swapped.
+// The same surface with the components turned round that `which` marks. Triangles keep their numbers; corners b and c
+// of a turned triangle a, b, c are swapped.
+Surface flipped(const Surface& s, std::span<const char> which);
+
+// The same surface facing the other way. If some components face inwards and others do not, only the former are turned.
 Surface flipped(const Surface& s);
 
 } // namespace filum::surface

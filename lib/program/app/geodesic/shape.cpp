@@ -40,7 +40,9 @@ surface::Surface remeshed(const surface::Surface& s, const Shaping& how, Notes& 
 
 std::vector<Option> options(Shaping& to) {
     return {
-        Option{"flip", &to.flip, "", "turns the surface round, so that its back becomes its front"},
+        Option{"flip", &to.flip, "",
+               "turns the surface round, so that its back becomes its front; if only some components face inwards, "
+               "turns those"},
         Option{"cut", &to.cut, "NX,NY,NZ,D", "keeps the side where NX x + NY y + NZ z <= D; may be given several times"}
             .numbers(4)
             .repeated()

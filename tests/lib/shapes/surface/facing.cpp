@@ -56,6 +56,27 @@ TEST(Facing, AConcavePartFacesInwardsFromHalfATurnOn) {
     }
 }
 
+// Two boxes, each facing outwards or inwards, the whole turned round: only bodies that faced inwards are turned.
+TEST(Facing, OfTwoBodiesTheOneThatFacesInwardsIsTurned) {
+    for (const unsigned inwards : {0U, 1U, 2U, 3U}) {
+        mesh::Mesh m;
+        for (std::uint32_t body = 0; body < 2; ++body) {
+            const std::uint32_t o = 4 * body;
+            for (const geom::Vec3& v : {geom::Vec3{0, 0, 0}, {5, 0, 0}, {0, 5, 0}, {0, 0, 5}})
+                m.vertices.push_back(geom::Vec3(v) + geom::Vec3{20.0 * body, 0, 0});
+            for (mesh::Triangle t : {mesh::Triangle{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) {
+                if ((inwards >> body & 1U) != 0) std::swap(t[1], t[2]);
+                m.triangles.push_back({t[0] + o, t[1] + o, t[2] + o});
+            }
+        }
+        Notes notes;
+        const surface::Surface s = surface::connect(m, notes), t = surface::flipped(s);
+        EXPECT_EQ(surface::inward(t).components, inwards == 0 ? 2U : 0U) << inwards;
+        EXPECT_EQ(t.triangles.size(), 8U);
+        EXPECT_EQ(t.components, 2U);
+    }
+}
+
 TEST(Facing, TurnedRoundTwiceItIsTheSame) {
     const surface::Surface s = facing::dome(3), t = surface::flipped(surface::flipped(s));
     EXPECT_EQ(s.triangles, t.triangles);
