@@ -79,7 +79,7 @@ class Amf {
             if (needed) bad(std::string("a vertex has no number '") + what + "'");
             return 0;
         }
-        if (!text.number(v)) bad(std::string("a number '") + what + "' cannot be read");
+        if (!text.number(v) || text.more()) bad(std::string("a number '") + what + "' cannot be read");
         return v;
     }
 

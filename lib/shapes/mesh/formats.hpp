@@ -5,6 +5,10 @@
 
 namespace filum::mesh {
 
+// True if the bytes can be records of a binary STL: a whole number of them, with coordinates of usual sizes,
+// not all 0.
+bool are_stl_records(std::string_view bytes);
+
 // Both return welded vertices.
 Mesh read_stl_binary(std::string_view bytes, const std::string& name, Notes& notes);
 Mesh read_stl_ascii(std::string_view bytes, const std::string& name, Notes& notes);

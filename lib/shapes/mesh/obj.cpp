@@ -10,13 +10,6 @@ namespace filum::mesh {
 
 namespace {
 
-Vec3 vertex(Text& text, const std::string& name) {
-    double c[3] = {};
-    for (double& d : c)
-        if (!text.more_on_line() || !text.number(d)) malformed_line(name, text, "a vertex takes three numbers");
-    return {c[0], c[1], c[2]};
-}
-
 // Skips a backslash at the end of a line, which continues on the next line.  True if there was one.
 bool continued(Text& text) {
     if (*text.at != '\\') return false;
@@ -26,6 +19,16 @@ bool continued(Text& text) {
     text.at = p;
     text.pass_line_end();
     return true;
+}
+
+Vec3 vertex(Text& text, const std::string& name) {
+    double c[3] = {};
+    for (double& d : c) {
+        while (text.more_on_line() && continued(text)) {
+        }
+        if (!text.more_on_line() || !text.number(d)) malformed_line(name, text, "a vertex takes three numbers");
+    }
+    return {c[0], c[1], c[2]};
 }
 
 // The corners of an "f" line, counted from 0; `count` vertices came before it.

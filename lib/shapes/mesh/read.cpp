@@ -23,6 +23,7 @@ std::uint32_t announced_triangles(std::string_view bytes) {
 }
 
 bool is_text(std::string_view bytes) {
+    bytes = without_padding(bytes);
     return std::all_of(bytes.begin(), bytes.begin() + static_cast<long>(std::min<std::size_t>(bytes.size(), 1024)),
                        [](char c) { return static_cast<unsigned char>(c) >= 32 || is_blank(c) || is_line_end(c); });
 }
@@ -33,7 +34,11 @@ std::string_view off_keyword(std::string_view text) {
     constexpr std::string_view kHeads[] = {"OFF",    "COFF",   "NOFF",    "CNOFF", "NCOFF", "STOFF",
                                            "STCOFF", "STNOFF", "STCNOFF", "4OFF",  "nOFF",  "4nOFF"};
     for (const std::string_view head : kHeads) {
-        if (!text.starts_with(head)) continue;
+        // in lower case, too, unless that would be another keyword: NOFF and nOFF
+        const bool any_case = head.find_first_of("Nn") == std::string_view::npos;
+        std::string small(head);
+        std::transform(small.begin(), small.end(), small.begin(), lower);
+        if (!text.starts_with(head) && !(any_case && text.starts_with(small))) continue;
         const char after = text.size() > head.size() ? text[head.size()] : '\n';
         if (is_blank(after) || is_line_end(after) || after == '#' || (after >= '0' && after <= '9')) return head;
     }
@@ -126,13 +131,13 @@ Mesh read_kind(Kind kind, std::string_view bytes, const std::string& name, int p
     case Kind::stl_binary:
         return read_stl_binary(bytes, name, notes);
     case Kind::stl_ascii:
-        return read_stl_ascii(bytes, name, notes);
+        return read_stl_ascii(without_padding(bytes), name, notes);
     case Kind::obj:
-        return read_obj(bytes, name, notes);
+        return read_obj(without_padding(bytes), name, notes);
     case Kind::ply:
         return read_ply(bytes, name, notes);
     case Kind::off:
-        return read_off(bytes, name, notes);
+        return read_off(without_padding(bytes), name, notes);
     case Kind::threemf:
         read_3mf(bytes, name, plate, to);
         return std::move(to.mesh);
@@ -165,7 +170,9 @@ Kind recognise(std::string_view bytes) {
     const std::string_view body = bytes.size() > kStlHeader ? bytes.substr(kStlHeader) : std::string_view{};
     const bool plausible = n > 0 && n < (1U << 27) && body.size() >= kStlRecord && std::size_t{n} < 1000 * body.size();
     const bool stream = bytes.substr(0, 16).find("Filum") != std::string_view::npos;
-    return plausible && !stream && foreign(bytes).empty() ? Kind::stl_binary : Kind::unknown;
+    // A program that did not know the number of triangles when it wrote the header leaves 0 or any number there.
+    const bool uncounted = n == 0 && are_stl_records(body);
+    return (plausible || uncounted) && !stream && foreign(bytes).empty() ? Kind::stl_binary : Kind::unknown;
 }
 
 void tell_uncut(const File& file, Notes& notes) {

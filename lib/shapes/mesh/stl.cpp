@@ -7,6 +7,7 @@
 #include "mesh/weld.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <utility>
 
@@ -52,6 +53,25 @@ bool holds_stl(std::string_view bytes) {
     return n > 0 && n <= (bytes.size() - kHeader) / kRecord;
 }
 
+constexpr float kLeastCoordinate = 1e-20F, kMostCoordinate = 1e20F; // other bytes hold numbers of any size
+constexpr std::size_t kLook = 100;                                  // records that are looked at
+
+} // namespace
+
+bool are_stl_records(std::string_view bytes) {
+    if (bytes.empty() || bytes.size() % kRecord != 0) return false;
+    for (std::size_t t = 0; t < std::min(kLook, bytes.size() / kRecord); ++t) {
+        float c[9];
+        std::memcpy(c, bytes.data() + kRecord * t + 12, 36);
+        if (std::all_of(std::begin(c), std::end(c), [](float v) { return v == 0; })) return false; // padding
+        for (const float v : c)
+            if (v != 0 && !(std::abs(v) > kLeastCoordinate && std::abs(v) < kMostCoordinate)) return false;
+    }
+    return true;
+}
+
+namespace {
+
 void add_records(std::string_view records, Weld<std::uint32_t>& weld, std::vector<Triangle>& out) {
     const std::size_t triangles = records.size() / kRecord;
     out.reserve(out.size() + triangles);
@@ -93,6 +113,10 @@ Mesh read_stl_binary(std::string_view bytes, const std::string& name, Notes& not
         throw Error(Exit::truncated, "cannot read " + name + ": it announces " + std::to_string(announced) +
                                          " triangles and ends after " + std::to_string(held) +
                                          "; copy or export it again");
+    const std::string_view more_records = bytes.substr(kHeader + kRecord * announced);
+    if (are_stl_records(more_records) && !holds_stl(more_records))
+        throw Error(Exit::bad_input, "cannot read " + name + ": it announces " + std::to_string(announced) +
+                                         " triangles and holds " + std::to_string(held) + "; export it again");
     Mesh out;
     Weld<std::uint32_t> weld(announced / 2 + 16);
     Note more = note(NoteCode::stl_appended);

@@ -225,6 +225,7 @@ class Archive {
         tell(NoteCode::surface_object_ignored, surfaces_, to_.notes);
         if (placed_.empty() && supports_ + surfaces_ > 0)
             bad("nothing in its build is a part, only supports or surfaces");
+        if (placed_.empty() && same_.count > 0) bad("its components refer to each other in a circle");
     }
 
     // Printers of Bambu Lab take programs in 3MF archives, which hold no mesh.
@@ -348,13 +349,15 @@ class Archive {
     [[nodiscard]] double number(const pugi::xml_node& n, const char* what) const {
         Text text(n.attribute(what).value());
         double v = 0;
-        if (!text.more() || !text.number(v)) bad(std::string("a vertex has no number '") + what + "'");
+        if (!text.more()) bad(std::string("a vertex has no number '") + what + "'");
+        if (!text.number(v) || text.more())
+            bad("'" + std::string(n.attribute(what).value()).substr(0, 20) + "' is no number, but a vertex's " + what);
         return v;
     }
     [[nodiscard]] std::uint32_t index(const pugi::xml_node& n, const char* what, std::size_t count) const {
         Text text(n.attribute(what).value());
         long long v = -1;
-        if (!text.more() || !text.whole(v) || v < 0 || static_cast<std::size_t>(v) >= count)
+        if (!text.more() || !text.whole(v) || text.more() || v < 0 || static_cast<std::size_t>(v) >= count)
             bad("a triangle has a corner that is no vertex");
         return static_cast<std::uint32_t>(v);
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <pugixml.hpp>
 #include <sstream>
@@ -86,8 +87,9 @@ std::optional<geom::Affine> transform(const char* text) {
     Text numbers(text);
     for (int i = 0; i < 12; ++i) {
         double& to = i < 9 ? out.a[i / 3][i % 3] : out.t[i - 9];
-        if (!numbers.more() || !numbers.number(to)) return std::nullopt;
+        if (!numbers.more() || !numbers.number(to) || !std::isfinite(to)) return std::nullopt;
     }
+    if (numbers.more()) return std::nullopt;
     return out;
 }
 

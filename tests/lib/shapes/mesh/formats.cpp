@@ -97,6 +97,26 @@ TEST(Formats, MinusZeroWeldsWithZero) {
     EXPECT_EQ(read(bytes, "it").mesh.vertices.size(), 8U);
 }
 
+TEST(Formats, AnStlThatCountsFewerTrianglesThanItHoldsIsRefused) {
+    const std::string whole = shapes::stl_binary(shapes::sphere(5, 2));
+    std::uint32_t held = 0;
+    std::memcpy(&held, whole.data() + 80, 4);
+    for (const std::uint32_t count : {0U, 1U, held / 2, held - 1}) {
+        std::string bytes = whole;
+        std::memcpy(bytes.data() + 80, &count, 4);
+        const std::string why = "announces " + std::to_string(count) + " triangles and holds " + std::to_string(held);
+        try {
+            read(bytes, "it");
+            ADD_FAILURE() << count;
+        } catch (const Error& e) {
+            EXPECT_EQ(e.exit(), Exit::bad_input);
+            EXPECT_NE(std::string(e.what()).find(why), std::string::npos) << e.what();
+        }
+    }
+    EXPECT_EQ(read(whole + std::string(100, '\0'), "it").mesh.triangles.size(), held); // padding
+    EXPECT_EQ(read(whole + whole, "it").mesh.triangles.size(), 2 * held);              // a second mesh
+}
+
 TEST(Obj, PolygonsNegativeIndicesAndContinuedLines) {
     const File f = read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
                         "f 4 3 2 1\nf -4/7 -3//8 \\\n -2 -1\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nl 1 2\n",

@@ -106,4 +106,21 @@ TEST(TextFormats, AnOffKeywordMayStandOnItsFirstNumber) {
         text_formats::expect_triangle(head + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", head);
     text_formats::expect_triangle("COFF3 1 0\n0 0 0 1 1 1 1\n1 0 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0 1 2\n", "COFF3");
     EXPECT_THROW(mesh::read("OFFSET 3\n", "it"), Error);
+    text_formats::expect_triangle("off\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "off");
+    EXPECT_THROW(mesh::read("offset 3\n", "it"), Error);
+}
+
+TEST(TextFormats, PaddingBehindTheTextIsNoPartOfIt) {
+    const std::string facet =
+        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+    for (const std::string& text :
+         std::vector<std::string>{"solid a\n" + facet + "endsolid a\n", "\xef\xbb\xbfsolid a\n" + facet + "endsolid\n",
+                                  "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", text_formats::kOff})
+        for (const std::string& padding :
+             {std::string("\x1a"), std::string(1, '\0'), std::string(600, '\0'), std::string("\x1a\0\0", 3)})
+            text_formats::expect_triangle(text + padding, text + " padded");
+}
+
+TEST(TextFormats, AVertexOfAnObjMayGoOnOnTheNextLine) {
+    text_formats::expect_triangle("v 0 \\\n0 0\nv 1 0\\\r\n 0\nv 0 1 0\nf 1 \\\n2 3\n", "continued");
 }

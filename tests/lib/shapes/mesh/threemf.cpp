@@ -95,6 +95,29 @@ TEST(ThreeMfRules, WhatIsNotOneModelIsRefused) {
     EXPECT_NE(refusal(model(box_object(1), "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 0 0 0 0\"/>")), "");
 }
 
+// A number that is followed by something else was cut there in silence: "10,5" was 10.
+TEST(ThreeMfRules, NumbersAreReadWholeOrNamed) {
+    for (const std::string number : {"10,5", "10.5.1", "1e", "10 5", "ten", "0x10", "10mm"}) {
+        std::string box = box_object(1);
+        const auto at = box.find("x=\"10");
+        box.replace(at, box.find('"', at + 3) - at, "x=\"" + number);
+        EXPECT_TRUE(mentions(refusal(model(box, item(1))), "'" + number + "' is no number")) << number;
+    }
+    for (const std::string place : {"1 0 0 0 1 0 0 0 1 0 0", "1 0 0 0 1 0 0 0 1 0 0 0 1", "1 0 0 0 1 0 0 0 1 0 0 0,5",
+                                    "nan 0 0 0 1 0 0 0 1 0 0 0", "1 0 0 0 1 0 0 0 1 inf 0 0"})
+        EXPECT_TRUE(mentions(refusal(model(box_object(1), "<item objectid=\"1\" transform=\"" + place + "\"/>")),
+                             "twelve numbers"))
+            << place;
+    std::string box = box_object(1);
+    box.insert(box.find("v1=\"0") + 5, "0.");
+    EXPECT_TRUE(mentions(refusal(model(box, item(1))), "no vertex"));
+    const auto group = [](int id, int of) {
+        return "<object id=\"" + std::to_string(id) + "\"><components><component objectid=\"" + std::to_string(of) +
+               "\"/></components></object>";
+    };
+    EXPECT_TRUE(mentions(refusal(model(group(1, 2) + group(2, 1), item(1))), "circle"));
+}
+
 // Random plates: of each plate exactly its instances are read, the others are named.
 TEST(ThreeMfRules, PlatesAreReadOneAtATime) {
     std::mt19937 random(7);
