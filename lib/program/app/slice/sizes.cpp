@@ -48,6 +48,8 @@ void check_precision(const mesh::Mesh& mesh, Notes& notes) {
     double step = 0;
     for (const geom::Vec3& p : {box.lo, box.hi})
         for (const double c : {p.x, p.y, p.z}) step = std::max(step, spacing(c));
+    const geom::Vec3 size = box.hi - box.lo;
+    if (!(step > spacing(std::max({size.x, size.y, size.z})))) return; // the part is not far from the origin
     const auto single = [](double c) { return c == static_cast<double>(static_cast<float>(c)); };
     for (const geom::Vec3& v : mesh.vertices)
         if (!single(v.x) || !single(v.y) || !single(v.z)) return;
