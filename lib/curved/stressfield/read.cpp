@@ -5,6 +5,7 @@
 #include "stressfield/units.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <memory>
 #include <set>
@@ -125,6 +126,33 @@ void rename(Samples& samples, const std::string& names, const std::string& file)
                                          "': names are different and of letters, digits, - and _; give --case");
 }
 
+// What a file is that holds no stresses Filum can read, and what to do; "" if it is unknown.
+std::string foreign(std::string_view bytes) {
+    const std::string_view start = bytes.substr(std::min(bytes.find_first_not_of(" \r\n"), bytes.size()));
+    const std::string_view head = bytes.substr(0, 4096);
+    const auto holds = [&](std::string_view text) { return head.find(text) != head.npos; };
+    if (start.starts_with("# vtk")) return "it is of VTK's old kind of file; save it as .vtu";
+    if (start.starts_with("<") && holds("<Xdmf"))
+        return "it is an XDMF file; save it as .vtu, for instance by ParaView";
+    if (bytes.starts_with("\x89HDF")) return "it is an HDF5 file; save its results as .vtu or CSV";
+    if (bytes.starts_with("PK\x03\x04")) return "it is a spreadsheet or another ZIP archive; save the table as CSV";
+    if (start.starts_with("$MeshFormat")) return "it is a mesh of Gmsh; save the results as .vtu or CSV";
+    if (start.starts_with("-1\n") || start.starts_with("-1\r"))
+        return "it is a universal file (.unv); save its results as .vtu or CSV";
+    if (start.starts_with("*") && start.size() > 1 &&
+        (start[1] == '*' || std::isalpha(static_cast<unsigned char>(start[1])) != 0))
+        return "it is the input of a finite element program, without results; give the .frd of CalculiX, or the "
+               "stresses as CSV";
+    if (holds("Abaqus") && !holds(","))
+        return "it is a printed text of Abaqus; write the stresses at the nodes as CSV (a report of the probe or field "
+               "output)";
+    if (start.starts_with("\xff\xfe") || start.starts_with("\xfe\xff"))
+        return "it is text of 16 bits per letter; save it as UTF-8";
+    if (bytes.substr(0, 1024).find('\0') != bytes.npos)
+        return "it is a binary file of an unknown kind; save its results as .vtu or CSV";
+    return "";
+}
+
 Samples read_any(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes) {
     const std::string_view start = bytes.substr(std::min(bytes.find_first_not_of(" \r\n"), bytes.size()));
     const bool frd = start.starts_with("1C") || start.starts_with("1U"), vtu = start.starts_with("<");
@@ -144,10 +172,8 @@ Samples read_any(std::string_view bytes, const std::string& name, const ReadOpti
         scale(out, options);
         return out;
     }
+    if (const std::string what = foreign(bytes); !what.empty()) bad(name, what);
     if (vtu) return read_vtu(bytes, name, options, notes);
-    if (start.starts_with("# vtk")) bad(name, "it is of VTK's old kind of file; save it as .vtu");
-    if (start.starts_with("\xff\xfe") || start.starts_with("\xfe\xff"))
-        bad(name, "it is text of 16 bits per letter; save it as UTF-8");
     return read_csv(bytes, name, options, notes);
 }
 

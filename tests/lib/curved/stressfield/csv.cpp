@@ -40,6 +40,21 @@ TEST(Csv, SeparatorsAndDecimalCommas) {
     }
 }
 
+TEST(Csv, FilesOfOtherKindsAreNamed) {
+    const std::pair<std::string, std::string> kinds[] = {
+        {"# vtk DataFile Version 3.0\nx\nASCII\n", "VTK's old kind"},
+        {"<?xml version=\"1.0\"?>\n<!DOCTYPE Xdmf>\n<Xdmf Version=\"3.0\"/>", "XDMF"},
+        {std::string("\x89HDF\r\n\x1a\n\0\0", 10), "HDF5"},
+        {std::string("PK\x03\x04\0\0", 6), "spreadsheet"},
+        {"$MeshFormat\n4.1 0 8\n", "Gmsh"},
+        {"    -1\n  2411\n 1 1 1\n", "universal file"},
+        {"*Heading\n*Node\n1, 0., 0., 0.\n", "input of a finite element program"},
+        {"** a comment\n*NODE\n1,0,0,0\n", "input of a finite element program"},
+        {"\n   Abaqus 2021      Date 1-Jan\n  THE FOLLOWING TABLE IS PRINTED\n", "printed text of Abaqus"},
+        {std::string("d\0\0\0xyz", 7), "binary file"}};
+    for (const auto& [text, kind] : kinds) EXPECT_TRUE(has(csv_fault(text, Exit::bad_input), kind)) << kind;
+}
+
 TEST(Csv, PrincipalsGoWithTheDirection) {
     const auto s = csv("x,y,z,s1x,s1y,s1z,s1,s2,s3\n0,0,0,0,0,-2,-1,-3,-5\n");
     EXPECT_EQ(s.cases[0].principals[0], (Principal{-1, -3, -5}));
