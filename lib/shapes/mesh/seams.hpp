@@ -10,9 +10,9 @@ namespace filum::mesh {
 // vertex.
 inline constexpr double kSeamOfBox = 1e-3, kSeamOfSide = 0.1;
 
-// Vertices of rims this close, as a fraction of the box's diagonal, are one point: the pole of a sphere, whose copies a
-// program computed as sin(pi) in single precision.
-inline constexpr double kSamePoint = 1e-7;
+// Vertices of rims this close, as a fraction of the box's diagonal, are one point: half a unit of single precision. A
+// program that computes sin(pi) in it puts the copies of a sphere's pole no farther apart.
+inline constexpr double kSamePoint = 0x1p-24;
 
 // mm: the width of an ordinary bead. Rims closer than this look like one surface when printed.
 inline constexpr double kBead = 0.4;
