@@ -24,8 +24,8 @@ double Cooling::speed(std::uint32_t layer, double seconds) const {
     return share(layer) * out;
 }
 
-double Cooling::bridge_speed(std::uint32_t layer, double seconds) const {
-    return std::max(speed(layer, seconds), share(layer) * bridge);
+double Cooling::raised(std::uint32_t layer, double seconds, double wanted) const {
+    return std::max(speed(layer, seconds), share(layer) * wanted);
 }
 
 void read_cooling(Document& doc, Cooling& c) {

@@ -21,7 +21,12 @@ struct Cooling {
     [[nodiscard]] bool active() const { return most >= 0; }
     // The speed on a layer, counted from 0, that takes `seconds`: in general, and on its bridges.
     [[nodiscard]] double speed(std::uint32_t layer, double seconds) const;
-    [[nodiscard]] double bridge_speed(std::uint32_t layer, double seconds) const;
+    [[nodiscard]] double bridge_speed(std::uint32_t layer, double seconds) const {
+        return raised(layer, seconds, bridge);
+    }
+    // The speed on such a layer where it should be `wanted` at least.  On layers on which the speed rises, `wanted`
+    // rises, too.
+    [[nodiscard]] double raised(std::uint32_t layer, double seconds, double wanted) const;
 
   private:
     [[nodiscard]] double share(std::uint32_t layer) const; // of the full speed

@@ -19,8 +19,11 @@ void Program::feature_codes(const Step& step) {
     if (rules.accelerates) set(acceleration_, own > 0 ? own : usual, "acceleration", rules.set_acceleration);
     const machine::Cooling& cooling = profile_->cooling;
     if (cooling.active() && rule.fan < 0) {
-        const double speed = step.feature == Feature::bridge ? cooling.bridge_speed(step.layer, layer_seconds_)
-                                                             : cooling.speed(step.layer, layer_seconds_);
+        const bool hangs = step.over_air > 0 && toolpath::fills(step.role);
+        const double speed = step.feature == Feature::bridge
+                                 ? cooling.bridge_speed(step.layer, layer_seconds_)
+                                 : cooling.raised(step.layer, layer_seconds_,
+                                                  hangs ? profile_->overhang.fan(step.over_air / 100.0) : -1);
         set(fan_, std::round(speed * 10) / 10, "fan_speed", rules.set_fan);
         return;
     }

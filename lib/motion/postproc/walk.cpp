@@ -289,6 +289,7 @@ void Walk::extrude(const toolpath::Span& span) {
                         .volume = volume,
                         .width = m.width,
                         .height = m.height,
+                        .over_air = span.over_air,
                         .length = m.length,
                         .tool = tool_,
                         .fed = how.fed,

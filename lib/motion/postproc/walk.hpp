@@ -56,6 +56,7 @@ struct Step {
     double feed = 0;              // mm/s
     double volume = 0;            // mm3
     double width = 0, height = 0; // mm, mean of the two ends
+    std::uint8_t over_air = 0;    // percent of a wall's width
     // length: the way of the tip, mm; with three axes only of moves that extrude.
     // Only with rotary axes, where `to` are the program's numbers: `tilt` and `turn`, rad, and `axes`, mm, are the
     // positions of the axes; `seconds` is the duration, s (0: unknown, because the start position is unknown).
