@@ -12,9 +12,10 @@ endfunction()
 set(figures ${CMAKE_SOURCE_DIR}/lib/foundation/figures)
 filum_embed(foundation/figures/meanings.cpp FILUM_FIGURES=${figures} ${figures}/meanings.tsv ${figures}/page.txt)
 
-# The table of slicers' settings.
+# The tables of slicers' settings.
 set(settings ${CMAKE_SOURCE_DIR}/lib/motion/preset/settings.tsv)
-filum_embed(motion/preset/table.cpp FILUM_SETTINGS=${settings} ${settings})
+set(cura ${CMAKE_SOURCE_DIR}/lib/motion/preset/cura.tsv)
+filum_embed(motion/preset/table.cpp "FILUM_SETTINGS=${settings};FILUM_CURA=${cura}" ${settings} ${cura})
 
 # The font of pictures, of Debian's fonts-dejavu-core.
 find_file(FILUM_FONT DejaVuSans.ttf PATHS /usr/share/fonts/truetype/dejavu REQUIRED)

@@ -28,7 +28,7 @@ void read_preset(Document& doc, Profile& p) {
     p.templates.primed = p.templates.start.find("{purge") != std::string::npos;
     if (!doc.has("preset")) return;
     auto preset = std::make_shared<preset::Preset>();
-    doc.choice("preset.slicer", preset->slicer, {"", "slic3r", "prusa", "super", "orca", "bambu"});
+    doc.choice("preset.slicer", preset->slicer, {"", "slic3r", "prusa", "super", "orca", "bambu", "cura"});
     doc.text("preset.input", preset->input);
     doc.texts("preset.settings", preset->settings);
     doc.uses("{nozzle_temp}{first_nozzle_temp}{bed_temp}{first_bed_temp}");

@@ -27,6 +27,7 @@ Variable whole(double value) { return Variable::one(static_cast<std::int64_t>(st
 Program::Program(const Preset& preset, Job job) : settings_(preset), job_(std::move(job)) {
     if (!preset.input.empty()) job_.input = preset.input;
     orca_ = preset.slicer == "orca" || preset.slicer == "bambu";
+    heats_ = preset.slicer != "cura";
     const std::string word = settings_.text("gcode_flavor");
     flavor_ = flavor_of(word.empty() ? orca_ ? "marlin" : "reprap" : word);
     tool_ = job_.first_tool;
@@ -101,10 +102,11 @@ std::string Program::first_bed_temperature(const std::string& start) {
         return "";
     }
     // Slicers take the bed to be at 0 degrees and write no command that would leave it there.
-    return bed_ != 0 ? bed_temperature(flavor_, bed_, true) : "";
+    return heats_ && bed_ != 0 ? bed_temperature(flavor_, bed_, true) : "";
 }
 
 std::string Program::temperatures(const std::string& start, bool wait) {
+    if (!heats_) return "";
     if (temperature_commands(start, 104, 109, flavor_ == Flavor::reprapfirmware).any) return "";
     const char* name = orca_ ? "nozzle_temperature_initial_layer" : "first_layer_temperature";
     std::string out;

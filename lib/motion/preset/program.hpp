@@ -66,6 +66,7 @@ class Program {
 
     Settings settings_;
     bool orca_ = false; // OrcaSlicer or Bambu Studio, which have names of their own
+    bool heats_ = true; // temperatures are added to a start that sets none; the start of a printer of Cura sets its own
     Flavor flavor_ = Flavor::marlin;
     macro::Scope scope_;
     std::map<std::string, macro::Variable, std::less<>> now_; // values for the current template

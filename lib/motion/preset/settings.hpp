@@ -14,7 +14,7 @@ namespace filum::preset {
 
 // A profile: printer, print and filament together. Values are texts: one for a single value, one per item for a list.
 struct Preset {
-    std::string slicer; // "prusa", "super", "orca", "bambu", "slic3r"; "" if unknown
+    std::string slicer; // "prusa", "super", "orca", "bambu", "slic3r", "cura"; "" if unknown
     std::string input;  // name of the part's file, without folder and extension
     std::map<std::string, std::vector<std::string>, std::less<>> settings;
 };

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <utility>
 
 FILUM_EMBED(settings, FILUM_SETTINGS);
+FILUM_EMBED(cura, FILUM_CURA);
 
 namespace filum::preset {
 
@@ -31,7 +33,11 @@ enum Column : std::uint8_t {
 using Cells = std::vector<std::vector<std::string_view>>;
 
 const Cells& cells() {
-    static const Cells all = table_rows(FILUM_EMBEDDED(settings));
+    static const Cells all = [] {
+        Cells out = table_rows(FILUM_EMBEDDED(settings));
+        std::ranges::move(table_rows(FILUM_EMBEDDED(cura)), std::back_inserter(out));
+        return out;
+    }();
     return all;
 }
 
@@ -123,7 +129,7 @@ const std::vector<SettingRow>& setting_rows() {
 }
 
 bool is_for(const SettingRow& row, std::string_view slicer) {
-    if (row.slicers == "*") return true;
+    if (row.slicers == "*") return slicer != "cura"; // its keys have meanings of their own
     for (std::string_view list = row.slicers; !list.empty();)
         if (cut(list, ',') == slicer) return true;
     return false;

@@ -1,5 +1,5 @@
 // The table of slicers' settings: what their values are, and what Filum makes of them.  The build embeds settings.tsv
-// in the program.
+// and cura.tsv in the program.
 #pragma once
 
 #include <cstdint>
@@ -46,7 +46,7 @@ enum class Use : std::uint8_t {
 // One row of the table; a cell with '-' is empty here.
 struct SettingRow {
     std::string_view key;     // a * in it stands for any text
-    std::string_view slicers; // words with commas between; "*": all
+    std::string_view slicers; // words with commas between; "*": all but cura
     std::string_view of;      // the key that a percentage refers to
     std::string_view usual;   // the slicer's default
     Use use = Use::unknown;

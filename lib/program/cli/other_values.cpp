@@ -81,11 +81,11 @@ std::string fan(const std::string& text, const std::string& of) {
 }
 
 // The seam option of Filum for a seam position of another slicer; "" for an unknown one.  Layers that continue a stroke
-// begin above each other, so `nearest` aligns their seams.
+// begin above each other, so `nearest` aligns their seams.  Cura's `shortest` is the nearest place.
 std::string seam(const std::string& option, const std::string& theirs) {
     if (theirs == "random") return "--interlace=random";
     if (theirs == "rear" || theirs == "back" || theirs == "aligned_back") return option + "=back";
-    return theirs == "nearest" || theirs == "aligned" ? option + "=nearest" : "";
+    return theirs == "nearest" || theirs == "aligned" || theirs == "shortest" ? option + "=nearest" : "";
 }
 
 // The option that scales up a part that loses `lost` % of its size in x and y, or in z. None if it loses nothing.

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace filum::wire {
@@ -70,7 +72,29 @@ class Parser {
         return out;
     }
 
+    // The values of the object and of those within it, by path.
+    std::map<std::string, std::string> leaves() {
+        leaves_.emplace();
+        (void)object();
+        return *std::move(leaves_);
+    }
+
   private:
+    // Adds a name to the path, and removes it again.
+    class Within {
+      public:
+        Within(Parser& parser, const std::string& name) : path_(parser.path_), before_(parser.path_.size()) {
+            path_ += (path_.empty() ? "" : "/") + name;
+        }
+        ~Within() { path_.resize(before_); }
+        Within(const Within&) = delete;
+        Within& operator=(const Within&) = delete;
+
+      private:
+        std::string& path_;
+        std::size_t before_;
+    };
+
     template <class Use>
     void members(Use use) {
         take('{');
@@ -78,6 +102,7 @@ class Parser {
         do {
             std::string name = text();
             take(':');
+            const Within inside(*this, name);
             use(std::move(name), value());
         } while (takes(','));
         take('}');
@@ -87,12 +112,14 @@ class Parser {
         blanks();
         if (rest_.empty() || ++depth_ > kDeepest) throw Fault{};
         std::string out;
-        if (rest_[0] == '{')
+        const bool object = rest_[0] == '{';
+        if (object)
             members([](const std::string&, const std::string&) {});
         else if (rest_[0] == '[')
             out = joined(list());
         else
             out = rest_[0] == '"' ? text() : plain();
+        if (leaves_ && !object) (*leaves_)[path_] = out;
         --depth_;
         return out;
     }
@@ -101,8 +128,10 @@ class Parser {
         std::vector<std::string> out;
         take('[');
         if (takes(']')) return out;
-        do out.push_back(value());
-        while (takes(','));
+        do {
+            const Within inside(*this, std::to_string(out.size()));
+            out.push_back(value());
+        } while (takes(','));
         take(']');
         return out;
     }
@@ -186,6 +215,8 @@ class Parser {
 
     std::string_view rest_;
     int depth_ = 0;
+    std::string path_;                                         // of the value that is read
+    std::optional<std::map<std::string, std::string>> leaves_; // none: they are not wanted
 };
 
 } // namespace
@@ -193,6 +224,14 @@ class Parser {
 std::map<std::string, std::string> json_values(const std::string& text) {
     try {
         return Parser(text).object();
+    } catch (const Fault&) {
+        return {};
+    }
+}
+
+std::map<std::string, std::string> json_leaves(const std::string& text) {
+    try {
+        return Parser(text).leaves();
     } catch (const Fault&) {
         return {};
     }

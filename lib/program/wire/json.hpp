@@ -12,4 +12,9 @@ namespace filum::wire {
 // object.
 std::map<std::string, std::string> json_values(const std::string& text);
 
+// All values of a JSON object and of the objects within it, by path: "a/b" is the value of b in the object a.  Items
+// of a list are named by their place, from 0, as "a/0"; the list as a whole has a value as above, too.  Empty if
+// `text` is not a JSON object.
+std::map<std::string, std::string> json_leaves(const std::string& text);
+
 } // namespace filum::wire

@@ -1,5 +1,6 @@
 #include "app/filum/slicer_file.hpp"
 
+#include "app/filum/cura_file.hpp"
 #include "app/filum/slicer_presets.hpp"
 #include "app/filum/slicer_project.hpp"
 #include "archive/zip.hpp"
@@ -90,6 +91,8 @@ const char* name_of(Slicer slicer) {
         return "OrcaSlicer";
     case Slicer::bambu:
         return "Bambu Studio";
+    case Slicer::cura:
+        return "Cura";
     case Slicer::unknown:
         break;
     }
@@ -108,14 +111,16 @@ SlicerFile slicer_file(const std::string& word, int plate) {
     if (named.any() && (project || is_json(text) || !is_bundle(text)))
         throw Error(Exit::usage,
                     "cannot use '" + word + "': '" + file + "' is no bundle of presets; load it by its name alone");
+    if (!named.any())
+        if (auto cura = cura_file(text, file)) return *std::move(cura);
     SlicerFile out = project ? project_settings(text, file, plate) : of_text(text, named);
     if (!out.settings.empty()) return out;
     if (is_json(text))
         throw Error(Exit::bad_input, "cannot use '" + file + "': it is no JSON, or holds no settings; export it again");
     throw Error(Exit::bad_input, "cannot use '" + file +
                                      "': it holds no settings of a slicer; export them as an .ini file (lines 'name = "
-                                     "value'), or name a project of PrusaSlicer, OrcaSlicer or Bambu Studio (.3mf), or "
-                                     "a G-code file of theirs");
+                                     "value'), or name a project of PrusaSlicer, OrcaSlicer or Bambu Studio (.3mf), a "
+                                     "profile of Cura (.curaprofile), or a G-code file of theirs");
 }
 
 std::vector<SlicerFile> merged(std::vector<SlicerFile> files) {

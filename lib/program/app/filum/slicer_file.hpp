@@ -7,7 +7,7 @@
 
 namespace filum::app::filum {
 
-enum class Slicer : std::uint8_t { unknown, slic3r, prusa, super, orca, bambu };
+enum class Slicer : std::uint8_t { unknown, slic3r, prusa, super, orca, bambu, cura };
 
 // The name, such as "PrusaSlicer"; for Slicer::unknown "a slicer that the file does not name".
 const char* name_of(Slicer slicer);
@@ -31,6 +31,7 @@ Slicer writer_of(const std::string& text, const std::vector<SlicerSetting>& sett
 //   - a JSON object, as OrcaSlicer and Bambu Studio export it
 //   - a project (3MF) of one of these slicers
 //   - a G-code file, which holds the settings as comments
+//   - a profile, a printer or a project of Cura; see cura_file.hpp
 //   - a bundle of presets; `word` names some of them as in "FILE:printer=NAME,print=NAME,filament=NAME"
 // Settings that a preset inherits come before its own ones.
 // Throws Error: io for a file that cannot be read; bad_input for a file without settings, and for a bundle if no preset

@@ -1,5 +1,6 @@
 #include "app/filum/slicer_machine.hpp"
 
+#include "app/filum/cura_printer.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/shell.hpp"
@@ -21,7 +22,7 @@ namespace {
 using preset::Settings;
 
 std::string word_of(Slicer slicer) {
-    constexpr std::array kWords{"", "slic3r", "prusa", "super", "orca", "bambu"};
+    constexpr std::array kWords{"", "slic3r", "prusa", "super", "orca", "bambu", "cura"};
     return kWords[static_cast<std::size_t>(slicer)];
 }
 
@@ -159,7 +160,8 @@ void try_codes(const preset::Preset& from) {
 
 } // namespace
 
-std::string machine_of(const SlicerFile& file, const std::string& input) {
+std::string machine_of(const SlicerFile& all, const std::string& input) {
+    const SlicerFile file = all.slicer == Slicer::cura ? cura_printer(all) : all;
     const auto has = [&](std::string_view key) {
         return std::ranges::find(file.settings, key, &SlicerSetting::key) != file.settings.end();
     };

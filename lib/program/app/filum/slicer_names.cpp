@@ -71,7 +71,8 @@ void load_bodies(const LoadedProject& project, bool supports, const std::vector<
 
 // Whether a value of a slicer's file has no effect: it is empty, off, or G-code without a command.
 bool says_nothing(const std::string& value) {
-    for (const char* off : {"", "0", "0%", "\"\"", "none", "nil", "disabled", "no", "by layer", "FFF", "E", "0x0"})
+    for (const char* off :
+         {"", "0", "0%", "\"\"", "none", "nil", "disabled", "no", "by layer", "FFF", "E", "0x0", "all_at_once", "[]"})
         if (value == off) return true;
     std::size_t at = 0;
     while (at < value.size()) { // in such files the letters \n stand for a line end
@@ -123,6 +124,7 @@ void leave_out_codes(SlicerWishes& all, const machine::Profile& machine) {
     if (machine.format.comments != machine::CommentStyle::semicolon)
         std::erase_if(all.words, [](const std::string& word) { return word.starts_with("--thumbnails="); });
     drop(machine.features.set_fan, "--set=cooling.", "", "features.set_fan", "the fan's speeds");
+    drop(machine.features.set_fan, "--set=overhang.fans", "", "features.set_fan", "the fan's speeds of overhangs");
     drop(machine.features.set_acceleration, "--set=features.", "acceleration", "features.set_acceleration",
          "accelerations by role");
 }
@@ -147,7 +149,8 @@ bool names_temperature(const std::vector<SlicerFile>& read) {
     return std::ranges::any_of(read, [](const SlicerFile& file) {
         return std::ranges::any_of(file.settings, [](const SlicerSetting& s) {
             return s.key == "temperature" || s.key == "first_layer_temperature" || s.key == "nozzle_temperature" ||
-                   s.key == "nozzle_temperature_initial_layer";
+                   s.key == "nozzle_temperature_initial_layer" || s.key == "material_print_temperature" ||
+                   s.key == "default_material_print_temperature";
         });
     });
 }
@@ -218,20 +221,24 @@ void load_codes(const LoadedProject& project, const std::optional<machine::Profi
         out.words.push_back(option_of("pause-at", codes.pauses));
 }
 
-// Removes the options of supports if nothing is supported, as they would be errors then.  That happens if a slicer
-// makes supports only at bodies and painted faces that ask for them, and there are none.
+// Removes options of supports that would be errors, as nothing that they need is wanted.  That happens if a slicer
+// makes supports only at bodies and painted faces that ask for them.
 void leave_out_supports(const std::vector<std::string>& typed, SlicerTranslation& out) {
-    const auto supports = [](const std::string& word) {
-        return word == "--support" || word.starts_with("--support=") || word.starts_with("--support-in") ||
-               word.starts_with("--raft");
+    const auto any = [&](std::initializer_list<const char*> options) {
+        const auto named = [&](const std::string& word) {
+            const std::string name = word.substr(0, word.find('='));
+            return std::ranges::any_of(options, [&](const char* option) { return name == option; });
+        };
+        return std::ranges::any_of(typed, named) || std::ranges::any_of(out.words, named);
     };
-    if (std::ranges::any_of(typed, supports) || std::ranges::any_of(out.words, supports)) return;
-    const auto count = std::erase_if(out.words, [](const std::string& word) {
-        for (const char* option : {"--support-angle=", "--support-on=", "--support-spacing=", "--support-width=",
-                                   "--interface=", "--beside="})
-            if (word.starts_with(option)) return true;
-        return false;
-    });
+    const auto drop = [&](const std::string& option) {
+        return std::erase_if(out.words, [&](const std::string& word) { return word.starts_with(option + "="); });
+    };
+    std::size_t count = 0;
+    if (!any({"--support"})) count += drop("--support-angle");
+    if (!any({"--support", "--support-in"})) count += drop("--support-on") + drop("--beside");
+    if (any({"--support", "--support-in", "--raft"})) return;
+    count += drop("--support-spacing") + drop("--support-width") + drop("--interface");
     if (count > 0)
         out.remarks.emplace_back("no supports: the settings want them only at bodies and faces that ask for them, and "
                                  "there are none; add --support");

@@ -30,9 +30,14 @@ double share_of_degree(double part) { return std::round((0.1 + 0.9 * part) * 1e4
 
 constexpr double kJump = 0.001; // share within which a speed changes at once
 
-} // namespace
+// Whether `key` is the first of these keys that the file has.
+bool is_first(const SlicerValues& values, const std::string& key, std::initializer_list<const char*> keys) {
+    for (const char* k : keys)
+        if (!values.text(k).empty()) return key == k;
+    return false;
+}
 
-std::vector<std::string> overhang_words(const SlicerValues& values) {
+std::vector<std::string> speed_words(const SlicerValues& values) {
     const auto speed = [&](const char* key) { return values.speed(key, row_of(key, values.slicer())); };
     Steps steps;
     if (!values.of_orca()) {
@@ -71,6 +76,46 @@ std::vector<std::string> overhang_words(const SlicerValues& values) {
         put({0.25, 0.5, 0.75, 0.87}, 0.87 + kJump, curled ? quarters.back() : bridge);
     }
     return {"--overhang-shares", "--set=overhang.feeds=" + steps.text()};
+}
+
+// The fan of walls over air.  PrusaSlicer has a speed for each share, and none on walls that rest on the layer below.
+// In OrcaSlicer and Bambu Studio walls have the fan of overhangs from a share on.
+std::vector<std::string> fan_words(const SlicerValues& values, std::vector<std::string>& remarks) {
+    constexpr double kFull = 2.55; // of the fan for 1 %
+    Steps steps;
+    if (!values.of_orca()) {
+        if (values.number_or("enable_dynamic_fan_speeds", 0) == 0) return {};
+        steps.add(0, 0);
+        for (const auto& [share, key] :
+             {std::pair(0.25, "overhang_fan_speed_3"), std::pair(0.5, "overhang_fan_speed_2"),
+              std::pair(0.75, "overhang_fan_speed_1"), std::pair(1.0, "overhang_fan_speed_0")})
+            steps.add(share, kFull * values.number_or(key, 0));
+    } else {
+        if (values.number_or("enable_overhang_bridge_fan", 1) == 0) return {};
+        const double from = values.number("overhang_fan_threshold") / 100;
+        if (!(from > 0)) {
+            remarks.emplace_back(
+                "overhang_fan_threshold = 0%: outer walls that rest on the layer below have the fan of "
+                "the others");
+            steps.add(0, kFull * values.number_or("overhang_fan_speed", 100));
+        } else {
+            steps.add(from, kFull * values.number_or("overhang_fan_speed", 100));
+        }
+    }
+    return {"--overhang-shares", "--set=overhang.fans=" + steps.text()};
+}
+
+} // namespace
+
+std::vector<std::string> overhang_words(const SlicerValues& values, const std::string& key,
+                                        std::vector<std::string>& remarks) {
+    if (is_first(values, key, {"enable_dynamic_fan_speeds", "overhang_fan_threshold"}))
+        return fan_words(values, remarks);
+    return is_first(values, key,
+                    {"enable_dynamic_overhang_speeds", "enable_overhang_speed", "overhang_1_4_speed",
+                     "overhang_2_4_speed", "overhang_3_4_speed", "overhang_4_4_speed"})
+               ? speed_words(values)
+               : std::vector<std::string>{};
 }
 
 } // namespace filum::app::filum

@@ -17,10 +17,12 @@ SlicerFile project_settings(const std::string& bytes, const std::string& file, i
     const std::string name = "'" + file + "'";
     archive::Zip zip(bytes, name);
     SlicerFile out;
-    if (const char* path = "Metadata/Slic3r_PE.config"; zip.has(path)) {
+    // SuperSlicer writes its settings, and beside them what PrusaSlicer would understand.
+    constexpr const char *kSuper = "Metadata/SuperSlicer.config", *kPrusa = "Metadata/Slic3r_PE.config";
+    if (const char* path = zip.has(kSuper) ? kSuper : kPrusa; zip.has(path)) {
         const std::string text = zip.read(path);
         out.settings = all_settings(text, Lines::commented);
-        out.slicer = writer_of(text, out.settings);
+        out.slicer = path == kSuper ? Slicer::super : writer_of(text, out.settings);
     } else if (const char* path = "Metadata/project_settings.config"; zip.has(path)) {
         const std::string text = zip.read(path);
         out.settings = json_settings(text);

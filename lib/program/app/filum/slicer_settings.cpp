@@ -1,5 +1,7 @@
 #include "app/filum/slicer_settings.hpp"
 
+#include "app/filum/cura_file.hpp"
+#include "app/filum/cura_words.hpp"
 #include "app/filum/slicer_overhangs.hpp"
 #include "app/filum/slicer_values.hpp"
 #include "app/filum/slicer_widths.hpp"
@@ -62,7 +64,8 @@ class Reader {
     }
 
     [[nodiscard]] bool supports() const {
-        return values_.text("support_material") == "1" || values_.text("enable_support") == "1";
+        return values_.text("support_material") == "1" || values_.text("enable_support") == "1" ||
+               values_.text("support_enable") == "1"; // of Cura
     }
     [[nodiscard]] bool supports_by_hand() const {
         return values_.text("support_material_auto") == "0" ||
@@ -142,16 +145,13 @@ class Reader {
 
     // Settings that depend on several keys.  The first of these keys that is set makes the words, the others make none.
     Words special(const std::string& key, const SettingRow& row) {
+        if (values_.slicer() == Slicer::cura) return cura_words(values_, key, row, remarks_);
         if (row.target.ends_with("width")) return width(key);
         if (row.target == "brim") return key == "brim_width" ? brim() : Words{};
         if (row.target == "cooling")
             return first_of(key, {"max_fan_speed", "fan_max_speed", "min_fan_speed", "fan_min_speed"}) ? cooling()
                                                                                                        : Words{};
-        if (row.target == "overhang")
-            return first_of(key, {"enable_dynamic_overhang_speeds", "enable_overhang_speed", "overhang_1_4_speed",
-                                  "overhang_2_4_speed", "overhang_3_4_speed", "overhang_4_4_speed"})
-                       ? overhang_words(values_)
-                       : Words{};
+        if (row.target == "overhang") return overhang_words(values_, key, remarks_);
         if (row.target == "wipe") return key.ends_with("wipe") && !key.ends_with("before_wipe") ? wipe() : Words{};
         if (row.target == "thumbnails") return thumbnails(values_.whole(key));
         if (row.target == "vase") return values_.number(key) != 0 ? Words{"--vase"} : Words{};
@@ -371,6 +371,11 @@ SlicerWishes wishes(const SlicerFile& file, const std::function<bool(std::string
         const SettingRow row = row_of(s.key, file.slicer);
         ReadSetting& read = out.settings.emplace_back(ReadSetting{s.key, s.value, row.use, std::string(row.why)});
         if (row.use != Use::used) continue;
+        if (file.slicer == Slicer::cura && is_formula(s.value)) {
+            read.use = Use::later;
+            read.why = "its value is a formula of Cura, which Filum does not calculate; write the number instead";
+            continue;
+        }
         try {
             read.words = reader.words(s.key, row);
         } catch (const Error& e) {
@@ -379,7 +384,8 @@ SlicerWishes wishes(const SlicerFile& file, const std::function<bool(std::string
             continue;
         }
         std::erase_if(read.words, [&](const std::string& word) {
-            return !word.starts_with("--set=") && !has(word.substr(2, word.find('=') - 2));
+            const bool again = word == "--overhang-shares" && std::ranges::find(out.words, word) != out.words.end();
+            return again || (!word.starts_with("--set=") && !has(word.substr(2, word.find('=') - 2)));
         });
         out.words.insert(out.words.end(), read.words.begin(), read.words.end());
     }

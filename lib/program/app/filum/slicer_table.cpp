@@ -3,7 +3,7 @@
 namespace filum::app::filum {
 
 std::string_view table_word(Slicer slicer) {
-    constexpr std::string_view kWords[] = {"unknown", "slic3r", "prusa", "super", "orca", "bambu"};
+    constexpr std::string_view kWords[] = {"unknown", "slic3r", "prusa", "super", "orca", "bambu", "cura"};
     return kWords[static_cast<std::size_t>(slicer)];
 }
 

@@ -1,5 +1,6 @@
 #include "app/filum/slicer_values.hpp"
 
+#include "app/filum/cura_file.hpp"
 #include "app/filum/slicer_text.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -16,7 +17,8 @@ constexpr int kDeepestShare = 8; // most percentages that refer to each other
 } // namespace
 
 SlicerValues::SlicerValues(const SlicerFile& file) : slicer_(file.slicer) {
-    for (const SlicerSetting& s : file.settings) values_[s.key] = s.value;
+    for (const SlicerSetting& s : file.settings)
+        if (slicer_ != Slicer::cura || !is_formula(s.value)) values_[s.key] = s.value;
     for (const char* key : {"perimeter_extruder", "wall_filament"})
         if (values_.contains(key)) extruder_ = static_cast<std::size_t>(std::clamp(number_or(key, 1), 1.0, 64.0)) - 1;
 }
@@ -67,7 +69,7 @@ double SlicerValues::speed(const std::string& key, const SettingRow& row, int de
 
 double SlicerValues::density(const std::string& key) const {
     const double value = number(key);
-    return percent(key) || of_orca() || value > 1 ? value : 100 * value;
+    return percent(key) || of_orca() || slicer_ == Slicer::cura || value > 1 ? value : 100 * value;
 }
 
 bool SlicerValues::overridden(const std::string& key, const SettingRow& row) const {

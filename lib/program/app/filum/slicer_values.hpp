@@ -33,7 +33,7 @@ class SlicerValues {
     // Throws Error(usage) for a percentage that refers to nothing.
     [[nodiscard]] double speed(const std::string& key, const SettingRow& row, int depth = 0) const;
     // The density in percent.  Slic3r wrote fractions (0.4 for 40 %), and PrusaSlicer still reads them so.  Thus a
-    // value up to 1 without '%' is a fraction, except in files of OrcaSlicer and Bambu Studio.
+    // value up to 1 without '%' is a fraction, except in files of OrcaSlicer, Bambu Studio and Cura.
     [[nodiscard]] double density(const std::string& key) const;
     // Whether the key "filament_" + `key` is set, which replaces the value of `key`.
     [[nodiscard]] bool overridden(const std::string& key, const SettingRow& row) const;

@@ -16,6 +16,13 @@ TEST(Json, ValuesAreText) {
 TEST(Json, WhatIsNoneHasNoValues) {
     for (const char* text : {"", "{", "[1, 2]", "\"a\"", "{\"a\": }", "PK\003\004"})
         EXPECT_TRUE(json_values(text).empty()) << text;
+    const auto leaves = json_leaves(R"({"a": {"b": 1, "c": {"d": true}}, "e": [{"f": "x"}, "y"], "g": "z"})");
+    EXPECT_EQ(leaves.at("a/b"), "1");
+    EXPECT_EQ(leaves.at("a/c/d"), "1");
+    EXPECT_EQ(leaves.at("e/0/f"), "x");
+    EXPECT_EQ(leaves.at("e/1"), "y");
+    EXPECT_EQ(leaves.at("g"), "z");
+    EXPECT_TRUE(json_leaves(R"({"a": {"b": 1})").empty());
     EXPECT_EQ(json_values(R"({"a": 1, "a": 2})").at("a"), "2"); // presets of OrcaSlicer have such doubles
     EXPECT_EQ(json_values(R"({"a": ["x, y\n", "\"z\""]})").at("a"), R"("x, y\n";"\"z\"")");
     EXPECT_EQ(json_values(R"({"a": "\u00e9\ud83d\ude00\/"})").at("a"), "\xc3\xa9\xf0\x9f\x98\x80/");

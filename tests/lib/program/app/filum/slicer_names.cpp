@@ -55,6 +55,23 @@ TEST(SlicerNames, CompensationAndCopiesHaveOtherNames) {
     EXPECT_EQ(ours({"--load", none}), Words{"--layer-height=0.2"});
 }
 
+// Supports only where a body asks for them: the angle has no meaning then, the place where columns stand has.
+TEST(SlicerNames, SupportsByHandNeedNoAngle) {
+    const test::Folder at;
+    const std::string file =
+        at.write("x.ini", "support_material = 1\nsupport_material_auto = 0\n"
+                          "support_material_threshold = 30\nsupport_material_buildplate_only = 1\n");
+    const auto words = [&](const Words& typed) {
+        Words all = typed;
+        all.insert(all.end(), {"--load", file});
+        return ours(all);
+    };
+    EXPECT_EQ(words({}), Words{});
+    EXPECT_EQ(words({"--support-in=e.stl"}), (Words{"--support-on=bed", "--support-in=e.stl"}));
+    EXPECT_EQ(words({"--raft=2"}), Words{"--raft=2"});
+    EXPECT_EQ(words({"--support"}), (Words{"--support-angle=60", "--support-on=bed", "--support"}));
+}
+
 // PrusaSlicer says what is lost in z, OrcaSlicer what is left.
 TEST(SlicerNames, ShrinkageOfAllAxesIsOneOption) {
     const test::Folder at;

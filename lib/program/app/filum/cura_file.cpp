@@ -1,0 +1,287 @@
+#include "app/filum/cura_file.hpp"
+
+#include "app/filum/cura_words.hpp"
+#include "app/filum/slicer_table.hpp"
+#include "app/filum/slicer_text.hpp"
+#include "archive/zip.hpp"
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "wire/json.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace filum::app::filum {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kDeepestDefinition = 32; // longest chain of definitions that inherit from each other
+
+void put_value(std::vector<SlicerSetting>& out, const std::string& key, const std::string& value) {
+    const auto at = std::ranges::find(out, key, &SlicerSetting::key);
+    if (at == out.end())
+        out.push_back({key, value});
+    else
+        at->value = value;
+}
+
+// A value as the other readers expect it: True and False become 1 and 0.
+std::string without_python(const std::string& value) { return value == "True" ? "1" : value == "False" ? "0" : value; }
+
+bool is_plain_number(const std::string& text) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size();
+}
+
+// One file of a profile: sections of lines "name = value".  A line that begins with a blank continues the value.
+struct CuraProfile {
+    std::map<std::string, std::map<std::string, std::string>> sections;
+
+    explicit CuraProfile(const std::string& text) {
+        std::istringstream in(text);
+        std::string *last = nullptr, section;
+        for (std::string line; std::getline(in, line);) {
+            const std::string inner = trimmed(line);
+            if (!inner.empty() && (line[0] == ' ' || line[0] == '\t')) {
+                if (last != nullptr) last->append("\n").append(inner);
+            } else if (inner.starts_with('[') && inner.ends_with(']')) {
+                section = inner.substr(1, inner.size() - 2);
+                last = nullptr;
+            } else if (const auto equal = inner.find('='); equal != std::string::npos) {
+                last = &sections[section][trimmed(inner.substr(0, equal))];
+                *last = trimmed(inner.substr(equal + 1));
+            }
+        }
+    }
+
+    [[nodiscard]] std::string value(const std::string& section, const std::string& key) const {
+        const auto in = sections.find(section);
+        if (in == sections.end()) return "";
+        const auto at = in->second.find(key);
+        return at == in->second.end() ? "" : at->second;
+    }
+    [[nodiscard]] bool any() const { return sections.contains("general") && sections.contains("metadata"); }
+    // The number of the extruder that the profile is for; -1: it is for all.
+    [[nodiscard]] int extruder() const {
+        const std::string text = value("metadata", "position");
+        return text.size() == 1 && text[0] >= '0' && text[0] <= '9' ? text[0] - '0' : text.empty() ? -1 : 99;
+    }
+    // The place of the profile in Cura's order: a later one wins.
+    [[nodiscard]] int rank() const {
+        constexpr std::string_view kTypes[] = {"definition_changes", "variant", "material", "quality", "intent",
+                                               "quality_changes",    "user"};
+        const auto* const found = std::ranges::find(kTypes, value("metadata", "type"));
+        return static_cast<int>(found - std::begin(kTypes));
+    }
+};
+
+// The settings of profiles together: those for the first extruder win over those for all.
+std::optional<SlicerFile> joined_profiles(std::vector<CuraProfile> profiles) {
+    std::erase_if(profiles, [](const CuraProfile& p) { return !p.any(); });
+    if (profiles.empty()) return std::nullopt;
+    std::ranges::stable_sort(profiles, {}, [](const CuraProfile& p) { return std::tuple(p.extruder(), p.rank()); });
+    SlicerFile out{.slicer = Slicer::cura, .settings = {}, .remarks = {}};
+    std::size_t left = 0;
+    for (const CuraProfile& profile : profiles) {
+        const auto values = profile.sections.find("values");
+        if (values == profile.sections.end()) continue;
+        if (profile.extruder() > 0) {
+            left += values->second.size();
+            continue;
+        }
+        for (const auto& [key, value] : values->second)
+            if (!key.empty()) put_value(out.settings, key, without_python(value));
+    }
+    if (left > 0)
+        out.remarks.push_back(std::to_string(left) +
+                              " settings of further extruders are not used: one extruder prints");
+    return out;
+}
+
+std::optional<SlicerFile> cura_archive(const std::string& bytes, const std::string& file) {
+    archive::Zip zip(bytes, "'" + file + "'");
+    const bool project = zip.has("[Content_Types].xml");
+    std::vector<CuraProfile> profiles;
+    for (const std::string& entry : zip.entries())
+        if (!entry.ends_with('/') && (!project || (entry.starts_with("Cura/") && entry.ends_with(".inst.cfg"))))
+            profiles.emplace_back(zip.read(entry));
+    return joined_profiles(std::move(profiles));
+}
+
+// The profile at the end of a G-code file: JSON in pieces, whose backslashes are doubled.
+std::optional<SlicerFile> cura_program(const std::string& text) {
+    constexpr std::string_view kMark = ";SETTING_3 ";
+    std::string json;
+    for (std::size_t at = text.find(kMark); at != std::string::npos; at = text.find(kMark, at)) {
+        at += kMark.size();
+        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+        json.append(text, at, end - at);
+        at = end;
+    }
+    if (json.empty()) return std::nullopt;
+    std::string once;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        once += json[i];
+        if (json[i] == '\\' && i + 1 < json.size() && json[i + 1] == '\\') ++i;
+    }
+    std::vector<CuraProfile> profiles;
+    for (const auto& [path, value] : wire::json_leaves(once))
+        if (path.starts_with("global_quality") || path.starts_with("extruder_quality")) profiles.emplace_back(value);
+    auto out = joined_profiles(std::move(profiles));
+    if (!out) throw Error(Exit::bad_input, "cannot use the lines ;SETTING_3 of a program of Cura: they are damaged");
+    constexpr std::string_view kHeight = ";Layer height: ";
+    const auto at = text.find(kHeight);
+    const bool has = std::ranges::find(out->settings, "layer_height", &SlicerSetting::key) != out->settings.end();
+    if (!has && at != std::string::npos) {
+        const std::size_t from = at + kHeight.size();
+        put_value(out->settings, "layer_height", trimmed(text.substr(from, text.find('\n', from) - from)));
+    }
+    return out;
+}
+
+// A definition, as the paths and values of its JSON.
+class Definition {
+  public:
+    Definition(const std::string& text, fs::path file) : values_(wire::json_leaves(text)), file_(std::move(file)) {}
+
+    [[nodiscard]] bool any() const {
+        return std::ranges::any_of(values_, [](const auto& v) { return v.first.starts_with("metadata/"); }) &&
+               std::ranges::any_of(values_, [](const auto& v) {
+                   return v.first.starts_with("overrides/") || v.first.starts_with("settings/");
+               });
+    }
+    [[nodiscard]] std::string value(const std::string& path) const {
+        const auto at = values_.find(path);
+        return at == values_.end() ? "" : at->second;
+    }
+    [[nodiscard]] std::string parent() const { return value("inherits"); }
+    [[nodiscard]] std::string first_extruder() const { return value("metadata/machine_extruder_trains/0"); }
+    [[nodiscard]] const fs::path& file() const { return file_; }
+
+    // Puts its settings over those of its parents; of the root only those of the printer, unless `whole`.
+    void apply(bool whole, SlicerFile& to, std::string& replaced) const {
+        std::map<std::string, std::pair<std::string, std::string>> own; // by key: plain default, value
+        for (const auto& [path, value] : values_) {
+            const auto slash = path.rfind('/');
+            if (slash == std::string::npos || !(path.starts_with("overrides/") || path.starts_with("settings/")))
+                continue;
+            const std::string key = path.substr(path.rfind('/', slash - 1) + 1, slash - path.rfind('/', slash - 1) - 1);
+            if (path.substr(slash + 1) == "default_value") own[key].first = value;
+            if (path.substr(slash + 1) == "value") own[key].second = value;
+        }
+        for (const auto& [key, values] : own) {
+            if (!whole && parent().empty() && row_of(key, Slicer::cura).reading != "machine") continue;
+            if (values.first.empty() && values.second.empty()) continue;
+            const std::string value = calculated(values.second);
+            if (is_formula(value) && !values.first.empty()) replaced += (replaced.empty() ? "" : ", ") + key;
+            put_value(to.settings, key,
+                      values.second.empty() || (is_formula(value) && !values.first.empty()) ? values.first : value);
+        }
+    }
+
+  private:
+    // The value of a formula that is a number, a text in quotes, True or False; "=" and the formula for another one.
+    static std::string calculated(const std::string& formula) {
+        const std::string text = trimmed(formula);
+        if (without_python(text) != text) return without_python(text);
+        if (text.size() >= 2 && (text[0] == '\'' || text[0] == '"') && text.find(text[0], 1) == text.size() - 1)
+            return text.substr(1, text.size() - 2);
+        return is_plain_number(text) || text.empty() || text[0] == '[' ? text : "=" + text;
+    }
+
+    std::map<std::string, std::string> values_;
+    fs::path file_;
+};
+
+// A definition and those that it inherits from, the root last.  A remark names a missing one.
+std::vector<Definition> ancestry(Definition definition, SlicerFile& out) {
+    std::vector<Definition> chain{std::move(definition)};
+    while (!chain.back().parent().empty()) {
+        if (chain.size() > kDeepestDefinition)
+            throw Error(Exit::bad_input, "cannot use '" + chain.front().file().string() +
+                                             "': it inherits from itself, or too deep; remove \"inherits\"");
+        const fs::path file = chain.back().file().parent_path() / (chain.back().parent() + ".def.json");
+        std::error_code none;
+        if (!fs::is_regular_file(file, none)) {
+            // The root of all holds defaults that the table has, too.
+            if (const std::string name = chain.back().parent(); name != "fdmprinter" && name != "fdmextruder")
+                out.remarks.push_back("definition '" + name + "', which '" + chain.back().file().filename().string() +
+                                      "' inherits from, was not found: its settings are not applied; put '" + name +
+                                      ".def.json' beside the file");
+            break;
+        }
+        chain.emplace_back(content_of(file.string()), file);
+    }
+    return chain;
+}
+
+std::optional<SlicerFile> cura_definition(const std::string& text, const std::string& file) {
+    Definition own(text, fs::absolute(file));
+    if (!own.any()) return std::nullopt;
+    SlicerFile out{.slicer = Slicer::cura, .settings = {}, .remarks = {}};
+    std::string replaced;
+    const std::vector<Definition> chain = ancestry(std::move(own), out);
+    for (auto at = chain.rbegin(); at != chain.rend(); ++at) at->apply(chain.size() == 1, out, replaced);
+    const auto train = std::ranges::find_if(chain, [](const Definition& d) { return !d.first_extruder().empty(); });
+    const std::string name = train == chain.end() ? "" : train->first_extruder();
+    if (!name.empty() && name != "fdmextruder") {
+        const fs::path there = train->file().parent_path() / ".." / "extruders" / (name + ".def.json");
+        std::error_code none;
+        if (fs::is_regular_file(there, none))
+            Definition(content_of(there.string()), there).apply(false, out, replaced);
+        else
+            out.remarks.push_back("the definition of its extruder, '" + name +
+                                  "', was not found in '../extruders': nozzle and filament are those that Cura has "
+                                  "without it, but filament is 1.75 mm");
+    }
+    if (!replaced.empty()) out.remarks.push_back("plain values instead of formulas of Cura: " + replaced);
+    return out;
+}
+
+// Adds the speeds that Cura makes of those in the file.  A speed that the file gives as a formula stays unknown.
+void add_speeds(SlicerFile& file) {
+    const auto has = [&](std::string_view key) {
+        return std::ranges::find(file.settings, key, &SlicerSetting::key) != file.settings.end();
+    };
+    std::string added;
+    for (const preset::SettingRow& row : preset::setting_rows()) {
+        const bool speed = row.reading == "speed" || row.reading == "first_speed" || row.reading == "base";
+        if (row.slicers != "cura" || !speed || !row.key.starts_with("s") || row.of.empty() || has(row.key)) continue;
+        if (!has(row.of)) continue;
+        const auto mm_s = cura_number(file, row.key);
+        if (!mm_s) continue;
+        put_value(file.settings, std::string(row.key), shortest_text(*mm_s));
+        if (row.reading != "base")
+            added += (added.empty() ? "" : ", ") + std::string(row.key) + " = " + shortest_text(*mm_s);
+    }
+    if (!added.empty()) file.remarks.push_back("speeds by Cura's usual formulas: " + added + " mm/s");
+}
+
+} // namespace
+
+bool is_formula(const std::string& value) { return value.starts_with('='); }
+
+std::optional<SlicerFile> cura_file(const std::string& bytes, const std::string& file) {
+    std::optional<SlicerFile> out;
+    if (archive::Zip::begins(bytes))
+        out = cura_archive(bytes, file);
+    else if (is_json(bytes))
+        out = cura_definition(bytes, file);
+    else if (bytes.find(";SETTING_3 ") != std::string::npos)
+        out = cura_program(bytes);
+    else if (bytes.find("[general]") != std::string::npos && bytes.find("[metadata]") != std::string::npos)
+        out = joined_profiles({CuraProfile(bytes)});
+    if (out) add_speeds(*out);
+    return out;
+}
+
+} // namespace filum::app::filum
