@@ -139,10 +139,11 @@ void set_other_names(const Job& job, Settings& to) {
         exhaust.push_back(static_cast<std::int64_t>(to.number("during_print_exhaust_fan_speed", i) / 100 * 255));
     to.set("during_print_exhaust_fan_speed_num", Variable::many(exhaust));
     const std::pair<const char*, const char*> same[] = {{"retract_length", "retraction_length"},
-                                                        {"max_print_height", "printable_height"},
                                                         {"first_layer_height", "initial_layer_print_height"}};
     for (const auto& [name, from] : same)
         if (const Variable* found = to.find(from)) to.set(name, *found);
+    // OrcaSlicer offers the height as a whole number, so that its half is one, too.
+    to.set("max_print_height", Variable::one(whole_value(std::trunc(to.number("printable_height")))));
     const std::pair<const char*, const char*> of_tool[] = {
         {"long_retraction_when_cut", "long_retractions_when_cut"},
         {"retraction_distance_when_cut", "retraction_distances_when_cut"}};
