@@ -215,7 +215,7 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     printf 'layer_height = 0.25\nfill_density = 20%%\nperimeters = 2\nironing = 1\n' > slicer.ini
     expect 0 filum print part.stl --dry-run --load slicer.ini --perimeters 3
     [[ $out == *'slice --layer-height=0.25 '*'| skins --infill=20% --walls=2 --walls=3 |'* ]]
-    [[ $err == *'1 more settings of --load are not used yet'*': ironing'* ]]
+    [[ $err == *'1 more setting of --load not used yet'*': ironing'* ]]
     printf 'seam_position = rear\nfilament_shrinkage_compensation_xy = 0.8%%\n' > slicer.ini
     expect 0 filum print part.stl --dry-run --load slicer.ini
     [[ $out == *'slice --shrinkage=0.8,0.8,0 '*'| link3d --seam=back |'* && -z $err ]]

@@ -80,6 +80,7 @@ std::string filled_in(const Note& n, const Row& r) {
         if (open < close) out += placeholder(rest.substr(open + 1, close - open - 1), n, r);
         rest.remove_prefix(std::min(close + 1, rest.size()));
     }
+    if (out.starts_with("there are 1 ")) out.replace(0, std::string_view("there are").size(), "there is");
     return out;
 }
 

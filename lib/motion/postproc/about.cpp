@@ -170,7 +170,7 @@ std::string material(const machine::Profile& profile, const FirstPass& s) {
         out += ", " + fixed_text(used.units / 1000, 2) + " m of filament";
     if (profile.extrusion.density > 0)
         out += ", " + fixed_text(used.volume / 1000 * profile.extrusion.density, 2) + " g";
-    if (const double money = cost(profile, s); money > 0) out += ", material for " + fixed_text(money, 2);
+    if (const std::string money = fixed_text(cost(profile, s), 2); money != "0") out += ", material for " + money;
     double fibre = 0;
     for (const auto& [number, tool] : s.tools) fibre += tool.fibre_len;
     if (fibre > 0) out += ", " + fixed_text(fibre / 1000, 2) + " m of fibre";

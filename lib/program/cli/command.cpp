@@ -4,6 +4,7 @@
 #include "base/number.hpp"
 #include "base/printable.hpp"
 #include "cli/document.hpp"
+#include "cli/lines.hpp"
 #include "cli/output.hpp"
 #include "cli/parse.hpp"
 #include "cli/progress.hpp"
@@ -24,7 +25,8 @@ namespace filum::cli {
 
 void Io::say(const std::string& text) const {
     // One write, so that lines of different stages do not mix. On a terminal the line replaces a progress bar.
-    const std::string line = (::isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "") + program + ": " + printable(text) + "\n";
+    const std::string line =
+        (::isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "") + for_terminal(program + ": " + printable(text)) + "\n";
     if (::write(STDERR_FILENO, line.data(), line.size()) < 0) return;
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/number.hpp"
 #include "cli/headings.hpp"
+#include "cli/lines.hpp"
 #include "cli/needs.hpp"
 
 #include <algorithm>
@@ -64,26 +65,9 @@ std::string usage(const Spec& spec) {
     return spec.name + " [OPTIONS]" + (spec.arguments.empty() ? "" : " " + spec.arguments);
 }
 
-// `text` wrapped to lines of at most 100 characters. Each line except the first is indented by `indent` spaces.
-std::string wrap(const std::string& text, std::size_t indent) {
-    std::string out, line;
-    std::size_t at = 0;
-    while (at < text.size()) {
-        const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
-        const std::string word = text.substr(at, end - at);
-        if (!line.empty() && line.size() + 1 + word.size() + indent > 100) {
-            out += line + "\n" + std::string(indent, ' ');
-            line.clear();
-        }
-        line += (line.empty() ? "" : " ") + word;
-        if (end < text.size() && text[end] == '\n') {
-            out += line + "\n" + std::string(indent, ' ');
-            line.clear();
-        }
-        at = end + 1;
-    }
-    return out + line;
-}
+constexpr std::size_t kWidest = 100; // characters of a line of a help
+
+std::string wrap(const std::string& text, std::size_t indent) { return wrapped(text, indent, kWidest); }
 
 constexpr const char* kExits[][2] = {{"0", "all went well"},
                                      {"1", "the work could not be done"},

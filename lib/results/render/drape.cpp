@@ -173,9 +173,15 @@ void draw_key(MapPicture& c, const Tint& tint, const Show& show, const SurfaceBe
     }
     for (std::size_t i = 0; i < c.scene.patches.size() && show.by.empty() && c.scene.patches.size() > 1; ++i)
         key.swatch(patch_colour(i), c.scene.patches[i]);
-    if (show.voids) key.swatch(void_colour(), "void " + fixed_text(100 * bare, 1) + "%");
+    if (const std::string share = "void " + fixed_text(100 * bare, 1) + "%"; show.voids && share == "void 0%")
+        key.text(share); // nothing in the picture has that colour
+    else if (show.voids)
+        key.swatch(void_colour(), share);
     if (show.overlap) key.swatch(overlap_colour(), "overlap");
-    if (!c.scene.spans.empty()) add_legend(key, tint);
+    if (c.scene.spans.empty()) return;
+    add_legend(key, tint);
+    key.swatch(mark_colour(Mark::Kind::start), "beginning");
+    key.swatch(mark_colour(Mark::Kind::end), "end");
 }
 
 // Writes the names of several surfaces, each at its pixel nearest to the middle of its visible part. A name is left out

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "base/shell.hpp"
+#include "cli/lines.hpp"
 #include "cli/output_name.hpp"
 #include "machine/profile.hpp"
 #include "stream/sink.hpp"
@@ -180,15 +181,16 @@ std::string shown_pipeline(std::vector<Command> commands, const SlicerMachine* m
 
 // Reports the settings of files that are not used; first those without which a print can go wrong.
 void tell_left(const SlicerTranslation& from) {
-    const auto list = [](const std::string& what, const std::vector<std::string>& names) {
+    const auto list = [](const char* more, const std::string& what, const std::vector<std::string>& names) {
         if (names.empty()) return;
-        std::cerr << "filum: " << names.size() << what;
-        for (const std::string& name : names) std::cerr << ' ' << name;
-        std::cerr << std::endl;
+        std::string line = "filum: " + std::to_string(names.size()) + more;
+        line += (names.size() == 1 ? " setting" : " settings") + what;
+        for (const std::string& name : names) line += " " + name;
+        std::cerr << cli::for_terminal(line) << std::endl;
     };
-    list(" settings of --load are not followed, and a print without them can go wrong:", from.harmful);
-    for (const std::string& remark : from.remarks) std::cerr << "filum: " << remark << std::endl;
-    list(" more settings of --load are not used yet (filum settings FILE tells why):", from.left);
+    list("", " of --load not followed, and a print without can go wrong:", from.harmful);
+    for (const std::string& remark : from.remarks) std::cerr << cli::for_terminal("filum: " + remark) << std::endl;
+    list(" more", " of --load not used yet (filum settings FILE tells why):", from.left);
 }
 
 void tell_idle(const std::vector<std::string>& options) {
