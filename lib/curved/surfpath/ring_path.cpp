@@ -15,37 +15,15 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kLeast = 0.3;    // spacings: lower limit of the least radius
 constexpr double kPathStep = 0.1; // least radii between points of the path
-// least radii: radius to which lines are eased, so that the resampled path keeps the least radius
-constexpr double kEase = 1.08;
-
-// Adds points where the line crosses edges, but only if its own segments would leave the surface by more than kOff mm.
-// Points that almost coincide would turn by arbitrary angles.
-Line slim_threaded(const Surface& s, const Line& line) {
-    constexpr double kOff = 4e-3;
-    Line out;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        out.places.push_back(line.places[i]);
-        const Line way = surface::curve::join(s, line.places[i], line.places[i + 1]);
-        const Vec3 d = line[i + 1] - line[i];
-        for (std::size_t k = 1; k + 1 < way.size(); ++k) {
-            const Vec3 p = way[k] - line[i];
-            const double l = dot(d, d), t = l > 0 ? dot(p, d) / l : 0;
-            if (norm(p - t * d) > kOff) out.places.push_back(way.places[k]);
-        }
-    }
-    out.places.push_back(line.places.back());
-    return out;
-}
 
 // The line eased and resampled in equal steps, so that noise from crossed edges does not count as curvature.
 Line gentle(const Surface& s, const Line& line, double radius, double spacing) {
-    const auto eased =
-        surface::curve::ease(s, line, {.radius = kEase * radius, .corridor = 0.25 * spacing, .step = 0.05 * radius});
+    const auto eased = surface::curve::ease(
+        s, line, {.radius = rules::kRounded * radius, .corridor = 0.25 * spacing, .step = 0.05 * radius});
     Line out = surface::curve::resampled(eased.line, kPathStep * radius);
     for (Place& p : out.places) p = surface::curve::settled(s, p);
-    return slim_threaded(s, out);
+    return surface::curve::threaded(s, out);
 }
 
 // Adds a note if there are more strokes than components with rings, at the start of the shortest stroke.
@@ -66,7 +44,7 @@ void note_unjoined(const Surface& s, const rings::Rings& made, Plan& plan) {
 Plan ring_path(const surface::Sheet& sheet, const Options& given, int by) {
     Plan out;
     Options o = given;
-    o.least_radius = std::max(o.least_radius, kLeast * o.spacing);
+    o.least_radius = std::max(o.least_radius, o.spacing / 2);
     const Surface& s = sheet.surface;
     rings::Rings made = rings::rings(sheet, {o.spacing, o.least_radius, by == 1}, out.facts, out.notes);
     const lanes::Lanes lanes(s, made.lines, o.spacing);
@@ -77,7 +55,7 @@ Plan ring_path(const surface::Sheet& sheet, const Options& given, int by) {
     if (start != surface::kNone) {
         const lanes::Ladder ladder =
             lanes::spiral_ladder(lanes, start, rules::shift_length(o.least_radius, by * o.spacing));
-        if (ladder.lanes() >= static_cast<std::size_t>(by) + 1) lanes::shift(linked, lanes, ladder, by);
+        if (ladder.lanes() >= static_cast<std::size_t>(by) + 1) lanes::shift(linked, lanes, ladder, by, o.least_radius);
         out.facts.push_back({"", "seam-lanes", static_cast<double>(ladder.lanes()), ""});
         if (ladder.lanes()) out.facts.push_back({"", "seam-length", shortest(lanes, ladder), "mm"});
     }

@@ -1,5 +1,7 @@
 #include "surfpath/fronts/elastic.hpp"
 
+#include "surfpath/rules/rules.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,14 +11,10 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kNoGap = 2.2; // spacings: larger gaps are open
 // Most sweeps of the relaxation.
 constexpr int kSweeps = 400;
 constexpr double kOver = 1.6;  // over-relaxation
 constexpr double kRest = 1e-4; // spacings: relaxation ends when no knot moves farther
-constexpr double kLean = 1;    // weight of squared slopes relative to squared strains
-// Smoothings after the relaxation.
-constexpr int kSmoothings = 4;
 
 // A spot of a line with its neighbours along the front and along the line.
 struct Knot {
@@ -56,7 +54,6 @@ class ElasticSheet {
                 if (!k.held) most = std::max(most, std::abs(pull(k)));
             if (most < kRest * d_) break;
         }
-        for (int i = 0; i < kSmoothings; ++i) smooth();
     }
 
     [[nodiscard]] double moved(std::size_t line, std::size_t spot) const { return knots_[first_[line] + spot].moved; }
@@ -85,7 +82,7 @@ class ElasticSheet {
     }
 
     void link(std::uint32_t a, std::uint32_t b, double gap) {
-        if (gap > kNoGap * d_) return;
+        if (gap > rules::kBeside * d_) return;
         knots_[a].right = b;
         knots_[a].right_gap = gap;
         knots_[b].left = a;
@@ -105,8 +102,8 @@ class ElasticSheet {
             if (beside.line.closed) continue;
             const auto feel = [&](double x, double x_beside, double sign) {
                 const double slope = std::abs(x - x_beside) / fronts_.step();
-                if (x > kNoGap / 2 * d_ || slope > kParallel) return;
-                const double weight = 2 * (1 - slope / kParallel);
+                if (x > rules::kBeside / 2 * d_ || slope > rules::kAlong) return;
+                const double weight = 2 * (1 - slope / rules::kAlong);
                 k.rim_weight += weight;
                 k.rim += sign * weight * (d_ / 2 - x);
             };
@@ -117,7 +114,7 @@ class ElasticSheet {
     }
 
     double pull(Knot& k) {
-        const double across = 1 / (d_ * d_), along = kLean / (fronts_.step() * fronts_.step());
+        const double across = 1 / (d_ * d_), along = 1 / (fronts_.step() * fronts_.step());
         double weight = k.rim_weight * across, sum = k.rim * across;
         if (k.left != kNone) {
             weight += across;
@@ -139,17 +136,6 @@ class ElasticSheet {
         const double way = kOver * (sum / weight - k.moved);
         k.moved += way;
         return way;
-    }
-
-    // Removes oscillations from step to step.
-    void smooth() {
-        std::vector<double> next;
-        next.reserve(knots_.size());
-        for (const Knot& k : knots_) {
-            const bool inner = k.before != kNone && k.behind != kNone && !k.held;
-            next.push_back(inner ? (knots_[k.before].moved + 2 * k.moved + knots_[k.behind].moved) / 4 : k.moved);
-        }
-        for (std::size_t i = 0; i < knots_.size(); ++i) knots_[i].moved = next[i];
     }
 
     const Fronts& fronts_;

@@ -130,7 +130,7 @@ class March {
             e.push_back(i > 0 ? row[i].x - row[i - 1].x - d_ : row[0].x + l - row.back().x - d_);
         if (on.line.closed) return e;
         const auto to_rim = [&](double x, double before) {
-            const bool along = before >= 0 && std::abs(x - before) < kParallel * fronts_.step();
+            const bool along = before >= 0 && std::abs(x - before) < rules::kAlong * fronts_.step();
             return along || x > 1.3 * d_ ? x - d_ / 2 : 0;
         };
         e[0] = to_rim(row[0].x, row[0].before);

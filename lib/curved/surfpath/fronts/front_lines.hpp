@@ -5,8 +5,6 @@
 
 namespace filum::surfpath::fronts {
 
-inline constexpr double kParallel = 0.2; // largest slope relative to a rim at which a line runs along it
-
 enum class FrontLineEnd : std::uint8_t {
     source,   // on a source curve
     rim,      // at a rim, or where lines from elsewhere arrive first

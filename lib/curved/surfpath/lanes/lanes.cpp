@@ -1,24 +1,18 @@
 #include "surfpath/lanes/lanes.hpp"
 
+#include "surfpath/rules/rules.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace filum::surfpath::lanes {
-
-namespace {
-
-constexpr double kNodeStep = 0.2;  // spacings between nodes
-constexpr double kNearest = 0.5;   // spacings: nearer lanes are not neighbours
-constexpr double kAnotherLane = 3; // spacings of arc length from which a lane counts as its own neighbour
-
-} // namespace
 
 Lanes::Lanes(const Surface& surface, std::vector<Line> lines, double spacing)
     : surface_(surface), lines_(std::move(lines)), spacing_(spacing) {
     for (std::uint32_t l = 0; l < lines_.size(); ++l) {
         arcs_.push_back(surface::curve::arc_lengths(lines_[l]));
         const double all = arcs_[l].back();
-        const auto n = static_cast<std::size_t>(std::max(3.0, std::ceil(all / (kNodeStep * spacing))));
+        const auto n = static_cast<std::size_t>(std::max(3.0, std::ceil(all / (rules::kGrain * spacing))));
         for (std::size_t i = 0; i < n; ++i) {
             const double arc = all * static_cast<double>(i) / static_cast<double>(n);
             const Place p = surface::curve::at(lines_[l], arcs_[l], arc);
@@ -53,7 +47,7 @@ double Lanes::curvature(std::uint32_t lane, double arc) const {
 
 LanePlace Lanes::refined(const Node& node, const Vec3& p) const {
     LanePlace out{node.lane, node.arc, distance(node.point, p)};
-    const double step = kNodeStep * spacing_, all = length(node.lane);
+    const double step = rules::kGrain * spacing_, all = length(node.lane);
     double lo = node.arc - step, hi = node.arc + step;
     for (int i = 0; i < 12; ++i) { // ternary search; the lane is almost straight between the nodes
         const double a = lo + (hi - lo) / 3, b = hi - (hi - lo) / 3;
@@ -98,7 +92,7 @@ std::optional<LanePlace> Lanes::across(std::uint32_t lane, double arc, double si
     const Vec3 out = side * cross(tangent(lane, arc), n);
     const auto use = [&](std::uint32_t l, double w) {
         if (l != lane) return true;
-        return std::min(ahead(l, arc, w, 1), ahead(l, w, arc, 1)) > kAnotherLane * spacing_;
+        return std::min(ahead(l, arc, w, 1), ahead(l, w, arc, 1)) > rules::kBeside * spacing_;
     };
     for (double far = 1; far < farthest + 0.1; far += 0.5) {
         const double length = std::min(far, farthest) * spacing_;
@@ -108,7 +102,7 @@ std::optional<LanePlace> Lanes::across(std::uint32_t lane, double arc, double si
         const Place there = at(found->lane, found->arc);
         const Vec3 off = there.point - from.point;
         const double d = norm(off);
-        if (d < kNearest * spacing_ || d > (farthest + 0.2) * spacing_ || dot(off, out) < 0.8 * d) continue;
+        if (d > (farthest + 0.2) * spacing_ || dot(off, out) < 0.8 * d) continue;
         if (!surface::curve::leads(surface_, surface::curve::join(surface_, from, there))) continue;
         return LanePlace{found->lane, found->arc, d};
     }

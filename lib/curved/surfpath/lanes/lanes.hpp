@@ -41,8 +41,8 @@ class Lanes {
     using Use = std::function<bool(std::uint32_t, double)>;
     [[nodiscard]] std::optional<LanePlace> nearest(const Place& from, double reach, const Use& use) const;
 
-    // The neighbour of `lane` at `way` on its right (side 1) or left (side -1), at a distance between 0.5 and
-    // `farthest` spacings along the surface. It may be another part of the same lane.
+    // The neighbour of `lane` at `way` on its right (side 1) or left (side -1), at most
+    // `farthest` spacings away along the surface. It may be another part of the same lane.
     [[nodiscard]] std::optional<LanePlace> across(std::uint32_t lane, double arc, double side, double farthest) const;
 
     // Arc length from `from` to `to` along the lane (sense 1) or against it (-1): from 0 to less than its length.

@@ -5,13 +5,6 @@
 
 namespace filum::surfpath::lanes {
 
-namespace {
-
-// limits of the step on other lanes, in steps of the first lane
-constexpr double kShortestStep = 0.15, kLongestStep = 4;
-
-} // namespace
-
 Rung rung(const Lanes& lanes, std::uint32_t lane, double arc, double side, double farthest, std::size_t most) {
     Rung out{{{lane, arc, 0}}, {1}};
     while (out.places.size() < most) {
@@ -30,12 +23,13 @@ Rung rung(const Lanes& lanes, std::uint32_t lane, double arc, double side, doubl
     return out;
 }
 
-bool follows(const Lanes& lanes, const Rung& a, const Rung& b, double step) {
+bool follows(const Lanes& lanes, const Rung& a, const Rung& b) {
     if (a.places.size() != b.places.size() || a.sense != b.sense) return false;
     for (std::size_t k = 0; k < a.places.size(); ++k) {
-        if (a.places[k].lane != b.places[k].lane) return false;
-        const double on = lanes.ahead(a.places[k].lane, a.places[k].arc, b.places[k].arc, a.sense[k]);
-        if (on < kShortestStep * step || on > kLongestStep * step) return false;
+        const std::uint32_t lane = a.places[k].lane;
+        if (lane != b.places[k].lane) return false;
+        const double on = lanes.ahead(lane, a.places[k].arc, b.places[k].arc, a.sense[k]);
+        if (!(on > 0) || 2 * on > lanes.length(lane)) return false; // it leads back
     }
     return true;
 }

@@ -29,8 +29,8 @@ struct Rung {
 // lane, over at most `most` lanes. It ends before it would meet a lane twice.
 Rung rung(const Lanes& lanes, std::uint32_t lane, double arc, double side, double farthest, std::size_t most);
 
-// Whether the second rung can be the next one of a ladder: the same lanes, at arc lengths about `step` further on.
-bool follows(const Lanes& lanes, const Rung& first, const Rung& second, double step);
+// Whether the second rung can be the next one of a ladder: the same lanes, farther on along each.
+bool follows(const Lanes& lanes, const Rung& first, const Rung& second);
 
 Ladder ladder(const std::vector<Rung>& rungs, double step);
 

@@ -13,14 +13,9 @@ namespace filum::surfpath::lanes {
 
 namespace {
 
-constexpr double kWanted = 2;   // wanted length of a ladder, in least lengths: links then bend a quarter as much
-constexpr int kPoints = 2;      // points per rung of a link
-constexpr double kMargin = 0.5; // least length of lane between openings: half a bead
-constexpr double kRidge =
-    3; // largest distance of lanes with a line in the middle; one more lane fits into a larger one
-constexpr double kLeastRidge = 4. / 3; // least such distance: the void avoided is then half the overlap that is added
-constexpr double kRidgeDrift = 6;     // length over which the line moves to the middle: 1/6 spacing per spacing at most
-constexpr double kFarthestJoined = 4; // largest distance of lanes that are joined
+// Spacings: distance of a line from itself above which a further line between costs less than the void that it covers.
+// Of a gap of g spacings, g - 1 are void; the line overlaps by 2 - g.
+constexpr double kRidge = (1 + 2 * rules::kOverlapCosts) / (1 + rules::kOverlapCosts);
 
 weave::End first_rung(std::uint32_t window, double sense) { return {window, sense < 0}; }
 weave::End last_rung(std::uint32_t window, double sense) { return {window, sense > 0}; }
@@ -34,7 +29,7 @@ weave::Window window(const LinkedLanes& linked, const Ladder& r, std::size_t k) 
 // The link from lane u0 to lane u1, between rungs v0 and v1.
 std::vector<Vec2> change(const Ladder& r, double u0, double u1, double v0, double v1) {
     std::vector<Vec2> out;
-    const int n = std::max(2, static_cast<int>(std::ceil(std::abs(v1 - v0) * kPoints)));
+    const int n = std::max(2, static_cast<int>(std::ceil(std::abs(v1 - v0) / rules::kGrain)));
     for (int i = 0; i <= n; ++i) {
         const double t = static_cast<double>(i) / n, v = v0 + t * (v1 - v0);
         out.push_back({u0 + (u1 - u0) * rules::shifted(v / r.last()), v});
@@ -44,7 +39,7 @@ std::vector<Vec2> change(const Ladder& r, double u0, double u1, double v0, doubl
 
 std::vector<Vec2> straight(double u, double v0, double v1) {
     std::vector<Vec2> out;
-    const int n = std::max(1, static_cast<int>(std::ceil(std::abs(v1 - v0) * kPoints)));
+    const int n = std::max(1, static_cast<int>(std::ceil(std::abs(v1 - v0) / rules::kGrain)));
     for (int i = 0; i <= n; ++i) out.push_back({u, v0 + (v1 - v0) * i / n});
     return out;
 }
@@ -54,10 +49,10 @@ std::vector<Vec2> straight(double u, double v0, double v1) {
 namespace {
 
 // The longest run of consecutive rungs from rung `i` on the same lanes; it does not wrap around to `i`.
-std::vector<Rung> run_from(const Lanes& lanes, std::span<const Rung> rungs, std::size_t i, double step) {
+std::vector<Rung> run_from(const Lanes& lanes, std::span<const Rung> rungs, std::size_t i) {
     const std::size_t n = rungs.size();
     std::vector<Rung> out{rungs[i]};
-    while (out.size() + 1 < n && follows(lanes, out.back(), rungs[(i + out.size()) % n], step))
+    while (out.size() + 1 < n && follows(lanes, out.back(), rungs[(i + out.size()) % n]))
         out.push_back(rungs[(i + out.size()) % n]);
     return out;
 }
@@ -81,25 +76,21 @@ Ladder first_of(const Lanes& lanes, std::span<const Rung> run, double wanted, do
     }
 }
 
-// The longest ladder over the lanes of these rungs, but not longer than wanted; empty if all are shorter than `least`.
-Ladder best_ladder(const Lanes& lanes, std::span<const Rung> rungs, double least, double step) {
-    Ladder best;
-    double longest = 0;
+// The first ladder over the lanes of these rungs that is at least `least` mm long, and hardly longer; empty if there is
+// none.
+Ladder long_ladder(const Lanes& lanes, std::span<const Rung> rungs, double least, double step) {
     for (std::size_t i = 0; i < rungs.size();) {
         if (rungs[i].places.empty()) {
             ++i;
             continue;
         }
-        const auto run = run_from(lanes, rungs, i, step);
+        const auto run = run_from(lanes, rungs, i);
         i += run.size();
         if (run.size() < 3) continue;
-        Ladder r = first_of(lanes, run, kWanted * least, step);
-        const double l = std::min(shortest(lanes, r), kWanted * least);
-        if (l < least || l <= longest || !fits(lanes, r)) continue;
-        longest = l;
-        best = std::move(r);
+        Ladder out = first_of(lanes, run, least, step);
+        if (shortest(lanes, out) >= least && fits(lanes, out)) return out;
     }
-    return best;
+    return {};
 }
 
 } // namespace
@@ -120,26 +111,27 @@ Ladder spiral_ladder(const Lanes& lanes, std::uint32_t start, double least) {
             r.places.resize(kept);
             r.sense.resize(kept);
         }
-        if (Ladder best = best_ladder(lanes, cropped, least, step); best.lanes() > 0) return best;
+        if (Ladder best = long_ladder(lanes, cropped, least, step); best.lanes() > 0) return best;
     }
     return {};
 }
 
 // The inner end of a spiral on a ridge: moves from the innermost lane to the middle between this lane and itself, and
 // follows the ridge as long as a line fits. Empty if none does.
-static Line along_ridge(const Lanes& lanes, std::uint32_t lane, double arc, double sense) {
+static Line along_ridge(const Lanes& lanes, std::uint32_t lane, double arc, double sense, double radius) {
     Line out;
     const double d = lanes.spacing(), step = 0.3 * d;
     const Vec3 begin = lanes.tangent(lane, arc);
     for (double on = 0; on < lanes.length(lane) / 2; on += step) {
         const double here = arc + sense * on;
-        const auto over = lanes.across(lane, here, 1, kRidge);
-        if (!over || over->lane != lane || over->distance < kLeastRidge * d) break;
+        const auto over = lanes.across(lane, here, 1, 1 + rules::kBeside);
+        if (!over || over->lane != lane || over->distance < kRidge * d) break;
         if (dot(lanes.tangent(lane, here), begin) < 0) break; // the lane turns around the end of the ridge
         const Line line = surface::curve::join(lanes.surface(), lanes.at(lane, here), lanes.at(lane, over->arc));
         const auto arcs = surface::curve::arc_lengths(line);
-        out.places.push_back(
-            surface::curve::at(line, arcs, 0.5 * rules::shifted(std::min(1.0, on / (kRidgeDrift * d))) * arcs.back()));
+        out.places.push_back(surface::curve::at(
+            line, arcs,
+            0.5 * rules::shifted(std::min(1.0, on / rules::shift_length(radius, over->distance / 2))) * arcs.back()));
     }
     return surface::curve::threaded(lanes.surface(), out);
 }
@@ -160,7 +152,7 @@ static std::vector<Vec2> half_turn(const Lanes& lanes, const Ladder& r, std::siz
     return out;
 }
 
-void shift(LinkedLanes& linked, const Lanes& lanes, const Ladder& r, int by) {
+void shift(LinkedLanes& linked, const Lanes& lanes, const Ladder& r, int by, double radius) {
     const std::size_t n = r.lanes(), s = static_cast<std::size_t>(by);
     std::vector<std::uint32_t> opening;
     for (std::size_t k = 0; k < n; ++k) opening.push_back(linked.cut(window(linked, r, k)));
@@ -171,7 +163,7 @@ void shift(LinkedLanes& linked, const Lanes& lanes, const Ladder& r, int by) {
     linked.tail(last_rung(opening[0], r.sense[0]), drawn(lanes, r, straight(0, end, by == 1 ? half : 0.4 * end)));
     const auto inner = static_cast<double>(n - 1);
     if (by == 1) {
-        Line end_line = along_ridge(lanes, r.lane[n - 1], r.arcs[0][n - 1], r.sense[n - 1]);
+        Line end_line = along_ridge(lanes, r.lane[n - 1], r.arcs[0][n - 1], r.sense[n - 1], radius);
         if (end_line.size() < 2) end_line = drawn(lanes, r, straight(inner, 0, half));
         linked.tail(first_rung(opening[n - 1], r.sense[n - 1]), std::move(end_line));
         return;
@@ -229,7 +221,7 @@ class LaneExchanger {
 
     void find_sites() {
         sites_across(
-            [&](std::uint32_t l, double arc, double side) { return lanes_.across(l, arc, side, kFarthestJoined); });
+            [&](std::uint32_t l, double arc, double side) { return lanes_.across(l, arc, side, rules::kBeside); });
         sort_sites();
     }
     // Adds what across(lane, arc, side) finds on both sides of each lane, unless the two lanes are joined already.
@@ -255,7 +247,7 @@ class LaneExchanger {
             for (std::size_t i = 0; i < n; ++i) {
                 const double arc = lanes_.length(l) * static_cast<double>(i) / static_cast<double>(n);
                 const auto other = [&](std::uint32_t o, double) { return find(o) != find(l); };
-                for (const double reach : {1.0, 2.0, kFarthestJoined})
+                for (const double reach : {1.0, rules::kBeside, 2 * rules::kBeside})
                     if (const auto near = lanes_.nearest(lanes_.at(l, arc), reach * d, other)) {
                         sites_.push_back({near->distance, l, near->lane, arc, 0, near->distance, near->arc});
                         break;
@@ -308,11 +300,11 @@ class LaneExchanger {
             const double arc = s.arc + step * (static_cast<double>(i) - static_cast<double>(n) / 2);
             rungs.push_back(rung(lanes_, s.a, arc, s.side, std::max(1.7, s.gap / d + 0.7), 2));
             if (rungs[i].places.size() < 2 || rungs[i].places[1].lane != s.b) return;
-            if (i > 0 && !follows(lanes_, rungs[i - 1], rungs[i], step)) return;
+            if (i > 0 && !follows(lanes_, rungs[i - 1], rungs[i])) return;
         }
         const Ladder r = ladder(rungs, step);
         const weave::Window a = window(linked_, r, 0), b = window(linked_, r, 1);
-        if (!linked_.free(a, kMargin * d) || !linked_.free(b, kMargin * d)) return;
+        if (!linked_.free(a, 0) || !linked_.free(b, 0)) return;
         const std::uint32_t w[2] = {linked_.cut(a), linked_.cut(b)};
         for (const std::size_t k : {0U, 1U})
             linked_.link(first_rung(w[k], r.sense[k]), last_rung(w[1 - k], r.sense[1 - k]),

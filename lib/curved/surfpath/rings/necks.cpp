@@ -11,11 +11,7 @@ namespace filum::surfpath::rings {
 
 namespace {
 
-constexpr double kLongestBridge = 14; // spacings between tips
-constexpr double kDeepest = 0.6;      // spacings between the level and the lowest point of the neck
-constexpr double kBelow = 0.1;        // spacings between the neck's lowest point and the bridges
-constexpr double kBridgeDrift = 8;    // spacings of length over which the line changes from the ring to the bridge
-constexpr double kCut = 2;            // spacings by which rounding shortens a ring at a tip, at least
+constexpr double kBridgeDrift = 8; // spacings of length over which the line changes from the ring to the bridge
 
 struct Tip {
     std::size_t bend;
@@ -58,7 +54,6 @@ class NeckFinder {
             Tip t{i, 0, {}};
             const Corner& c = corner(t);
             const double all = ring(t).ahead(c.from, c.to), half = 0.4 * spacing_;
-            if (all - c.length < kCut * spacing_) continue;
             double most = -1;
             for (double on = half; on < all - half; on += 0.2 * spacing_) {
                 const Vec3 p = at(t, c.from + on).point;
@@ -78,7 +73,7 @@ class NeckFinder {
     void look_across(std::size_t a, std::size_t b, std::vector<Neck>& necks) const {
         const Place &from = tips_[a].place, &to = tips_[b].place;
         const double length = distance(from.point, to.point);
-        if (length > kLongestBridge * spacing_ || length < 0.1 * spacing_) return;
+        if (length < 0.1 * spacing_) return;
         const Line line = surface::curve::join(surface_, from, to);
         if (line.size() == 2 && from.triangle != to.triangle) return;
         const auto ways = surface::curve::arc_lengths(line);
@@ -90,12 +85,13 @@ class NeckFinder {
             if (h > level_ + 0.02 * spacing_) return; // the way leads through the inside of a ring
             height = std::min(height, h);
         }
-        if (height < level_ - kDeepest * spacing_) return;
+        // two bridges are less than a spacing too near to each other, or they are farther than lines may be moved
+        if (height < level_ - (0.5 + rules::kGive) * spacing_) return;
         necks.push_back({length, height, a, b});
     }
 
     void bridge(const Neck& n) {
-        const double levels[] = {std::max(0.3 * spacing_, n.height - kBelow * spacing_)};
+        const double levels[] = {std::max(0.3 * spacing_, n.height - rules::kGive * spacing_)};
         std::vector<Ring> lower;
         for (const auto& line : geodesic::isolines(surface_, field_, levels))
             if (line.closed) lower.push_back({surface::curve::line(line), {}, {}});
@@ -122,7 +118,6 @@ class NeckFinder {
         if (from.line != to.line || std::max(from.distance, to.distance) > 1.5 * spacing_) return {};
         const Ring& low = lower[from.line];
         const double way = low.ahead(from.way, to.way);
-        if (way > 2 * kLongestBridge * spacing_) return {};
         Line out = drift(a, ca.from, la, lower, tree, true);
         surface::curve::append(out, surface::curve::part(low.line, low.ways, from.way, from.way + way));
         surface::curve::append(out, drift(b, cb.to - lb, lb, lower, tree, false));

@@ -20,16 +20,12 @@ namespace {
 
 using surface::kNone;
 
-// radius of a ring's turn around a low ridge, as a share of the ridge's height above the ring
-constexpr double kOfRidge = 0.9;
-// least radii: radius by which corners are rounded, so that little remains to be eased
-constexpr double kRounder = 1.08;
 constexpr double kScales[] = {1, 0.65, 0.4, 0.2};    // radii of rounding, in least radii
 constexpr double kGains[] = {1,   1.3, 1.7, 2,  2.3, // gains that are tried: least radii of length
                              2.6, 2.9, 3.2, 3.5};    // per radian of tight turn
-// tight turns: at most on this share of the length, by this share of the least curvature radius
-constexpr double kTightPart = 0.01, kTighter = 0.8;
-constexpr double kTightest = 0.3; // spacings: least radius of any ring
+// Share of the angle that circles of the least radius would turn over the length of all rings: by so much all turns
+// together may exceed the least radius. It is used up if a hundredth of the length turns 1.8 times as tightly.
+constexpr double kTightPart = 0.008;
 
 // The sheet's sources, and all sides of rims that are not among them.
 surface::Sources all_sources(const surface::Sheet& sheet) {
@@ -49,8 +45,8 @@ surface::Sources all_sources(const surface::Sheet& sheet) {
 class RingMaker {
   public:
     RingMaker(const surface::Sheet& sheet, const RingLimits& limits, Facts& facts, Notes& notes)
-        : s_(sheet.surface), field_(geodesic::exact(s_, all_sources(sheet))), least_(kRounder * limits.least_radius),
-          d_(limits.spacing) {
+        : s_(sheet.surface), field_(geodesic::exact(s_, all_sources(sheet))),
+          least_(rules::kRounded * limits.least_radius), d_(limits.spacing) {
         if (geodesic::farthest(s_, field_) > rules::kMostLines * d_)
             throw Error(Exit::usage, "cannot plan more than 10000 nested rings; raise --spacing");
         levels_ = levels(s_, field_, {d_, least_, limits.ridge}, facts, notes);
@@ -103,18 +99,19 @@ class RingMaker {
         for (std::size_t i = line(own_lines.first); i < line(own_lines.second); ++i) {
             const std::uint32_t part = beyond.component(levels_.begins[i]);
             if (part == kNone) continue;
-            const double rise = beyond.highest(part) - level, radius = kOfRidge * rise;
+            const double rise = beyond.highest(part) - level;
             if (rise > least_) {
                 high.outer.push_back(&levels_.lines[i]);
                 high_parts.push_back(part);
                 continue;
             }
-            if (radius < kTightest * d_) continue;
+            if (rise < d_ / 2) continue;
             const auto own =
                 static_cast<std::size_t>(std::find(parts.begin(), parts.end(), std::vector{part}) - parts.begin());
             if (own == parts.size()) {
                 parts.push_back({part});
-                out.push_back({level, ring, {}, {radius, 0.6 * radius, 0.35 * radius, 0.2 * least_}});
+                out.push_back({level, ring, {}, {}});
+                for (const double share : kScales) out.back().radii.push_back(share * rise);
             }
             out[own].outer.push_back(&levels_.lines[i]);
         }
@@ -155,12 +152,11 @@ class RingMaker {
         return out;
     }
 
-    // The least of the gains for which tight turns remain rare: at most kTightPart of the length turns tighter, by
-    // kTighter.
+    // The least of the gains for which tight turns remain rare.
     [[nodiscard]] double affordable(const Rounding& rounding) const {
         double length = 0;
         for (const auto& line : levels_.lines) length += surface::curve::length(surface::curve::line(line));
-        const double most = kTightPart * length * kTighter / least_;
+        const double most = kTightPart * length / least_;
         for (const double gain : kGains)
             if (tight(rounding, gain) <= most) return gain;
         return kGains[std::size(kGains) - 1];
@@ -179,8 +175,8 @@ Rings rings(const surface::Sheet& sheet, const RingLimits& limits, Facts& facts,
     Rings out = RingMaker(sheet, limits, facts, notes).run();
     if (out.lines.empty())
         throw Error(Exit::bad_input, "cannot plan a ring: no place is half a spacing away from all sources and has "
-                                     "room for a turn of a third of "
-                                     "a spacing; lower --spacing");
+                                     "room for a turn of half a "
+                                     "spacing; lower --spacing");
     facts.push_back({"", "rings", static_cast<double>(out.lines.size()), ""});
     return out;
 }

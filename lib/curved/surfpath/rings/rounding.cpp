@@ -13,10 +13,9 @@ namespace filum::surfpath::rings {
 
 namespace {
 
-constexpr double kLongCut = 3.0;  // least radii: a corner that is shortened by less is not rounded further
-constexpr double kSeen = 0.06;    // least radii: contacts farther than this from the ends of an arc are between them
-constexpr double kCusp = 0.15;    // rad: an outward turn of an arc beyond this is a cusp
-constexpr double kShortest = 0.5; // arc lengths: least length of ring that an arc replaces, since the arc runs inside
+constexpr double kOff = 0.01;    // radii: a rounded line is off its ring where it is farther from it
+constexpr double kLongCut = 3.0; // least radii: a corner that is shortened by less is not rounded further
+constexpr double kCusp = 0.15;   // rad: an outward turn of an arc beyond this is a cusp
 
 class Rounder {
   public:
@@ -84,7 +83,7 @@ class Rounder {
     // Splits an opened line into arcs and stretches along the rings.
     void sort_in(const Line& line, std::size_t number, double level, double radius, const RingTree& tree,
                  std::vector<Ring>& rings) const {
-        const double still = 0.0015 * radius, off = 0.01 * radius;
+        const double still = 0.0015 * radius, off = kOff * radius;
         const std::size_t n = line.size();
         std::vector<double> above(n);
         for (std::size_t i = 0; i < n; ++i) above[i] = height(line.places[i]) - level;
@@ -126,13 +125,12 @@ class Rounder {
         if (has_cusp(arc)) return;
         const double l = surface::curve::length(arc), cut = rings[a.line].ahead(a.way, b.way);
         Ring::RadiusResult& to = rings[a.line].by.back();
-        if (end - begin >= n || rings[a.line].ways.back() - cut < kSeen * least_) { // it replaces the whole ring
+        if (end - begin >= n || rings[a.line].ways.back() - cut < kOff * least_) { // it replaces the whole ring
             to.instead.push_back(line);
             to.numbers.push_back(number);
             return;
         }
-        // A longer arc leads across a narrow place to where the ring returns.
-        if (cut >= kShortest * l) to.corners.push_back({a.way, b.way, std::move(arc), l});
+        to.corners.push_back({a.way, b.way, std::move(arc), l});
     }
     // Removes arcs that lead across narrow places, where the ring between their ends is touched.
     void check(Ring& r) const {
@@ -141,7 +139,7 @@ class Rounder {
             const double l = r.ahead(c.from, c.to);
             return std::any_of(now.kept.begin(), now.kept.end(), [&](const Ring::Contact& t) {
                 const double on = r.ahead(c.from, t.way);
-                return on > kSeen * least_ && on < l - kSeen * least_;
+                return on > kOff * least_ && on < l - kOff * least_;
             });
         });
         std::sort(now.corners.begin(), now.corners.end(), [](const auto& a, const auto& b) { return a.from < b.from; });
@@ -229,7 +227,7 @@ class Rounder {
                 const Corner &c = *bent[at].corner, &next = *bent[to].corner;
                 const double rest = at == to ? r.ways.back() - r.ahead(c.from, c.to) : r.ahead(c.to, next.from);
                 // Otherwise the next corner begins where this one ends, or slightly before.
-                if (rest < r.ways.back() - kSeen * least_)
+                if (rest < r.ways.back() - kOff * least_)
                     surface::curve::append(line, surface::curve::part(r.line, r.ways, c.to, c.to + rest));
                 surface::curve::append(line, bent[to].bridged_to ? bent[to].bridge : next.arc);
                 at = bent[to].bridged_to ? static_cast<std::size_t>(bent[to].bridged_to - bent.data()) : to;

@@ -33,8 +33,8 @@ std::size_t wind_double(const Surface& s, std::vector<Line*> lines, const LoopOp
         std::vector<Line> here;
         for (const Line* line : lines) here.push_back(*line);
         const lanes::Lanes lanes(s, std::move(here), o.spacing);
-        const lanes::Ladder ladder = lanes::spiral_ladder(lanes, 0, wanted / 2); // it is as long as wanted if it can
-        const bool leads = ladder.lanes() >= kFewest && lanes::shortest(lanes, ladder) >= wanted;
+        const lanes::Ladder ladder = lanes::spiral_ladder(lanes, 0, wanted);
+        const bool leads = ladder.lanes() >= kFewest;
         const double exchanges = static_cast<double>(ladder.lanes()) - 1;
         if (!leads || wedges(lanes, ladder, into) > exchanges * kExchangeWastes * o.spacing * o.spacing) {
             lines.erase(lines.begin());

@@ -174,7 +174,7 @@ void spiral(const Surface& s, Rows& rows, const LoopOptions& o) {
         lanes::LinkedLanes linked(lanes);
         const lanes::Ladder ladder = spiral_over(lanes, o);
         if (ladder.lanes() < lines.size()) continue;
-        lanes::shift(linked, lanes, ladder, 1);
+        lanes::shift(linked, lanes, ladder, 1, o.radius);
         auto curves = linked.curves();
         if (curves.size() != 1 || curves[0].closed) continue;
         rows.rows[which[0]].line = std::move(curves[0].line);

@@ -33,6 +33,10 @@ inline constexpr double kAlong = 1.0 / 3;
 // deep, and its start bends off a row that it may meet at a slant.
 inline constexpr double kTurnReach = 2;
 
+// Least radii: the radius to which lines are rounded, so that their polylines on triangles keep the least radius when
+// it is measured in steps of a quarter of a millimetre.
+inline constexpr double kRounded = 1.1;
+
 // mm: length over which a line shifts sideways by `by` mm, by two parabolas (shifted()) of this least radius.
 inline double shift_length(double radius, double by) { return 2 * std::sqrt(radius * by); }
 
