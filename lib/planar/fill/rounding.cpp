@@ -166,6 +166,14 @@ class Rounding {
             first.end = std::max(first.end, parts_.back().end - curve_.length());
             parts_.pop_back();
         }
+        if (!parts_.empty() && parts_.back().end >= curve_.length()) { // it holds the line's first point
+            RoundedStretch part = std::move(parts_.back());
+            parts_.pop_back();
+            part.begin -= curve_.length();
+            part.end -= curve_.length();
+            for (Corner& c : part.corner) c.s -= curve_.length();
+            parts_.insert(parts_.begin(), std::move(part));
+        }
     }
 
     [[nodiscard]] int steps(const RoundedStretch& part) const {

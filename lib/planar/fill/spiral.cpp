@@ -6,6 +6,7 @@
 #include "fill/join/cycle.hpp"
 #include "fill/least_radius.hpp"
 #include "fill/rings/lanes.hpp"
+#include "toolpath/grid.hpp"
 #include "toolpath/merge.hpp"
 
 #include <optional>
@@ -81,13 +82,14 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
 }
 
 // Tries several ways to fill the region, from the best to the safest. Returns the first that gives one curve which does
-// not cross itself; else the one with the fewest crossings, then the fewest curves.
+// not cross itself, if need be after some points have moved; else the one with the fewest crossings, then the fewest
+// curves.
 Spiral certified(const Loops& region, const SpiralOptions& o) {
     const auto faults = [](const Spiral& s) { return std::pair{s.crossings, s.curves.size()}; };
     std::optional<Spiral> best;
     for (const join::Attempt& how : join::kAttempts) {
         Spiral now = spiral_by(region, o, how);
-        now.crossings = join::crossing_pairs(now.curves, o.bead_width).size();
+        now.crossings = toolpath::part_crossings(now.curves, o.bead_width).size();
         if (!best || faults(now) < faults(*best)) best = std::move(now);
         if (best->crossings == 0 && best->curves.size() <= 1) break;
     }

@@ -18,6 +18,7 @@
 #include "polygon/segments.hpp"
 #include "polygon/stretches.hpp"
 #include "polygon/strips.hpp"
+#include "toolpath/grid.hpp"
 #include "toolpath/identify.hpp"
 
 #include <algorithm>
@@ -243,13 +244,53 @@ Feature feature_beside(const Region& r, const TopSkin& top, Vec2 p) {
     return top.holds(p) ? Feature::interface : Feature::support;
 }
 
+// Finds the loop nearest to a point.
+class NearestLoop {
+  public:
+    struct Hit {
+        Feature feature;
+        double best, same; // mm to the nearest loop, and to the nearest one with the requested feature
+    };
+
+    // `w`: mm; loops farther away do not count.
+    NearestLoop(const LooseCurves& from, double w)
+        : from_(&from), w_(w), segments_(polygon::segments(Loops{from.rings.points, from.rings.start})),
+          grid_(segments_, geom::cell_for(segments_, 1.5 * w)) {
+        for (std::uint32_t l = 0; l < from.rings.size(); ++l) loop_of_.resize(from.rings.start[l + 1], l);
+    }
+    // Distances are exact where one is less than kTolerance more than the other; else `same` may be larger.
+    [[nodiscard]] Hit operator()(Vec2 p, Feature wanted) const {
+        const double few = w_ / 4; // curves lie on their loops but for corners and links
+        const Hit hit = within(p, few, wanted);
+        return hit.best + kTolerance <= few ? hit : within(p, w_, wanted);
+    }
+
+  private:
+    [[nodiscard]] Hit within(Vec2 p, double reach, Feature wanted) const {
+        Hit out{Feature::solid, 2 * w_, 2 * w_};
+        grid_.near(p - Vec2{reach, reach}, p + Vec2{reach, reach}, [&](std::uint32_t k) {
+            const double d = geom::point_segment_distance(segments_[k].a, segments_[k].b, p);
+            const Feature feature = from_->feature[loop_of_[k]];
+            if (feature == wanted) out.same = std::min(out.same, d);
+            if (d < out.best) {
+                out.best = d;
+                out.feature = feature;
+            }
+        });
+        return out;
+    }
+
+    const LooseCurves* from_;
+    double w_;
+    std::vector<geom::Segment> segments_;
+    std::vector<std::uint32_t> loop_of_;
+    geom::SegmentGrid grid_;
+};
+
 // Sets the feature of every segment of the curves: that of the loop nearest to its middle. Solid segments on a top
 // surface become `top`. Regions that are not of the part get one of the features of supports and skirts.
 void tell_features(const Region& r, const LooseCurves& from, double w, std::vector<toolpath::Curve>& curves) {
-    const auto segments = polygon::segments(Loops{from.rings.points, from.rings.start});
-    std::vector<std::uint32_t> loop_of;
-    for (std::uint32_t l = 0; l < from.rings.size(); ++l) loop_of.resize(from.rings.start[l + 1], l);
-    const geom::SegmentGrid grid(segments, geom::cell_for(segments, 1.5 * w));
+    const NearestLoop nearest(from, w);
     const TopSkin top(r);
     for (auto& c : curves) {
         Feature last = Feature::solid; // of the loop of the segment before
@@ -263,17 +304,9 @@ void tell_features(const Region& r, const LooseCurves& from, double w, std::vect
                 c.feature.push_back(c.feature.back()); // a link ends in a piece as short as this
                 continue;
             }
-            double best = 2 * w, before = 2 * w; // mm to the nearest loop, and to one with the feature before
-            Feature feature = Feature::solid;
-            grid.near({p.x - w, p.y - w}, {p.x + w, p.y + w}, [&](std::uint32_t k) {
-                const double d = geom::point_segment_distance(segments[k].a, segments[k].b, p);
-                if (from.feature[loop_of[k]] == last) before = std::min(before, d);
-                if (d < best) {
-                    best = d;
-                    feature = from.feature[loop_of[k]];
-                }
-            });
-            if (i > 0 && before - best < kTolerance) feature = last; // halfway on a link
+            const NearestLoop::Hit hit = nearest(p, last);
+            Feature feature = hit.feature;
+            if (i > 0 && hit.same - hit.best < kTolerance) feature = last; // halfway on a link
             last = feature;
             c.feature.push_back(feature == Feature::solid && top.holds(p) ? Feature::top : feature);
         }
@@ -340,7 +373,7 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
                                       .hung = hung,
                                       .widest = width.widest});
         const double left = fill::leave_tiny(curves, width.narrowest);
-        const std::pair faults{fill::join::crossing_pairs(curves, width.widest).size(), curves.size()};
+        const std::pair faults{toolpath::part_crossings(curves, width.widest).size(), curves.size()};
         if (faults >= fewest) continue;
         fewest = faults;
         loose = std::move(parts);

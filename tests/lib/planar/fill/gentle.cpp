@@ -6,6 +6,7 @@
 #include "fill/rounding.hpp"
 #include "fill/spiral.hpp"
 #include "pattern_check.hpp"
+#include "toolpath/grid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -137,6 +138,24 @@ TEST(Rounded, TurnsCornersIntoCurvesOfTheSameMaterial) {
     EXPECT_LT(length_of({true, round.points, round.width}), 40 - 4 * 0.1 * kWidth);
     for (const double open : {kCorners.open, kCorners.open / 3}) // beyond each right angle
         EXPECT_NEAR(enclosed(line) - enclosed(rounded(line, kWidth, {open, 1e-5}, anywhere)), 4 * open, 0.02 * open);
+}
+
+// Where a closed line begins has no influence: just before a corner the last rounded stretch holds the first point.
+TEST(Rounded, DoesNotDependOnTheBegin) {
+    Curve line{true, {}, {}};
+    const Curve corners = square(3);
+    for (std::size_t i = 0; i < 4; ++i)
+        for (int k = 0; k < 40; ++k)
+            line.add(geom::lerp(corners.points[i], corners.points[(i + 1) % 4], k / 40.0), kWidth);
+    const Curve round = rounded(line, kWidth, kCorners, anywhere);
+    for (std::size_t k = 0; k < line.points.size(); ++k) {
+        std::rotate(line.points.begin(), line.points.begin() + 1, line.points.end());
+        const Curve again = rounded(line, kWidth, kCorners, anywhere);
+        EXPECT_NEAR(length_of({true, again.points, again.width}), length_of({true, round.points, round.width}), 1e-2)
+            << k;
+        EXPECT_NEAR(enclosed(again), enclosed(round), 1e-3) << k;
+        EXPECT_TRUE(toolpath::crossing_pairs({again}, kWidth).empty()) << k;
+    }
 }
 
 // Corners far from each other cost a machine little time, so they stay one point.
