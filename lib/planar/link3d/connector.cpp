@@ -203,6 +203,7 @@ std::optional<Entry> go_inside(State& state) {
         !misses_strands(state, a, b) || !misses_later(state, a, b))
         return std::nullopt;
     state.strands.emplace_back(a, b);
+    state.printed.strand(a, b, r.width);
     ++state.counts.strands;
     state.counts.strand_length += entry->place.distance;
     state.printed.begin();

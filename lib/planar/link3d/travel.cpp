@@ -52,7 +52,7 @@ double PrintedBodies::widest() const {
 
 bool PrintedBodies::blocks(Vec3 a, Vec3 b, double z, double margin, bool own) const {
     for (std::size_t i = 0; i + (own ? 1 : 0) < bodies.size(); ++i)
-        if (bodies[i].top > z && passes(a.xy(), b.xy(), bodies[i].box, margin)) return true;
+        if (!bodies[i].strand && bodies[i].top > z && passes(a.xy(), b.xy(), bodies[i].box, margin)) return true;
     return false;
 }
 
@@ -63,6 +63,11 @@ void PrintedBodies::connector(std::span<const Vec3> way, double width) {
         box.add(way[i + 1].xy());
         bodies.push_back({box, std::max(way[i].z, way[i + 1].z), width / 2, false});
     }
+}
+
+void PrintedBodies::strand(Vec3 a, Vec3 b, double width) {
+    connector(std::array{a, b}, width);
+    bodies.back().strand = true;
 }
 
 bool PrintedBodies::hits(Vec3 a, Vec3 b, const machine::Head& head) const {

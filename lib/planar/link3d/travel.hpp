@@ -21,7 +21,8 @@ struct PrintedBodies {
         Box2 box;         // of the middle lines of its beads
         double top = 0;   // mm
         double half = 0;  // mm: half the width of its widest bead
-        bool part = true; // false for connectors
+        bool part = true; // false for connectors and strands
+        bool strand = false;
     };
     std::vector<Body> bodies;
 
@@ -29,14 +30,15 @@ struct PrintedBodies {
     // Extends the newest body by beads with their middle lines in `lines`. The widest bead has `width` mm.
     void add(const Box2& lines, double width, double top);
     void connector(std::span<const Vec3> way, double width); // adds a body for each leg
+    void strand(Vec3 a, Vec3 b, double width);               // adds a body that is in the way of the head only
     [[nodiscard]] Box2 bounds() const;                       // of the middle lines of the part, without connectors
     [[nodiscard]] double widest() const;                     // mm: the width of the widest bead
     // Whether the head would touch a body on the straight way from a to b.
     [[nodiscard]] bool hits(Vec3 a, Vec3 b, const machine::Head& head) const;
     // Whether the head would touch an earlier leg of this way, or its bead would cross one.
     [[nodiscard]] static bool meets_itself(std::span<const Vec3> way, double width, const machine::Head& head);
-    // Whether a -> b comes within `margin` mm of the middle lines of a body that reaches above `z`. With `own` the
-    // newest body does not count.
+    // Whether a -> b comes within `margin` mm of the middle lines of a body that reaches above `z`. Strands do not
+    // count, and with `own` the newest body does not.
     [[nodiscard]] bool blocks(Vec3 a, Vec3 b, double z, double margin, bool own) const;
 };
 

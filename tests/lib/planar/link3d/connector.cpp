@@ -115,6 +115,23 @@ TEST(Connectors, GoInsideWithinALayer) {
     EXPECT_NEAR(r.counts.strand_length, 6 * 8, 6 * 2);
 }
 
+// A strand that is there already is in the way of the head: a lower strand that would pass below it is not made.
+TEST(Connectors, GoInsideNotBelowAnEarlierStrand) {
+    for (const std::uint32_t layer : {0U, 4U, 8U}) { // of the later pair; the earlier one is on layer 9
+        std::vector<RegionPaths> regions;
+        std::uint32_t id = 0;
+        for (const geom::Vec2 at : {geom::Vec2{0, 0}, geom::Vec2{24, 0}})
+            regions.push_back(region(id++, 9, Join::start, {rings(at, 2, 4)}));
+        for (const geom::Vec2 at : {geom::Vec2{12, -14}, geom::Vec2{12, 14}})
+            regions.push_back(region(id++, layer, Join::start, {rings(at, 2, 4)}));
+        Options o = with(Connect::inside);
+        o.head.carriage_x = o.head.carriage_y = 1;
+        EXPECT_EQ(link(regions, o).counts.strands, 1U) << layer;
+        o.head.none = true;
+        EXPECT_EQ(link(regions, o).counts.strands, 2U) << layer;
+    }
+}
+
 // A third tower between two is in the way, printed before or after, be it long after.
 TEST(Connectors, GoInsideAroundNothing) {
     for (const bool before : {true, false})
