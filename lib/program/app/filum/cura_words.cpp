@@ -5,7 +5,7 @@
 #include "base/number.hpp"
 
 #include <algorithm>
-#include <array>
+#include <charconv>
 #include <cmath>
 #include <initializer_list>
 
@@ -202,17 +202,23 @@ Words CuraNumbers::adhesion() const {
 } // namespace
 
 std::optional<double> cura_number(const SlicerFile& file, std::string_view key) {
+    const auto number = [](std::string_view text) -> std::optional<double> {
+        double out = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+        const bool whole = error == std::errc() && end == text.data() + text.size() && std::isfinite(out);
+        return whole ? std::optional(out) : std::nullopt;
+    };
     double factor = 1;
     for (int depth = 0; depth <= kDeepestFormula; ++depth) {
         const auto at = std::ranges::find(file.settings, key, &SlicerSetting::key);
-        if (at != file.settings.end()) {
-            if (is_formula(at->value)) return std::nullopt;
-            return factor * parse_number(at->value, key);
-        }
         const SettingRow row = row_of(key, Slicer::cura);
-        if (row.usual.empty()) return std::nullopt;
-        if (!row.usual.ends_with('%')) return factor * parse_number(row.usual, key);
-        factor *= parse_number(row.usual.substr(0, row.usual.size() - 1), key) / 100;
+        const bool share = at == file.settings.end() && row.usual.ends_with('%');
+        const std::string_view text = at != file.settings.end() ? std::string_view(at->value) : row.usual;
+        const auto value = number(share ? text.substr(0, text.size() - 1) : text);
+        if (!value) return std::nullopt; // a formula, a word, or no value at all
+        factor *= *value;
+        if (!share) return factor;
+        factor /= 100;
         key = row.of;
     }
     return std::nullopt;

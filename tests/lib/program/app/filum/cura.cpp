@@ -1,6 +1,7 @@
 #include "../files.hpp"
 #include "app/filum/cura_file.hpp"
 #include "app/filum/cura_printer.hpp"
+#include "app/filum/cura_words.hpp"
 #include "app/filum/slicer_settings.hpp"
 #include "app/filum/slicer_text.hpp"
 #include "archive/zip.hpp"
@@ -152,6 +153,22 @@ TEST(Cura, StartCodesThatHeatAreLeftAlone) {
                        .settings = {{"machine_start_gcode", ""}, {"machine_gcode_flavor", "Griffin"}},
                        .remarks = {}};
     EXPECT_THROW(cura_printer(griffin), Error);
+}
+
+TEST(Cura, WordsAndFormulasAreNoNumbers) {
+    const SlicerFile file{.slicer = Slicer::cura,
+                          .settings = {{"top_bottom_pattern", "lines"},
+                                       {"line_width", "=3"},
+                                       {"speed_print", "50"},
+                                       {"machine_start_gcode", "G1 F{speed_wall_x}"},
+                                       {"machine_max_feedrate_x", "299792458000"}},
+                          .remarks = {}};
+    EXPECT_FALSE(cura_number(file, "top_bottom_pattern_0"));
+    EXPECT_FALSE(cura_number(file, "infill_line_width"));
+    EXPECT_EQ(cura_number(file, "speed_wall_x"), 50); // twice the half
+    const SlicerFile printer = cura_printer(file);
+    EXPECT_EQ(value(printer, "speed_wall_x"), "50");
+    EXPECT_EQ(value(printer, "machine_max_feedrate_x"), "-") << "the speed of light is no limit";
 }
 
 TEST(Cura, DefinitionsThatInheritFromThemselvesAreRefused) {
