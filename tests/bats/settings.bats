@@ -111,3 +111,42 @@ cm3() { sed -n 's/^; filament used \[cm3\] = //p' "$1"; }
     [ "$status" -eq 2 ]
     [ ! -e x.gcode ]
 }
+
+@test "files of Cura: a profile, a program, and a printer with its start" {
+    printf '%s\n' '[general]' 'version = 4' 'name = mine' 'definition = custom' '' '[metadata]' 'type = quality_changes' '' \
+        '[values]' 'infill_sparse_density = 15' 'wall_line_count = 3' 'wall_line_width_0 = =line_width' 'speed_print = 50' > mine.inst.cfg
+    run filum settings mine.inst.cfg
+    [[ "$status" -eq 0 && "$output" == *"written by Cura"*"used ("*"--walls=3"*"not used yet (1)"*"formula"* ]]
+    zip -q mine.curaprofile mine.inst.cfg 2> /dev/null || python3 -c "
+import zipfile
+zipfile.ZipFile('mine.curaprofile', 'w').write('mine.inst.cfg')"
+    filum print cube.obj --load mine.curaprofile --dry-run 2> said | grep -q -- '--infill=15%.*--walls=3'
+    grep -q 'speed_wall_0 = 25' said
+    { printf 'G28\n;End of Gcode\n'; sed ':a;N;$!ba;s/\n/\\\\n/g;s/.*/{"global_quality": "&"}/' mine.inst.cfg | fold -w 60 | sed 's/^/;SETTING_3 /'; } > old.gcode
+    filum print cube.obj --load old.gcode --dry-run 2> /dev/null | grep -q -- '--infill=15%.*--walls=3'
+    mkdir definitions
+    cat > definitions/own.def.json <<'EOF'
+{"version": 2, "name": "Own", "metadata": {"type": "machine"}, "overrides": {
+ "machine_name": {"default_value": "Own"}, "machine_width": {"default_value": 180}, "machine_depth": {"value": "190"},
+ "machine_heated_bed": {"default_value": true}, "machine_center_is_zero": {"default_value": true},
+ "machine_start_gcode": {"default_value": "G28\nG1 X{machine_width} Y{machine_depth}\n;{unknown}"},
+ "machine_end_gcode": {"default_value": "M84 ; [off]"}}}
+EOF
+    filum print cube.obj --load definitions/own.def.json --load mine.inst.cfg --temperature 222 --first-layer-temperature 231 -q -o own.gcode
+    grep -v '^;' own.gcode | sed -n '1,/^G1 X180/p' > start
+    diff - start <<'EOF'
+M107
+M140 S60
+M190 S60
+M104 S231
+M109 S231
+G28
+G1 X180 Y190
+EOF
+    grep -q '^;{unknown}$' own.gcode
+    grep -q '^M84 ; \[off\]$' own.gcode
+    grep -q '^M104 S222' own.gcode
+    sed -i 's/;{unknown}/M1 {unknown}/' definitions/own.def.json
+    run filum print cube.obj --load definitions/own.def.json -o none.gcode
+    [[ "$status" -eq 3 && "$output" == *"'unknown' is no known name"* ]]
+}

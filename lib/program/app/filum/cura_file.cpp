@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -257,8 +258,9 @@ void add_speeds(SlicerFile& file) {
         const bool speed = row.reading == "speed" || row.reading == "first_speed" || row.reading == "base";
         if (row.slicers != "cura" || !speed || !row.key.starts_with("s") || row.of.empty() || has(row.key)) continue;
         if (!has(row.of)) continue;
-        const auto mm_s = cura_number(file, row.key);
+        auto mm_s = cura_number(file, row.key);
         if (!mm_s) continue;
+        mm_s = std::round(*mm_s * 100) / 100; // two thirds of another speed, and the like
         put_value(file.settings, std::string(row.key), shortest_text(*mm_s));
         if (row.reading != "base")
             added += (added.empty() ? "" : ", ") + std::string(row.key) + " = " + shortest_text(*mm_s);
