@@ -20,6 +20,10 @@ namespace {
 
 using surface::kNone;
 
+// Radius of a ring around a low ridge, in heights of the ridge above it: the middle of the disc must stay below it.
+constexpr double kOfRidge = 0.9;
+// Spacings: least radius of a ring around a low ridge. Tuned: half a spacing leaves 0.06 of a ball without a line.
+constexpr double kTightest = 0.3;
 constexpr double kScales[] = {1, 0.65, 0.4, 0.2};    // radii of rounding, in least radii
 constexpr double kGains[] = {1,   1.3, 1.7, 2,  2.3, // gains that are tried: least radii of length
                              2.6, 2.9, 3.2, 3.5};    // per radian of tight turn
@@ -99,19 +103,19 @@ class RingMaker {
         for (std::size_t i = line(own_lines.first); i < line(own_lines.second); ++i) {
             const std::uint32_t part = beyond.component(levels_.begins[i]);
             if (part == kNone) continue;
-            const double rise = beyond.highest(part) - level;
+            const double rise = beyond.highest(part) - level, radius = kOfRidge * rise;
             if (rise > least_) {
                 high.outer.push_back(&levels_.lines[i]);
                 high_parts.push_back(part);
                 continue;
             }
-            if (rise < d_ / 2) continue;
+            if (radius < kTightest * d_) continue;
             const auto own =
                 static_cast<std::size_t>(std::find(parts.begin(), parts.end(), std::vector{part}) - parts.begin());
             if (own == parts.size()) {
                 parts.push_back({part});
                 out.push_back({level, ring, {}, {}});
-                for (const double share : kScales) out.back().radii.push_back(share * rise);
+                for (const double share : kScales) out.back().radii.push_back(share * radius);
             }
             out[own].outer.push_back(&levels_.lines[i]);
         }
@@ -175,8 +179,8 @@ Rings rings(const surface::Sheet& sheet, const RingLimits& limits, Facts& facts,
     Rings out = RingMaker(sheet, limits, facts, notes).run();
     if (out.lines.empty())
         throw Error(Exit::bad_input, "cannot plan a ring: no place is half a spacing away from all sources and has "
-                                     "room for a turn of half a "
-                                     "spacing; lower --spacing");
+                                     "room for a turn of a third of "
+                                     "a spacing; lower --spacing");
     facts.push_back({"", "rings", static_cast<double>(out.lines.size()), ""});
     return out;
 }
