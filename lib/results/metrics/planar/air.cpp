@@ -1,6 +1,7 @@
 #include "metrics/planar/air.hpp"
 
 #include "geom/segment_grid.hpp"
+#include "metrics/planar/cover_tiles.hpp"
 #include "metrics/planar/row_sections.hpp"
 #include "parallel/parallel.hpp"
 
@@ -50,24 +51,19 @@ std::vector<Bead> carriers(const Track& below, double half) {
     return out;
 }
 
-double shared_length(const std::vector<Interval>& a, const std::vector<Interval>& b) {
-    double sum = 0;
-    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size(); ++(a[i].hi < b[j].hi ? i : j))
-        sum += std::max(0.0, std::min(a[i].hi, b[j].hi) - std::max(a[i].lo, b[j].lo));
-    return sum;
-}
-
 // The area under `beads` and not under `below`, mm2.
 double uncovered(std::span<const Bead> beads, std::span<const Bead> below, double spacing) {
     const auto upper = swept_beads(beads), lower = swept_beads(below);
     double top = upper.front().hi, sum = 0;
     for (const SweptBead& l : upper) top = std::max(top, l.hi);
+    spacing = std::max(spacing, (top - upper.front().lo) / kMostRows);
+    const auto count = static_cast<std::size_t>(std::ceil((top - upper.front().lo) / spacing));
+    const Rows rows{upper.front().lo + spacing / 2, spacing, count};
+    if (tiles_pay(upper, rows)) return uncovered_by_tiles(upper, lower, rows);
     RowSweep printed(upper), under(lower);
     std::vector<Interval> up, low;
-    spacing = std::max(spacing, (top - upper.front().lo) / kMostRows);
-    const double rows = std::ceil((top - upper.front().lo) / spacing);
-    for (double k = 0; k < rows; ++k) {
-        const double y = upper.front().lo + (k + 0.5) * spacing;
+    for (std::size_t k = 0; k < count; ++k) {
+        const double y = rows.at(k);
         printed.move_to(y, up);
         under.move_to(y, low);
         for (const Interval& i : up) sum += (i.hi - i.lo) * spacing;

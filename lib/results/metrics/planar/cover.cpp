@@ -1,5 +1,6 @@
 #include "metrics/planar/cover.hpp"
 
+#include "metrics/planar/cover_tiles.hpp"
 #include "metrics/planar/row_sections.hpp"
 
 #include <algorithm>
@@ -11,10 +12,7 @@ namespace {
 
 using geom::Vec2;
 
-struct Edge {
-    Vec2 lo, hi; // lo.y < hi.y
-    std::uint32_t slot = 0;
-};
+using Edge = OutlineEdge;
 
 std::vector<Edge> edges(std::span<const polygon::Loops* const> outline) {
     std::vector<Edge> out;
@@ -22,28 +20,12 @@ std::vector<Edge> edges(std::span<const polygon::Loops* const> outline) {
         for (std::size_t i = 0; outline[s] != nullptr && i < outline[s]->size(); ++i) {
             const auto loop = (*outline[s])[i];
             for (std::size_t k = 0, j = loop.size() - 1; k < loop.size(); j = k++) {
-                if (loop[j].y == loop[k].y) continue;
                 out.push_back(loop[j].y < loop[k].y ? Edge{loop[j], loop[k], s} : Edge{loop[k], loop[j], s});
             }
         }
     }
     std::sort(out.begin(), out.end(), [](const Edge& p, const Edge& q) { return p.lo.y < q.lo.y; });
     return out;
-}
-
-// Adds the lengths of part, beads and their intersection to `sum[slot]`. Precondition: both lists are united.
-void tally(const std::vector<Interval>& part, const std::vector<Interval>& beads, double dy, std::span<Cover> sum) {
-    for (const Interval& p : part) sum[p.slot].area += dy * (p.hi - p.lo);
-    for (const Interval& b : beads) sum[b.slot].united += dy * (b.hi - b.lo);
-    for (std::size_t p = 0, b = 0; p < part.size() && b < beads.size();) {
-        if (part[p].slot != beads[b].slot) {
-            ++(part[p].slot < beads[b].slot ? p : b);
-            continue;
-        }
-        const double both = std::min(part[p].hi, beads[b].hi) - std::max(part[p].lo, beads[b].lo);
-        if (both > 0) sum[part[p].slot].covered += dy * both;
-        ++(part[p].hi < beads[b].hi ? p : b);
-    }
 }
 
 // The section of the outlines with the row at y. Crossings of one slot form pairs.
@@ -60,11 +42,6 @@ void part_row(std::span<const Edge> all, const std::vector<std::uint32_t>& activ
     for (std::size_t i = 0; i + 1 < out.size(); i += 2) out[i / 2] = {out[i].lo, out[i + 1].lo, out[i].slot};
     out.resize(out.size() / 2);
 }
-
-struct Rows {
-    double first = 0, spacing = 1;
-    std::size_t count = 0;
-};
 
 Rows rows(std::span<const SweptBead> lanes, std::span<const Edge> edges, double spacing) {
     double lo = INFINITY, hi = -INFINITY, part_lo = INFINITY, part_hi = -INFINITY;
@@ -93,6 +70,20 @@ Rows rows(std::span<const SweptBead> lanes, std::span<const Edge> edges, double 
 
 } // namespace
 
+void tally(const std::vector<Interval>& part, const std::vector<Interval>& beads, double dy, std::span<Cover> sum) {
+    for (const Interval& p : part) sum[p.slot].area += dy * (p.hi - p.lo);
+    for (const Interval& b : beads) sum[b.slot].united += dy * (b.hi - b.lo);
+    for (std::size_t p = 0, b = 0; p < part.size() && b < beads.size();) {
+        if (part[p].slot != beads[b].slot) {
+            ++(part[p].slot < beads[b].slot ? p : b);
+            continue;
+        }
+        const double both = std::min(part[p].hi, beads[b].hi) - std::max(part[p].lo, beads[b].lo);
+        if (both > 0) sum[part[p].slot].covered += dy * both;
+        ++(part[p].hi < beads[b].hi ? p : b);
+    }
+}
+
 LayerCover cover(std::span<const Bead> beads, std::span<const polygon::Loops* const> outline, double spacing) {
     LayerCover out;
     out.slot.resize(outline.size());
@@ -101,12 +92,18 @@ LayerCover cover(std::span<const Bead> beads, std::span<const polygon::Loops* co
     const auto lane = swept_beads(beads);
     const auto edge = edges(outline);
     const Rows row = rows(lane, edge, spacing);
+    if (outline.size() == 1 && tiles_pay(lane, row)) {
+        const Cover by_tiles = cover_by_tiles(lane, edge, row);
+        Cover& whole = out.slot.front();
+        out.whole = whole = {by_tiles.area, by_tiles.covered, by_tiles.united, whole.deposited};
+        return out;
+    }
     RowSweep sweep(lane);
     std::vector<std::uint32_t> live_edges;
     std::vector<Interval> part, laid;
     std::size_t next_edge = 0;
     for (std::size_t j = 0; j < row.count; ++j) {
-        const double y = row.first + static_cast<double>(j) * row.spacing;
+        const double y = row.at(j);
         for (; next_edge < edge.size() && edge[next_edge].lo.y < y; ++next_edge)
             live_edges.push_back(static_cast<std::uint32_t>(next_edge));
         std::erase_if(live_edges, [&](std::uint32_t i) { return edge[i].hi.y < y; });

@@ -2,7 +2,7 @@
 // Areas are integrated along horizontal rows. On a row every bead and every outline is a set of intervals with exact
 // ends, so there is no rounding along x; along y the error is second order in the spacing of the rows. Rows are half a
 // spacing from the lower edge of the outlines and divide their height evenly: edges of beads at whole spacings are
-// between rows.
+// between rows. Long beads are measured tile by tile instead (cover_tiles.hpp).
 #pragma once
 
 #include "polygon/loops.hpp"

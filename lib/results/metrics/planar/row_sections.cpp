@@ -73,6 +73,13 @@ void unite(std::vector<Interval>& v) {
     v = std::move(out);
 }
 
+double shared_length(const std::vector<Interval>& a, const std::vector<Interval>& b) {
+    double sum = 0;
+    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size(); ++(a[i].hi < b[j].hi ? i : j))
+        sum += std::max(0.0, std::min(a[i].hi, b[j].hi) - std::max(a[i].lo, b[j].lo));
+    return sum;
+}
+
 void RowSweep::move_to(double y, std::vector<Interval>& out) {
     std::erase_if(live_, [&](const LiveBead& l) { return all_[l.bead].hi <= y; });
     for (LiveBead& l : live_) l.meets = section(all_[l.bead], y, l.at);

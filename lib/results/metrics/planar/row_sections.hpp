@@ -54,6 +54,12 @@ inline void add_united(const Interval& next, std::vector<Interval>& to) {
 // Sorts by slot and position, and unites intervals of a slot that overlap.
 void unite(std::vector<Interval>& intervals);
 
+// Adds the lengths of part, beads and their intersection to `sum[slot]`. Precondition: both lists are united.
+void tally(const std::vector<Interval>& part, const std::vector<Interval>& beads, double dy, std::span<Cover> sum);
+
+// The length that two united lists of one slot share.
+double shared_length(const std::vector<Interval>& a, const std::vector<Interval>& b);
+
 // The sections of beads with one row after the other, upwards. The order of beads along a row hardly changes from row
 // to row, so it is kept, and sorting takes little more than looking at each bead once.
 class RowSweep {
