@@ -1,33 +1,15 @@
 #include "fill/reuse.hpp"
 
-#include "base/mix.hpp"
+#include "polygon/content_hash.hpp"
 #include "toolpath/identify.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace filum::fill {
 
 namespace {
 
-class Hash {
-  public:
-    void add(std::uint64_t bits) { value_ = mixed((value_ ^ bits) + kMixStep); }
-    void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
-    void add(const polygon::Loops& loops) {
-        for (const std::uint32_t s : loops.start) add(std::uint64_t{s});
-        for (const geom::Vec2 p : loops.points) {
-            add(p.x);
-            add(p.y);
-        }
-    }
-    [[nodiscard]] std::uint64_t value() const { return value_; }
-
-  private:
-    std::uint64_t value_ = 0;
-};
-
-bool same(const polygon::Loops& a, const polygon::Loops& b) { return a.start == b.start && a.points == b.points; }
+using polygon::same;
 
 bool same(const polygon::Area& a, const polygon::Area& b) {
     return a.kind == b.kind && a.direction == b.direction && a.spacing == b.spacing && a.pattern == b.pattern &&
@@ -53,7 +35,7 @@ bool same(const polygon::Region& a, const polygon::Region& b) {
 }
 
 std::uint64_t key_of(const polygon::Region& r, double layer) {
-    Hash h;
+    polygon::ContentHash h;
     h.add(layer);
     h.add(r.z);
     h.add(std::uint64_t{r.walls});

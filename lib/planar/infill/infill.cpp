@@ -6,6 +6,7 @@
 #include "infill/opening.hpp"
 #include "parallel/parallel.hpp"
 #include "polygon/clip.hpp"
+#include "polygon/content_hash.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,6 +73,35 @@ bool alike(const Task& a, const Task& b) {
            (!waves || a.lines.z == b.lines.z) && a.area->start == b.area->start && a.area->points == b.area->points &&
            (!circles || a.lines.rim == b.lines.rim ||
             (a.lines.rim != nullptr && b.lines.rim != nullptr && a.lines.rim->points == b.lines.rim->points));
+}
+
+// Areas that are alike, as those of a prism's layers are, and their number.
+struct Group {
+    Task task;
+    double count;
+    Loops room; // where loops may run
+};
+
+std::vector<Group> groups(std::span<const Task> tasks, double bead_width) {
+    const auto first = polygon::first_alike(
+        tasks.size(),
+        [&](std::size_t i) {
+            polygon::ContentHash h;
+            h.add(tasks[i].lines.direction);
+            h.add(*tasks[i].area);
+            return h.value();
+        },
+        [&](std::size_t i, std::size_t k) { return alike(tasks[i], tasks[k]); });
+    std::vector<Group> out;
+    std::vector<std::size_t> group(tasks.size());
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+        if (first[i] == i) {
+            group[i] = out.size();
+            out.push_back({tasks[i], 0, inner(*tasks[i].area, bead_width)});
+        }
+        ++out[group[first[i]]].count;
+    }
+    return out;
 }
 
 // A sample of the areas, filled to measure the length of their loops.
@@ -244,19 +274,16 @@ double length(const Loops& loops) {
 }
 
 double spacing_for(std::span<const Task> tasks, double density, double bead_width) {
-    std::vector<Loops> rooms;
+    const std::vector<Group> all = groups(tasks, bead_width);
     double area = 0;
-    for (const Task& t : tasks) {
-        rooms.push_back(inner(*t.area, bead_width));
-        area += polygon::signed_area(*t.area);
-    }
+    for (const Group& g : all) area += g.count * polygon::signed_area(*g.task.area);
     const double wanted = density * area / bead_width, endless = bead_width / density;
     const auto by_calculation = [&](double spacing) {
         double sum = 0;
-        for (std::size_t i = 0; i < tasks.size(); ++i) {
-            Lines lines = tasks[i].lines;
+        for (const Group& g : all) {
+            Lines lines = g.task.lines;
             lines.spacing = spacing;
-            sum += even_length(rooms[i], lines);
+            sum += g.count * even_length(g.room, lines);
         }
         return sum;
     };

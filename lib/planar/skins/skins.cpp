@@ -6,10 +6,12 @@
 #include "parallel/parallel.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/loop_index.hpp"
+#include "skins/alike.hpp"
 #include "skins/bridges.hpp"
 #include "skins/zones.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <numbers>
 
@@ -261,12 +263,24 @@ void part_dense(std::vector<Sparse>& settings, const std::vector<Region>& region
             for (std::int64_t k = regions[i].rests_on() + 1; k <= regions[i].layer; ++k)
                 of_layer[static_cast<std::size_t>(k)].add(s.plain[i]);
     const auto sparse_of = indexed(of_layer);
-    for (Sparse& s : settings)
-        parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
-            if (s.plain[i].empty() || s.how.infill == 0) return;
-            s.dense[i] = carrying(s.plain[i], sparse_of, regions[i].layer, s.how);
-            s.plain[i] = beside(s.plain[i], s.dense[i], s.how);
+    const auto layer = alike(of_layer);
+    for (Sparse& s : settings) {
+        if (s.how.infill == 0) continue;
+        const auto first = alike(
+            regions.size(), [&](std::size_t i) -> const Loops& { return s.plain[i]; },
+            [&](std::size_t i) {
+                std::array<double, kCarrying> above{}; // 0: none
+                for (std::size_t up = 1; up <= kCarrying && regions[i].layer + up < layers; ++up)
+                    above.at(up - 1) = 1 + static_cast<double>(layer[regions[i].layer + up]);
+                return above;
+            });
+        make_once(first, s.dense, [&](std::size_t i) {
+            return s.plain[i].empty() ? Loops{} : carrying(s.plain[i], sparse_of, regions[i].layer, s.how);
         });
+        std::vector<Loops> rest(regions.size());
+        make_once(first, rest, [&](std::size_t i) { return beside(s.plain[i], s.dense[i], s.how); });
+        s.plain = std::move(rest);
+    }
 }
 
 // Extends dense areas to whole squares, so that rows below skins begin and end on rows of the layer below.
@@ -329,11 +343,20 @@ Notes skins(std::vector<Region>& regions, const Options& o, std::span<const Modi
         s.plain.resize(regions.size());
         s.dense.resize(regions.size());
         if (solid(s)) continue;
-        const auto inner = indexed(inner_of(layers, s.how));
-        parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
+        const auto inner_layers = inner_of(layers, s.how);
+        const auto inner = indexed(inner_layers);
+        const auto layer = alike(inner_layers);
+        // bodies of modifiers differ from layer to layer
+        const auto first = alike(
+            regions.size(), [&](std::size_t i) -> const Loops& { return regions[i].loops; },
+            [&](std::size_t i) {
+                return std::array<double, 3>{static_cast<double>(layer[regions[i].layer]), regions[i].width,
+                                             modifiers.empty() ? 0 : static_cast<double>(i)};
+            });
+        make_once(first, s.plain, [&](std::size_t i) {
             const Region& r = regions[i];
-            s.plain[i] = sparse(r, inner[r.layer], s.how, depth(r, s.how, s.outer_width),
-                                [&](const Loops& area) { return zones.of(k, r, cuts[i], area); });
+            return sparse(r, inner[r.layer], s.how, depth(r, s.how, s.outer_width),
+                          [&](const Loops& area) { return zones.of(k, r, cuts[i], area); });
         });
     }
     part_dense(settings, regions, layers.size());
