@@ -46,8 +46,9 @@ void each_on_arc(const MedialAxis& axis, std::uint32_t h, Vec2 p, Vec2 q, double
     const Vec2 foot = axis.foot[h];
     if (axis.last_foot(h) != foot) return;
     const Vec2 a = p - foot, b = q - foot;
-    const double ra = geom::norm(a), rb = geom::norm(b), angle = std::atan2(cross(a, b), dot(a, b));
-    const double step = 2 * std::acos(std::max(0.0, 1 - tolerance / std::max(ra, rb)));
+    const double ra = geom::norm(a), rb = geom::norm(b), half = std::max(0.0, 1 - tolerance / std::max(ra, rb));
+    if (dot(a, b) >= (2 * half * half - 1) * ra * rb) return; // by cosines: no more than a step, as on most rays
+    const double angle = std::atan2(cross(a, b), dot(a, b)), step = 2 * std::acos(half);
     if (std::abs(angle) <= step) return;
     const int n = static_cast<int>(std::ceil(std::abs(angle) / step));
     for (int k = 1; k < n; ++k) {
