@@ -26,7 +26,7 @@ Loops both(const Loops& a, const Loops& b) { return a.empty() || b.empty() ? Loo
 Loops grown(const Loops& a, double by) { return polygon::offset(a, by, kBeadArc); }
 
 // The area of layer j without supports: around the part in this layer, and where the part is within the gap above or
-// below.
+// below. Its loops may overlap.
 Loops kept_free(const std::vector<Loops>& layers, std::size_t j, const Options& o) {
     Loops out = grown(layers[j], o.beside);
     const auto gap = static_cast<std::size_t>(o.gap);
@@ -34,7 +34,7 @@ Loops kept_free(const std::vector<Loops>& layers, std::size_t j, const Options& 
         if (j + k < layers.size()) out.add(layers[j + k]);
         if (j >= k) out.add(layers[j - k]);
     }
-    return polygon::unite(out);
+    return out;
 }
 
 // One column in the current layer, before the gaps to the part are cut out. Its top lies at `top` mm.
@@ -62,10 +62,11 @@ void join(std::vector<ColumnSection>& pieces, const Loops& over, double top, dou
 // `width` it stays as it is.
 Loops tapered(const Loops& a, double by, double width) {
     if (by <= 0) return a;
-    const Loops inner = polygon::offset(a, -by, kBeadArc);
-    const Loops wide = inner.empty() ? inner : polygon::opened(inner, width / 2, kBeadArc);
-    if (wide.empty()) return a;
-    const Loops narrow = less(a, grown(wide, width / 2 + by));
+    // The wide part of the inner outline is the inner outline, opened by half of the width. Shrinking by two distances
+    // after each other is shrinking by their sum, and so is growing.
+    const Loops core = polygon::offset(a, -by - width / 2, kBeadArc);
+    if (core.empty()) return a;
+    const Loops inner = polygon::offset(a, -by, kBeadArc), narrow = less(a, grown(core, width + by));
     return narrow.empty() ? inner : polygon::unite(inner, narrow);
 }
 
@@ -89,8 +90,6 @@ std::vector<Loops> overhangs(const std::vector<Loops>& layers, const std::vector
 Columns columns(const std::vector<Loops>& layers, const std::vector<double>& height, const std::vector<Loops>& over,
                 const Options& o) {
     const std::size_t n = layers.size(), gap = static_cast<std::size_t>(o.gap);
-    std::vector<Loops> free(n);
-    parallel::for_chunks(n, 1, 0, [&](std::size_t j, std::size_t) { free[j] = kept_free(layers, j, o); });
     std::vector<double> top(n, 0);
     for (std::size_t j = 0; j < n; ++j) top[j] = (j > 0 ? top[j - 1] : 0) + height[j];
     const double merge = kMerge * o.bead_width, thin = kThin * o.bead_width;
@@ -103,14 +102,16 @@ Columns columns(const std::vector<Loops>& layers, const std::vector<double>& hei
         });
         if (const std::size_t from = j + 1 + gap; from < n && !over[from].empty())
             join(down, over[from], top[j], merge);
-        Loops all;
         for (ColumnSection& p : down) {
             p.area = polygon::simplify(less(p.area, layers[j]), kBeadArc);
-            all.add(p.area);
+            out.all[j].add(p.area);
         }
         std::erase_if(down, [](const ColumnSection& p) { return p.area.empty(); });
-        if (!all.empty()) out.all[j] = polygon::opened(less(all, free[j]), thin, kBeadArc);
     }
+    parallel::for_chunks(n, 1, 0, [&](std::size_t j, std::size_t) {
+        if (!out.all[j].empty())
+            out.all[j] = polygon::opened(less(out.all[j], kept_free(layers, j, o)), thin, kBeadArc);
+    });
     if (!o.on_part) { // keep only columns that stand on the bed
         Loops stands = out.all.empty() ? Loops{} : out.all[0];
         for (std::size_t j = 1; j < n; ++j) {
