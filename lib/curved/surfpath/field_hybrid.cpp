@@ -58,11 +58,37 @@ void ease(const Surface& s, std::vector<Line>& lines, double radius, double spac
         l = surface::curve::ease(s, l, {.radius = kEasedTo * radius, .corridor = kGive * spacing}).line;
 }
 
+// The lines that the options ask for, and where they are born.
+struct TracedLines {
+    std::vector<Line> lines;
+    std::vector<geom::Vec3> births;
+};
+
+TracedLines traced(const surface::Sheet& sheet, const Options& o, const surface::directions::Cells& cells,
+                   const field::Directions& directions) {
+    if (o.whole_rings) return {field::whole_rings(sheet, o.spacing), {}};
+    const Surface& s = sheet.surface;
+    field::StripeOptions striping{o.spacing, o.shift, keeps_angle(o) ? field::kKeepAngle : field::kKeepSpacing};
+    striping.apart = o.births_apart;
+    // Rings are a spacing apart as they are; where they meet, no frequency avoids births.
+    striping.change = o.follow.rings > 0 ? 0 : kBreathing * o.width_change;
+    std::vector<field::Complex> like;
+    if (o.follow.only(&field::DirectionMix::rings)) {
+        like = field::phase(field::ring_field(sheet, cells), directions.along, o.spacing);
+        striping.like = like;
+    }
+    const auto stripes = field::stripes(s, cells, directions.along, striping);
+    return {field::lines(s, stripes), field::births(s, stripes)};
+}
+
 } // namespace
 
-std::vector<field::DirectionMix> hybrid_sources(const Surface& s, const Options& options) {
-    std::vector<field::DirectionMix> out{{.rings = 1}};
-    if (options.width_change > 0 && !s.rims.empty()) out.push_back({.rim = 1});
+std::vector<Options> hybrid_sources(const Surface& s, const Options& options) {
+    std::vector<Options> out(3, options);
+    out[0].follow = out[1].follow = {.rings = 1};
+    out[1].whole_rings = true;
+    out[2].follow = {.rim = 1};
+    if (!(options.width_change > 0) || s.rims.empty()) out.resize(1);
     return out;
 }
 
@@ -92,17 +118,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
     const auto cells = surface::directions::cells(s);
     const auto prescribed = field::prescribed(sheet, cells, directions_followed(sheet, o));
     const auto directions = field::smooth(s, cells, prescribed, kSmoothed * o.spacing, radius);
-    field::StripeOptions striping{o.spacing, o.shift, keeps_angle(o) ? field::kKeepAngle : field::kKeepSpacing};
-    striping.apart = o.births_apart;
-    // Rings are a spacing apart as they are; where they meet, no frequency avoids births.
-    striping.change = o.follow.rings > 0 ? 0 : kBreathing * o.width_change;
-    std::vector<field::Complex> like;
-    if (o.follow.only(&field::DirectionMix::rings)) {
-        like = field::phase(field::ring_field(sheet, cells), directions.along, o.spacing);
-        striping.like = like;
-    }
-    const auto stripes = field::stripes(s, cells, directions.along, striping);
-    auto all = field::lines(s, stripes);
+    auto [all, births] = traced(sheet, o, cells, directions);
     const double gentle = std::max(radius, o.spacing / 2), eased = std::max(o.least_radius, gentle);
     ease(s, all, eased, o.spacing);
     if (covers && o.width_change > 0) plan::round_turns(s, all, {o.spacing, o.least_radius, 1 - o.width_change});
@@ -130,16 +146,15 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         out.facts.push_back({"", "loops-joined", static_cast<double>(joined.crossed.size() + joined.exchanged), ""});
     }
     out.facts.push_back({"", "cuts", out.strokes.empty() ? 0 : static_cast<double>(out.strokes.size() - 1), ""});
-    out.births = field::births(s, stripes);
+    out.births = std::move(births);
     out.facts.push_back({"", "births", static_cast<double>(out.births.size()), ""});
     report(s, prescribed, directions, out);
     return out;
 }
 
-Plan hybrid(const surface::Sheet& sheet, const Options& options, const field::DirectionMix& source) {
+Plan hybrid(const surface::Sheet& sheet, const Options& options) {
     Options o = options;
     o.algorithm = Algorithm::hybrid;
-    o.follow = source;
     o.keep = Priority::spacing;
     o.turns = RowTurns::usual;
     return follow(sheet, o);

@@ -25,12 +25,12 @@ field::DirectionMix directions_followed(const surface::Sheet& sheet, const Optio
 // Throws Error(bad_input) if there is no direction to follow.
 Plan follow(const surface::Sheet& sheet, const Options& options);
 
-// The directions that lines of hybrid may follow: rings, and if beads may have other widths also the directions of the
-// rims, continued into the surface as evenly as possible.
-std::vector<field::DirectionMix> hybrid_sources(const Surface& surface, const Options& options);
+// The options for each source of lines that hybrid tries: lines along rings; if beads may have other widths, also the
+// rings as they are, and lines along the directions of the rims, continued into the surface as evenly as possible.
+std::vector<Options> hybrid_sources(const Surface& surface, const Options& options);
 
 // Lines along all rims, and along the sources of components without a rim: follow() along one of hybrid_sources(). With
 // rings, these are lines of equal distance from the rims, with lines in between where rings meet.
-Plan hybrid(const surface::Sheet& sheet, const Options& options, const field::DirectionMix& source);
+Plan hybrid(const surface::Sheet& sheet, const Options& options);
 
 } // namespace filum::surfpath

@@ -17,8 +17,8 @@
 #include "surfpath/plan/coverage.hpp"
 #include "surfpath/plan/declare.hpp"
 #include "surfpath/plan/ground.hpp"
-#include "surfpath/plan/kinks.hpp"
 #include "surfpath/plan/refined.hpp"
+#include "surfpath/plan/round_path.hpp"
 #include "surfpath/plan/widths.hpp"
 #include "surfpath/slits.hpp"
 
@@ -62,7 +62,7 @@ Plan lines(const surface::Sheet& sheet, const Options& options) {
     case Algorithm::field:
         return follow(sheet, options);
     case Algorithm::hybrid:
-        return hybrid(sheet, options, options.follow);
+        return hybrid(sheet, options);
     }
     throw std::logic_error("no such algorithm");
 }
@@ -88,22 +88,22 @@ double longest_side(const Options& o) {
     return o.spacing * (!by_field(o) ? kLongest : keeps_angle(o) ? kLongestTrue : kLongestStriped);
 }
 
-Plan with_round_kinks(const surface::Sheet& sheet, const Options& options) {
+Plan with_round_turns(const surface::Sheet& sheet, const Options& options) {
     Plan out = lines(sheet, options);
     plan::round_kinks(sheet.surface, out, options.spacing);
+    if (by_field(options))
+        plan::round_bends(sheet.surface, out, {options.spacing, options.least_radius, 1 - options.width_change});
     return out;
 }
 
 // The plan on a sheet of small triangles; for hybrid, of those along each of its sources the one that costs least.
 Plan on_small_triangles(const surface::Sheet& sheet, const Options& options) {
-    if (options.algorithm != Algorithm::hybrid) return with_round_kinks(sheet, options);
+    if (options.algorithm != Algorithm::hybrid) return with_round_turns(sheet, options);
     const auto sources = hybrid_sources(sheet.surface, options);
     Plan out;
     double least = std::numeric_limits<double>::infinity();
-    for (const field::DirectionMix& source : sources) {
-        Options o = options;
-        o.follow = source;
-        Plan now = with_round_kinks(sheet, o);
+    for (const Options& o : sources) {
+        Plan now = with_round_turns(sheet, o);
         if (sources.size() == 1) return now;
         const double cost = plan::cost(sheet.surface, now, {o.spacing, o.least_radius, o.cut_length, o.width_change});
         if (out.strokes.empty() || cost < least) {

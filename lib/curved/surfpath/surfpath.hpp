@@ -37,9 +37,10 @@ struct Options {
     // What field follows. If nothing is set: the sheet's field of directions, else its stress, else the angle.
     field::DirectionMix follow{};
     Priority keep = Priority::usual;
-    double shift = 0;       // spacings, 0 to 1: displacement of the lines of field across their direction
-    bool backwards = false; // takes the lines of field in reverse order, which moves the turns to other places
-    bool coarsen = true;    // plans lines of field on larger triangles, if those given are much finer than they need
+    bool whole_rings = false; // the lines of hybrid are the rings themselves (field/rings.hpp)
+    double shift = 0;         // spacings, 0 to 1: displacement of the lines of field across their direction
+    bool backwards = false;   // takes the lines of field in reverse order, which moves the turns to other places
+    bool coarsen = true;      // plans lines of field on larger triangles, if those given are much finer than they need
     std::vector<Vec3> births_apart{}; // places where no line of field should begin, if another place is almost as good
     // mm of fibre that a cut costs; field and hybrid run no farther along other lines to avoid one
     double cut_length = 50;

@@ -1,7 +1,9 @@
 #include "surfpath/field/rings.hpp"
 
 #include "geodesic/exact.hpp"
+#include "geodesic/isolines.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -60,6 +62,23 @@ std::vector<Complex> phase(const RingField& rings, std::span<const Vec3> along, 
         const double angle = std::numbers::pi * rings.distance[v] / spacing;
         const bool same = dot(along[v], rings.along[v]) >= 0;
         out.push_back(std::isfinite(angle) ? std::polar(1.0, same ? angle : -angle) : Complex{});
+    }
+    return out;
+}
+
+std::vector<surface::curve::Line> whole_rings(const surface::Sheet& sheet, double spacing) {
+    const surface::Sources begin = begins(sheet);
+    if (begin.empty()) return {};
+    const auto field = geodesic::exact(sheet.surface, begin);
+    double farthest = 0;
+    for (const double d : field.distance)
+        if (std::isfinite(d)) farthest = std::max(farthest, d);
+    std::vector<double> levels;
+    for (double level = spacing / 2; level < farthest; level += spacing) levels.push_back(level);
+    std::vector<surface::curve::Line> out;
+    for (const auto& isoline : geodesic::isolines(sheet.surface, field, levels)) {
+        auto line = surface::curve::line(isoline);
+        if (line.size() >= 3) out.push_back(std::move(line));
     }
     return out;
 }

@@ -2,6 +2,7 @@
 // components without a rim.
 #pragma once
 
+#include "surface/curve/line.hpp"
 #include "surfpath/field/directions.hpp"
 
 namespace filum::surfpath::field {
@@ -20,5 +21,9 @@ RingField ring_field(const surface::Sheet& sheet, const Cells& cells);
 // The phase for which stripes along `along` are these rings, half a spacing from the rims and one spacing apart; 0
 // where there is no rim.
 std::vector<Complex> phase(const RingField& rings, std::span<const Vec3> along, double spacing);
+
+// The rings themselves: lines of equal distance, half a spacing from the rims and one spacing apart. Where rings around
+// several rims meet, they have corners.
+std::vector<surface::curve::Line> whole_rings(const surface::Sheet& sheet, double spacing);
 
 } // namespace filum::surfpath::field

@@ -14,7 +14,7 @@ struct CostOptions {
 
 // mm2: the area without a bead, the overlap, and the area of the beads that turn tighter than the least radius or are
 // cut. So a share of void, of overlap and of tight length count the same. Kinks count twice, as fibre breaks there.
-// Kinks must have been rounded (kinks.hpp) already.
+// Kinks must have been rounded (round_path.hpp) already.
 double cost(const Surface& surface, Plan plan, const CostOptions& options);
 
 } // namespace filum::surfpath::plan

@@ -1,10 +1,11 @@
-// Kinks of a path are rounded to half a spacing, and nothing else moves.
-#include "surfpath/plan/kinks.hpp"
+// Kinks of a path are rounded to half a spacing, bends to the least radius, and nothing else moves.
+#include "surfpath/plan/round_path.hpp"
 
 #include "base/mix.hpp"
 #include "plate_lines.hpp"
 #include "surface/curve/turns.hpp"
 #include "surface/curve/walk.hpp"
+#include "surfpath/plan/declare.hpp"
 
 #include <gtest/gtest.h>
 
@@ -104,6 +105,78 @@ TEST(Kinks, PathsWithoutKinksStay) {
     Plan plan = plan_through(s, false, half_turn_way());
     const Line before = plan.strokes[0].sections[0].line;
     round_kinks(s, plan, kSpacing);
+    const Line& after = plan.strokes[0].sections[0].line;
+    ASSERT_EQ(after.size(), before.size());
+    for (std::size_t i = 0; i < after.size(); ++i) EXPECT_EQ(after[i], before[i]);
+}
+
+constexpr double kRadius = 2.4;
+
+double tight_length(const Surface& s, Plan plan) {
+    return mark_tight_turns(s, plan, {.radius = kRadius, .spacing = kSpacing}).length;
+}
+
+// A way of five straight parts of 9 mm whose corners turn by up to `most` degrees, to the left and to the right.
+std::vector<Vec2> zigzag(std::uint64_t& state, double most) {
+    std::vector<Vec2> way{{8, 20}};
+    for (int i = 0; i < 5; ++i) {
+        const double a = (i % 2 == 0 ? 0.5 : -0.5) * most / 180 * pi * (0.2 + 0.8 * next_share(state));
+        way.push_back(way.back() + 9.0 * Vec2{std::cos(a), std::sin(a)});
+    }
+    return way;
+}
+
+TEST(Bends, CornersOfUpTo60DegreesGetTheLeastRadius) {
+    std::uint64_t state = 1;
+    for (int round = 0; round < 20; ++round) {
+        SCOPED_TRACE(round);
+        const bool rolled = round % 2 == 1;
+        const Surface s = plate(rolled);
+        Plan plan = plan_through(s, rolled, zigzag(state, 60));
+        const Line before = plan.strokes[0].sections[0].line;
+        const double tight = tight_length(s, plan);
+        ASSERT_GT(tight, 0);
+        round_bends(s, plan, {kSpacing, kRadius, 0.8});
+        const Line& after = plan.strokes[0].sections[0].line;
+        EXPECT_LT(tight_length(s, plan), 0.02 * tight);
+        EXPECT_EQ(kink_length(s, plan), 0);
+        EXPECT_EQ(after[0], before[0]);
+        EXPECT_LT(distance(after.places.back().point, before.places.back().point), 1e-9);
+        EXPECT_LT(apart(after, before), 0.26 * kSpacing);
+        for (const Place& p : after.places) EXPECT_TRUE(surface::curve::lies_in(s, p.triangle, p.point));
+    }
+}
+
+// Two lines side by side move, but not nearer to each other than allowed.
+TEST(Bends, LinesKeepTheirDistance) {
+    std::uint64_t state = 2;
+    const Surface s = plate(false);
+    for (int round = 0; round < 10; ++round) {
+        SCOPED_TRACE(round);
+        const auto way = zigzag(state, 60);
+        std::vector<Vec2> beside;
+        for (const Vec2& p : way) beside.push_back(p + Vec2{0, 1.1});
+        Plan plan = plan_through(s, false, way);
+        plan.strokes.push_back(plan_through(s, false, beside).strokes[0]);
+        const auto least = [&] {
+            double out = 1e9;
+            for (const Place& p : plan.strokes[0].sections[0].line.places)
+                for (const Place& q : plan.strokes[1].sections[0].line.places)
+                    out = std::min(out, distance(p.point, q.point));
+            return out;
+        };
+        const double before = least();
+        round_bends(s, plan, {kSpacing, kRadius, 0.8});
+        EXPECT_GT(least(), std::min(before, 0.8) - 0.02);
+    }
+}
+
+// A half turn from line to line cannot have the least radius.
+TEST(Bends, HalfTurnsStay) {
+    const Surface s = plate(false);
+    Plan plan = plan_through(s, false, half_turn_way());
+    const Line before = plan.strokes[0].sections[0].line;
+    round_bends(s, plan, {kSpacing, kRadius, 0.8});
     const Line& after = plan.strokes[0].sections[0].line;
     ASSERT_EQ(after.size(), before.size());
     for (std::size_t i = 0; i < after.size(); ++i) EXPECT_EQ(after[i], before[i]);

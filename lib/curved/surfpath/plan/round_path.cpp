@@ -1,0 +1,49 @@
+#include "surfpath/plan/round_path.hpp"
+
+#include "surface/curve/rounding.hpp"
+#include "surface/curve/turns.hpp"
+
+namespace filum::surfpath::plan {
+
+namespace {
+
+namespace curve = surface::curve;
+
+constexpr double kKinksMove = 0.5; // spacings that points of kinks may move: the bead still lies on its old middle line
+// Spacings that points of other turns may move: two lines that move apart leave no room for a third one between them.
+constexpr double kBendsMove = 0.25;
+// Factor of the least radius to which turns are rounded, so that rounding does not decide whether they are tight.
+constexpr double kRoundedTo = 1.02;
+
+void apply(const Surface& s, Plan& plan, const curve::RoundingOptions& o) {
+    std::vector<Line> lines;
+    for (const Stroke& stroke : plan.strokes) {
+        lines.emplace_back();
+        for (const Section& section : stroke.sections) curve::append(lines.back(), section.line);
+    }
+    curve::RoundingResult found = curve::rounded(s, lines, o);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (found.moved[i]) plan.strokes[i].sections = {{std::move(found.lines[i]), false}};
+}
+
+} // namespace
+
+void round_kinks(const Surface& s, Plan& plan, double spacing) {
+    apply(s, plan,
+          {.spacing = spacing,
+           .limit = curve::kKinkRadius * spacing,
+           .radius = spacing / 2,
+           .corridor = kKinksMove * spacing});
+}
+
+void round_bends(const Surface& s, Plan& plan, const PathRounding& o) {
+    apply(s, plan,
+          {.spacing = o.spacing,
+           .limit = o.radius,
+           .radius = kRoundedTo * o.radius,
+           .corridor = kBendsMove * o.spacing,
+           .nearest = o.nearest * o.spacing,
+           .worth = o.spacing}); // a mm of tight length costs as much as a mm of bead that is missing or laid twice
+}
+
+} // namespace filum::surfpath::plan
