@@ -79,6 +79,24 @@ area_of_layer() { peek --text "$1" | sed -n "s/^region .* layer $2 .* area \([0-
     done
 }
 
+@test "infill and supports of wide beads have lengths in proportion" {
+    asked() { filum print solid.stl --dry-run -o x.gcode "$@"; }
+    run -0 asked --machine clay --infill 20%
+    [[ $output == *"--bridge=15 "*"--solid-below=3937.5 "* ]]
+    run -0 asked --machine concrete --support --bead-width 20
+    [[ $output == *"--support-spacing=100 "*"--beside=50 "* ]]
+    run -0 asked --machine clay --support --infill 20% --beside 4 --bridge 8
+    [[ $output == *"--bridge=8 "*"--beside=4 "*"--support-spacing=18.75 "* ]]
+    run -0 asked --machine clay --brim 9
+    [[ $output != *support-spacing* && $output != *bridge* ]]
+    for machine in clay pellet concrete; do
+        scale=10
+        if [[ $machine == concrete ]]; then scale=60; fi
+        filum print solid.stl --scale $scale --machine "$machine" --infill 20% --support -q -o wide.gcode
+        filum print solid.stl --scale $scale --machine "$machine" --infill 20% -q -o wide.gcode
+    done
+}
+
 @test "clay in one stroke: cold, nothing taken back, each layer as long as asked" {
     filum print solid.stl --vase --scale 4 --machine clay --nozzle 3 --layer-height 1.5 -q -o clay.gcode
     [[ $(grep -cE '^(M104|M109|M140|M190|M106)' clay.gcode) == 0 ]]

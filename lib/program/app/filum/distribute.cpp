@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <optional>
 
 namespace filum::app::filum {
@@ -163,6 +164,24 @@ bool idle(const Stage& stage, const StageArguments& given, const std::string& na
     return option != nullptr && cli::fault(name, option->needs, lookup(stage, given)).has_value();
 }
 
+// Gives lengths that suit the beads of a machine with a stated nozzle to infill and supports: as many beads as their
+// usual values are beads of .4 mm. With those, beads of some millimetres would lie one on the other.
+void hand_on_lengths(const std::vector<Stage>& stages, std::vector<StageArguments>& to) {
+    if (!(nozzle_of(value_of("machine", to)) > 0)) return;
+    const double bead = std::strtod(value_of("bead-width", to).c_str(), nullptr);
+    if (!(bead > 0)) return;                    // the stages refuse it
+    constexpr double kUsual = 0.4, kMost = 100; // mm: the usual bead; the most that --support-spacing takes
+    const double share = bead / kUsual;
+    for (const auto& [name, value] : {std::pair{"bridge", 2 * share},
+                                      {"solid-below", 70 * share * share},
+                                      {"support-spacing", std::min(kMost, 2.5 * share)},
+                                      {"beside", 1 * share}})
+        for (std::size_t s = 0; s < stages.size(); ++s)
+            if (find(stages[s], name) != nullptr && !idle(stages[s], to[s], name) &&
+                last(to[s], std::string("--") + name + "=") == nullptr)
+                to[s].all.push_back(std::string("--") + name + "=" + shortest_text(value));
+}
+
 // Removes options for all stages from each stage where they have no effect.  If an option has no effect in any stage,
 // all stages keep it, and report what it needs.
 void keep_effective(const std::vector<Stage>& stages, std::vector<StageArguments>& to) {
@@ -268,6 +287,7 @@ Request distribute(const std::vector<std::string>& words, const std::vector<Stag
     }
     hand_on_machine(stages, given);
     hand_on_meant(out, stages, given);
+    hand_on_lengths(stages, given);
     keep_effective(stages, given);
     for (StageArguments& g : given) {
         g.all.insert(g.all.end(), g.own.begin(), g.own.end());
