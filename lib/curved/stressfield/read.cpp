@@ -1,6 +1,7 @@
 #include "stressfield/read.hpp"
 
 #include "base/number.hpp"
+#include "base/padding.hpp"
 #include "stressfield/formats.hpp"
 #include "stressfield/units.hpp"
 
@@ -148,12 +149,14 @@ std::string foreign(std::string_view bytes) {
                "output)";
     if (start.starts_with("\xff\xfe") || start.starts_with("\xfe\xff"))
         return "it is text of 16 bits per letter; save it as UTF-8";
-    if (bytes.substr(0, 1024).find('\0') != bytes.npos)
+    // A VTU file may hold bytes of numbers.
+    if (!start.starts_with("<") && bytes.substr(0, 1024).find('\0') != bytes.npos)
         return "it is a binary file of an unknown kind; save its results as .vtu or CSV";
     return "";
 }
 
 Samples read_any(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes) {
+    bytes = without_padding(bytes);
     const std::string_view start = bytes.substr(std::min(bytes.find_first_not_of(" \r\n"), bytes.size()));
     const bool frd = start.starts_with("1C") || start.starts_with("1U"), vtu = start.starts_with("<");
     if (frd && !options.columns.empty())

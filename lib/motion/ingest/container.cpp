@@ -2,6 +2,7 @@
 
 #include "archive/zip.hpp"
 #include "base/error.hpp"
+#include "base/padding.hpp"
 #include "bgcode/file.hpp"
 
 #include <algorithm>
@@ -96,7 +97,7 @@ std::string_view program_in(std::string_view bytes, const std::string& name, std
         kept = of_project(bytes, name, plate, notes);
     else if (bgcode::begins(bytes))
         kept = text_of(bgcode::read(bytes, name));
-    const std::string_view text = kept.empty() ? bytes : std::string_view(kept);
+    const std::string_view text = without_padding(kept.empty() ? bytes : std::string_view(kept));
     if (is_binary(text))
         throw Error(Exit::bad_input, "cannot follow the program in " + name +
                                          ": it is not text and not binary G-code; export G-code, not a mesh");

@@ -2,6 +2,7 @@
 
 #include "archive/zip.hpp"
 #include "base/error.hpp"
+#include "base/padding.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/text.hpp"
 #include "mesh/weld.hpp"

@@ -15,12 +15,6 @@ inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c ==
 inline bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 inline char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
 
-// Some programs fill the last block of a text with zeros or end it with Control-Z, as DOS did.
-inline std::string_view without_padding(std::string_view text) {
-    while (!text.empty() && (text.back() == '\0' || text.back() == '\x1a')) text.remove_suffix(1);
-    return text;
-}
-
 // True if `text` begins with the lower-case `word`, in any case.
 inline bool begins_with(std::string_view text, std::string_view word) {
     if (text.size() < word.size()) return false;
