@@ -280,6 +280,7 @@ std::vector<char> hosts(const Surface& s, const std::vector<Line>& lines) {
     std::map<std::uint32_t, std::size_t> best;
     const auto rank = [&](std::size_t i) { return std::pair(!lines[i].closed, surface::curve::length(lines[i])); };
     for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (lines[i].size() == 0) continue;
         const auto [at, first] = best.emplace(s.component[lines[i].places[0].triangle], i);
         if (!first && rank(i) > rank(at->second)) at->second = i;
     }
