@@ -218,7 +218,8 @@ class Clipping {
             if (next_[w] != kNobody) consider(w);
     }
 
-    // Adds the rest: a triangle, or a fan if the rest is collinear or crosses itself.
+    // Adds the rest: a triangle, or a fan if the rest is collinear or crosses itself. A triangle that faces the other
+    // way shows that the polygon crosses itself, too.
     void finish(std::size_t left) {
         std::uint32_t first = 0;
         while (next_[first] == kNobody) ++first;
@@ -226,9 +227,9 @@ class Clipping {
         for (std::uint32_t b = next_[first]; left > 2; --left, b = next_[b]) {
             out_.triangles.push_back({first, b, next_[b]});
             const Vec2 p = points_[first], q = points_[b], r = points_[next_[b]];
-            across = std::max(across, std::abs(doubled_area(p, q, r)) /
-                                          std::max({dot(q - p, q - p), dot(r - q, r - q), 1e-300}));
-            if (left > 3 && across > kStraight) out_.sound = false;
+            const double area = doubled_area(p, q, r) / std::max({dot(q - p, q - p), dot(r - q, r - q), 1e-300});
+            across = std::max(across, std::abs(area));
+            if (area < -kStraight || (left > 3 && across > kStraight)) out_.sound = false;
         }
     }
 

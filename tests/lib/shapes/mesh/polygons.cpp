@@ -151,6 +151,18 @@ TEST(Polygons, OneThatCrossesItselfIsNoted) {
     ASSERT_EQ(notes.size(), 1U);
 }
 
+// A tooth thinner than it is bent: seen along the mean normal, its base lies beyond its other side, and the last
+// triangle would fold over in silence.
+TEST(Polygons, ATriangleThatWouldFoldOverIsNoted) {
+    mesh::Faces faces;
+    const std::vector<Vec3> tooth{{0, 0, 0}, {6, 0, 0}, {6, 18, 0}, {5.9, 18, 0}, {6.1, 1, 0}, {0, 1, 0}};
+    faces.add(std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5});
+    Notes notes;
+    faces.cut(tooth, notes);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_EQ(notes[0].code, NoteCode::face_crosses_itself);
+}
+
 // A wheel of 90,000 teeth takes a moment; by a scan of all corners for each it would take an hour.
 TEST(Polygons, ManyCornersTakeNoSquareOfTime) {
     constexpr int kTeeth = 45000;
