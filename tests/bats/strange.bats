@@ -1,0 +1,16 @@
+#!/usr/bin/env bats
+# Meshes and stresses as other programs write them, each with its right value: a few of each kind.  tests/parts/strange-meshes
+# and tests/parts/strange-stresses try any number of them.
+
+load common
+
+@test "strange meshes have their area, volume, rims and numbers" {
+    for kind in polygons seams ids text boxes; do
+        "$FILUM_SOURCE/tests/parts/strange-meshes" "$kind" 0 5
+    done
+    "$FILUM_SOURCE/tests/parts/strange-meshes" needles 3 4
+}
+
+@test "a field of stresses comes back from every form in which it is written" {
+    "$FILUM_SOURCE/tests/parts/strange-stresses" 0 15
+}
