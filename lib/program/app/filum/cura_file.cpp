@@ -215,9 +215,10 @@ std::vector<Definition> ancestry(Definition definition, SlicerFile& out) {
         if (!fs::is_regular_file(file, none)) {
             // The root of all holds defaults that the table has, too.
             if (const std::string name = chain.back().parent(); name != "fdmprinter" && name != "fdmextruder")
-                out.remarks.push_back("definition '" + name + "', which '" + chain.back().file().filename().string() +
-                                      "' inherits from, was not found: its settings are not applied; put '" + name +
-                                      ".def.json' beside the file");
+                out.remarks.push_back("the definition that '" + chain.back().file().filename().string() +
+                                      "' inherits from was not found: its settings are not applied; put it beside the "
+                                      "file, as " +
+                                      name + ".def.json");
             break;
         }
         chain.emplace_back(content_of(file.string()), file);
