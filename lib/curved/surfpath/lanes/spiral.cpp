@@ -203,7 +203,7 @@ class LaneExchanger {
 
     void run() {
         find_sites();
-        for (const double share : {1.0, 0.5, 0.2})
+        for (const double share : rules::kRadiusShares)
             weave::join(linked_.groups(), sites_, [&](const ExchangeSite& s) { join(s, share * radius_); });
         turns_back();
         if (linked_.groups().sets() == 1) return;

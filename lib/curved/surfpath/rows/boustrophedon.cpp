@@ -16,8 +16,6 @@ namespace filum::surfpath::rows {
 
 namespace {
 
-constexpr double kBreak = 200; // mm: cost of a chain that must be connected to another one
-
 constexpr std::size_t kBeams[] = {500, 3000, 8000}; // widths of the beam search for an order of rows, tried in turn
 constexpr std::size_t kMostWork = 300'000;          // states in total after which no wider beam is tried
 
@@ -43,7 +41,9 @@ class RowPathPlanner {
   public:
     RowPathPlanner(const Surface& s, const Rows& rows, const TurnOptions& o)
         : surface_(s), rows_(rows), transits_(rows), turner_(s, rows, transits_, o), turns_(turner_.candidates()),
-          o_(o) {}
+          o_(o) {
+        for (const SurfaceTurn& t : turns_) break_ += t.cost;
+    }
 
     plan::Plan plan() {
         for (const auto& chains : orders()) {
@@ -162,7 +162,7 @@ class RowPathPlanner {
             if (l.from > l.to) std::swap(l.from, l.to);
         }
         // A narrow beam usually finds an order with good turns only, or with a few bad ones that exchanges remove.
-        const plan::Costs costs{kBreak, o_.least_radius * o_.least_radius / o_.spacing};
+        const plan::Costs costs{break_, o_.least_radius * o_.least_radius / o_.spacing};
         std::vector<std::vector<RowChain>> out;
         for (const std::size_t kept : kBeams) {
             const auto found = order(n, links, costs, kept);
@@ -265,17 +265,17 @@ class RowPathPlanner {
     // Length of the transit from one end to another, mm; infinite if there is none.
     [[nodiscard]] double fibre(std::uint32_t from, std::uint32_t to) const {
         const double l = transits_.length(from, to);
-        return l <= o_.along ? l : way_length(from, to) - kBreak;
+        return l <= o_.along ? l : way_length(from, to) - break_;
     }
 
     // Cost of the transit from one end to another, mm: the length along rims and rows. Where there is none, as between
-    // spirals, a straight line may be possible; it crosses other lines, so it costs kBreak more.
+    // spirals, a straight line may be possible; it crosses other lines, so it costs break_ more.
     [[nodiscard]] double way_length(std::uint32_t from, std::uint32_t to) const {
         const double l = transits_.length(from, to);
         if (l <= o_.along) return l;
         const Line line = across(from, to);
         const double straight = surface::curve::length(line);
-        return line.size() > 1 && straight <= o_.across ? kBreak + straight : std::numeric_limits<double>::infinity();
+        return line.size() > 1 && straight <= o_.across ? break_ + straight : std::numeric_limits<double>::infinity();
     }
 
     // The straight line across the surface from one end to another; empty if it does not lead there.
@@ -306,7 +306,6 @@ class RowPathPlanner {
                                                                 : std::vector<Line>{across(from, to)};
         for (const Line& l : stretches) transited += surface::curve::length(l);
         SurfaceTurn out = turner_.eased(from, stretches, to);
-        out.eased = true;
         return out;
     }
 
@@ -368,6 +367,7 @@ class RowPathPlanner {
     Turner turner_;
     std::vector<SurfaceTurn> turns_;
     TurnOptions o_;
+    double break_ = 1; // mm: cost of a chain that must be connected to another one; more than that of all turns
     std::optional<CandidatePath> best_;
 };
 

@@ -23,9 +23,8 @@ namespace {
 using geom::Vec2;
 
 // Half of what is cut out of each line, as it is tried: from tips that lead straight on to gaps that turns just cover.
+// Sites are ranked at first by the third, at which two half turns are about as long as what they replace.
 constexpr double kCuts[] = {0.4, 0.6, 0.8, 1, 1.2, 1.4};
-// The cut by which sites are ranked at first: two half turns are as long as what they replace.
-constexpr double kFirstCut = std::numbers::pi / 4;
 constexpr double kSlips[] = {0, -rules::kGrain, rules::kGrain}; // shifts of one line against the other
 // Distance within which coverage can change: the longest cut, the bulge of a turn beyond it, half a bead.
 constexpr double kSwathHalf = kCuts[5] + rules::kGrain + 0.5 + 0.5;
@@ -121,7 +120,7 @@ class LineExchanger {
                              [](const LineExchange& x, const LineExchange& y) { return x.waste < y.waste; });
             if (all.size() > kMostTried) all.resize(kMostTried);
             for (LineExchange& e : all) {
-                judge(surroundings(lanes_.at(e.a, e.at_a)), e, std::span(&kFirstCut, 1), std::span(kSlips, 1));
+                judge(surroundings(lanes_.at(e.a, e.at_a)), e, std::span(kCuts).subspan(2, 1), std::span(kSlips, 1));
                 if (worth_it(e)) queue_.push(e);
             }
         }
@@ -136,7 +135,7 @@ class LineExchanger {
         const auto chart = chart_at(at);
         std::vector<LineExchange> out;
         for (const BeadPoint& bead : beads_.neighbours(a, at.point, chart.normal, rules::kBeside * d_)) {
-            out.push_back({0, a, bead.line, way, bead.arc, kFirstCut * d_, kFirstCut * d_});
+            out.push_back({0, a, bead.line, way, bead.arc, kCuts[2] * d_, kCuts[2] * d_});
             out.back().waste = d_ * longer(out.back(), turn_pair(chart, out.back()));
         }
         return out;

@@ -12,20 +12,16 @@ namespace filum::surfpath::rows {
 namespace {
 
 constexpr double kArcStep = 1.0 / 180 * std::numbers::pi; // rad between points of an arc
-constexpr double kHeadingSpan = 0.5; // mm on either side of a point over which the direction of a row is measured
-constexpr double kAllowed = 0.01;    // mm beyond the bound that are accepted
-constexpr double kMore = 1 + 1e-9;   // factor of a distance above which another one is larger by more than rounding
-constexpr int kPushes = 6;           // most attempts to move a turn inside the bound
-constexpr double kAsWide = 0.97;     // radii: a single arc of this radius is accepted without trying a bulb
+constexpr double kAllowed = 0.01;                         // mm beyond the bound that are accepted
+constexpr int kPushes = 6;                                // most attempts to move a turn inside the bound
+constexpr double kAsWide = 0.97; // radii: a single arc of this radius is accepted without trying a bulb
 
 // A row from its end inwards, with functions to place circles beside it.
 class RowSide {
   public:
     RowSide(std::span<const Vec2> row, bool inner_left) : row_(row), arcs_(geom::arc_lengths(row)) {
-        for (std::size_t i = 0, from = 0, to = 0; i < row.size(); ++i) {
-            while (arcs_[i] - arcs_[from] > kHeadingSpan) ++from;
-            while (to + 1 < row.size() && arcs_[to] - arcs_[i] < kHeadingSpan) ++to;
-            const Vec2 d = row[to] - row[from];
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const Vec2 d = row[std::min(i + 1, row.size() - 1)] - row[i > 0 ? i - 1 : 0];
             const double l = norm(d);
             const Vec2 n = l > 0 ? 1 / l * geom::left_of(d) : Vec2{1, 0};
             inward_.push_back(inner_left ? n : -1 * n);
@@ -164,16 +160,15 @@ double beyond(std::span<const Vec2> turn, std::span<const Vec2> bound) {
     std::size_t last = 1; // the segment nearest to the point before, which limits the search
     for (const Vec2 p : turn) {
         BoundDistance least;
-        double most = last < bound.size() ? kMore * to_bound(p, bound[last - 1], bound[last]).far : least.far;
+        if (last < bound.size()) least = to_bound(p, bound[last - 1], bound[last]);
         for (std::size_t i = 1; i < bound.size(); ++i) {
             const Vec2 a = bound[i - 1], b = bound[i];
             const double x = std::max(std::min(a.x, b.x) - p.x, p.x - std::max(a.x, b.x));
             const double y = std::max(std::min(a.y, b.y) - p.y, p.y - std::max(a.y, b.y));
-            if (x > most || y > most) continue;
+            if (x > least.far || y > least.far) continue;
             const BoundDistance now = to_bound(p, a, b);
             if (!(now.far < least.far)) continue;
             least = now;
-            most = std::min(most, kMore * now.far);
             last = i;
         }
         if (least.side > 0) out = std::max(out, least.far);

@@ -18,8 +18,6 @@ namespace filum::surfpath::rows {
 
 namespace {
 
-constexpr double kShares[] = {1, 0.5, 0.2}; // radii of shifts that are tried, in least radii
-
 // A ladder on which closed lines can be connected to a spiral, with gentle links if there is room. It covers fewer
 // lanes if no place leads across all lines.
 lanes::Ladder spiral_over(const lanes::Lanes& lanes, const LoopOptions& o) {
@@ -68,27 +66,24 @@ std::vector<std::size_t> level_rows(const Surface& s, Rows& found, double spacin
     return out;
 }
 
-constexpr double kLookGrain = 0.5; // spacings between sample points
-constexpr double kLaid = 0.5;      // spacings: a point nearer than this to a row is half on it
-
 // The rows as points, to measure how much of a line overlaps them.
 class RowPoints {
   public:
     RowPoints(const Rows& rows, double spacing) : spacing_(spacing) {
         for (const Row& row : rows.rows)
-            for (const Place& p : surface::curve::resampled(row.line, kLookGrain * spacing / 2).places)
+            for (const Place& p : surface::curve::resampled(row.line, rules::kGrain * spacing).places)
                 points_.push_back(p.point);
-        grid_ = geom::PointGrid<Vec3>(points_, kLaid * spacing);
+        grid_ = geom::PointGrid<Vec3>(points_, spacing / 2);
     }
 
     // Length of the line that would overlap rows, mm.
     [[nodiscard]] double on_rows(const Line& line) const {
         double out = 0;
-        for (const Place& p : surface::curve::resampled(line, kLookGrain * spacing_).places) {
+        for (const Place& p : surface::curve::resampled(line, 2 * rules::kGrain * spacing_).places) {
             bool near = false;
             grid_.near(p.point, 1,
-                       [&](std::uint32_t i) { near = near || distance(points_[i], p.point) < kLaid * spacing_; });
-            out += near ? kLookGrain * spacing_ : 0;
+                       [&](std::uint32_t i) { near = near || distance(points_[i], p.point) < spacing_ / 2; });
+            out += near ? 2 * rules::kGrain * spacing_ : 0;
         }
         return out;
     }
@@ -197,7 +192,7 @@ LoopJoins join(const Surface& s, std::vector<Line>& lines, const std::vector<cha
         out.exchanged += more.count;
         out.waste += more.waste;
     }
-    for (const double share : kShares) cross(share * o.radius);
+    for (const double share : rules::kRadiusShares) cross(share * o.radius);
     out.waste += kCrossingWastes * o.spacing * o.spacing * static_cast<double>(out.crossed.size());
     return out;
 }

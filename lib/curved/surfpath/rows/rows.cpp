@@ -24,10 +24,6 @@ constexpr double kDetour = std::numbers::pi / 2;
 // nearer to the next line than 0.7 spacings. With beads along the rims, the distance from the innermost of them counts.
 // Tuned: halving it gains 0.001 coverage and costs 0.004 overlap.
 constexpr double kFollowing = 0.4;
-// Largest slope of the distance from rims along a line between two of them: the slope that leads from the margin to
-// kFollowing of it within a spacing, which is two margins.
-constexpr double kRimsBeside = (1 - kFollowing) / 2;
-
 // Clips lines where they are nearer to a rim than the margin.
 class InsetClipper {
   public:
@@ -149,8 +145,9 @@ class InsetClipper {
             surface::curve::at(line, ways, line.closed ? way + reach : std::min(way + reach, ways.back()));
         const Place back = surface::curve::at(line, ways, line.closed ? way - reach : std::max(way - reach, 0.0));
         const Vec3 on = ahead.point - back.point;
-        const double l = norm(on), here = room(p);
-        if (!(l > 0) || std::abs(room(ahead) - room(back)) > kRimsBeside * l) return false;
+        // the slope that leads from the margin to kFollowing of it within a spacing, which is two margins
+        const double slope = (1 - kFollowing) / 2, l = norm(on), here = room(p);
+        if (!(l > 0) || std::abs(room(ahead) - room(back)) > slope * l) return false;
         const auto& [a, b, c] = surface_.triangles[p.triangle];
         const Vec3 &u = surface_.vertices[a], &v = surface_.vertices[b], &w = surface_.vertices[c];
         const Vec3 across = cross(cross(v - u, w - u), on);

@@ -16,10 +16,6 @@ namespace filum::surfpath::rows {
 
 namespace {
 
-constexpr double kLoopBeside = 1.3; // spacings: largest distance of lines side by side
-constexpr double kLoopWider = 1.15; // least radii: radius of shifts, so that their samples keep the least radius
-constexpr double kLoopGive = 0.25;  // spacings by which lines are moved to round the corners of a shift
-
 // A sample point near a loop.
 struct NearbySample {
     std::uint32_t line = surface::kNone;
@@ -49,7 +45,7 @@ class Splicer {
 
     // Sets the radius of the next shifts, mm.
     void keep_to(double radius) {
-        radius_ = kLoopWider * std::max(radius, d_ / 2);
+        radius_ = rules::kRounded * std::max(radius, d_ / 2);
         half_ = rules::shift_length(radius_, d_) / 2;
     }
 
@@ -87,7 +83,7 @@ class Splicer {
     void gather(std::uint32_t loop) {
         spots_.clear();
         std::vector<Vec3> points;
-        const geom::Box3 about = geom::grown(samples_[loop].box, (kLoopBeside + rules::kGrain) * d_);
+        const geom::Box3 about = geom::grown(samples_[loop].box, (rules::kBeside + rules::kGrain) * d_);
         for (std::uint32_t i = 0; i < lines_.size(); ++i) {
             if (i == loop || !geom::meet(about, samples_[i].box)) continue;
             double way = 0;
@@ -99,7 +95,7 @@ class Splicer {
                 way += rules::kGrain * d_;
             }
         }
-        grid_ = geom::PointGrid<Vec3>(points, kLoopBeside * d_);
+        grid_ = geom::PointGrid<Vec3>(points, rules::kBeside * d_);
         points_ = std::move(points);
     }
 
@@ -108,7 +104,7 @@ class Splicer {
         NearbySample out;
         grid_.near(p, 1, [&](std::uint32_t i) {
             const double far = distance(points_[i], p);
-            if ((line == surface::kNone || spots_[i].line == line) && far <= kLoopBeside * d_ && far < out.far)
+            if ((line == surface::kNone || spots_[i].line == line) && far <= rules::kBeside * d_ && far < out.far)
                 out = {spots_[i].line, spots_[i].way, far};
         });
         return out;
@@ -184,7 +180,7 @@ class Splicer {
         }
         for (int i = n / 2; i-- > 0;) out.places.push_back(on(to, half_ * (2 - 2.0 * i / n)));
         return surface::curve::ease(s_, surface::curve::threaded(s_, out),
-                                    {.radius = radius_, .corridor = kLoopGive * d_})
+                                    {.radius = radius_, .corridor = rules::kGive * d_})
             .line;
     }
 

@@ -14,15 +14,11 @@ using surface::curve::Chart;
 
 namespace {
 
-// Least radii: radius of turns, and of rounded transits, so that they keep the least radius when it is measured in
-// steps of a quarter of a millimetre on triangles.
-constexpr double kWider = 1.07, kEasedWider = 1.15;
-constexpr double kRoom = 0.8;     // margins between turns and rims: a tenth of a spacing less than rows, as eased rows
-constexpr double kTurning = 0.25; // mm: steps in which curvature is measured, as in metrics
+// Least radii: radius of turns, so that their arcs, with points at every degree, keep the least radius on triangles.
+constexpr double kWider = 1.07;
 constexpr double kHairpinBelow = 0.75;            // least radii: a tighter turn costs as much as a hairpin
 constexpr double kBulbCosts = 2 * kTightCosts;    // mm: cost of a bulb, for the voids beside it
 constexpr double kHairpinCosts = 3 * kTightCosts; // mm: cost of a hairpin
-constexpr double kNextButOne = 2.5;               // spacings: reaches the next row but one
 constexpr double kWidest = 1.6;                   // widest turn, in turns of the least radius
 
 // The first `length` mm of a line on a chart; `flip` mirrors it upside down.
@@ -111,35 +107,19 @@ Line Turner::part(std::uint32_t in, double from, double to) const {
 
 SurfaceTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, std::uint32_t to) const {
     const double radius = o_.tight ? o_.spacing / 2 : o_.least_radius, most = rules::kTurnReach * radius;
-    SurfaceTurn out{from, to,   std::min(most, length(from / 2) / 2), std::min(most, length(to / 2) / 2), 0, 0,
-                    {},   false};
+    SurfaceTurn out{from, to, std::min(most, length(from / 2) / 2), std::min(most, length(to / 2) / 2), 0, 0, {}, true};
     Line line = surface::curve::part(inwards(from), ways_inwards(from), 0, out.from_trim);
     surface::curve::reverse(line);
     for (const Line& l : stretches) surface::curve::append(line, l);
     surface::curve::append(line, surface::curve::part(inwards(to), ways_inwards(to), 0, out.to_trim));
     line = surface::curve::threaded(surface_, line);
-    auto eased =
-        surface::curve::ease(surface_, line, {.radius = kEasedWider * radius, .corridor = rules::kTurnReach * radius});
+    auto eased = surface::curve::ease(surface_, line,
+                                      {.radius = rules::kRounded * radius, .corridor = rules::kTurnReach * radius});
     // Around a convex corner, as of a hole, rounding comes too near to the rim; then the tight line is better.
     const bool inside = std::all_of(eased.line.places.begin(), eased.line.places.end(), [&](const Place& p) {
-        return rows_.inset.room(surface_, p) >= rows_.inset.margin - (1 - kRoom) * rows_.inset.half;
+        return rows_.inset.room(surface_, p) >= rows_.inset.margin - rules::kGive * o_.spacing;
     });
     out.line = inside ? std::move(eased.line) : std::move(line);
-    const auto k = curvatures(out.line, surface::curve::arc_lengths(out.line));
-    out.radius = 1 / std::max(1e-3, *std::max_element(k.begin(), k.end()));
-    return out;
-}
-
-// Curvature of the line along the surface, 1/mm, at steps of kTurning, each measured over two steps.
-std::vector<double> Turner::curvatures(const Line& line, std::span<const double> w) const {
-    std::vector<double> out{0};
-    for (double at = kTurning; at + kTurning <= w.back(); at += kTurning) {
-        const Place here = surface::curve::at(line, w, at);
-        const Vec3 a = here.point - surface::curve::at(line, w, at - kTurning).point;
-        const Vec3 b = surface::curve::at(line, w, at + kTurning).point - here.point;
-        const Vec3 m = surface::curve::normal_at(surface_, normals_, here);
-        out.push_back(std::abs(std::atan2(dot(cross(a, b), m), dot(a, b) - dot(a, m) * dot(b, m))) / kTurning);
-    }
     return out;
 }
 
@@ -167,12 +147,13 @@ Vec3 Turner::tangent(std::uint32_t end) const {
 // Whether a turn between the two ends is worth considering.
 bool Turner::may_turn(std::uint32_t a, std::uint32_t b) const {
     if (ring_place(a).ring != ring_place(b).ring || ring_place(a).ring == surface::kNone) return false;
-    const double spacing = o_.spacing, two = 2 * o_.least_radius, most = std::max(kWidest * two, kNextButOne * spacing);
+    const double spacing = o_.spacing, two = 2 * o_.least_radius,
+                 most = std::max(kWidest * two, rules::kBeside * spacing);
     const Vec3 d = inwards(b)[0] - inwards(a)[0], u = tangent(a);
     const double w = norm(d - dot(d, u) * u); // across the rows
     // Of ends too near for an arc only the nearest are considered, for hairpins and bulbs.
     if (!(dot(u, tangent(b)) > 0) || norm(d) > w / rules::kAlong + spacing) return false;
-    return w < most && (w <= kNextButOne * spacing || w >= kHairpinBelow * two);
+    return w < most && (w <= rules::kBeside * spacing || w >= kHairpinBelow * two);
 }
 
 // Whether one line ends at a hole in `a` and continues behind it in `b`.
@@ -215,7 +196,7 @@ SurfaceTurn Turner::turn_between(std::uint32_t a, std::uint32_t b, double behind
         return t.bulb ? turn_between(a, b, behind, false) : out;
     laid.line.places.back() = end;
     for (const Place& p : laid.line.places)
-        if (rows_.inset.room(surface_, p) < rows_.inset.margin - (1 - kRoom) * rows_.inset.half)
+        if (rows_.inset.room(surface_, p) < rows_.inset.margin - rules::kGive * o_.spacing)
             return t.bulb ? turn_between(a, b, behind, false) : out;
     out.line = std::move(laid.line);
     out.radius = t.radius;

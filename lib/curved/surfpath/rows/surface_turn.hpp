@@ -32,7 +32,7 @@ inline TurnOptions turn_options(double spacing, double least_radius, bool hairpi
 struct SurfaceTurn {
     std::uint32_t from = 0, to = 0;
     double from_trim = 0, to_trim = 0; // mm of the rows that it replaces
-    double radius = 0;                 // mm: its least radius
+    double radius = 0;                 // mm: its least radius; 0 for a rounded transit
     double cost = 0;                   // mm by which it lengthens the path, plus a penalty if it is tight
     Line line;                         // from `from` to `to`; empty for a way around a hole, which is computed later
     bool eased = false;                // it is a rounded transit rather than a turn
@@ -73,7 +73,6 @@ class Turner {
     [[nodiscard]] bool leads_on(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] SurfaceTurn turn_between(std::uint32_t a, std::uint32_t b, double behind, bool bulbs = true) const;
     [[nodiscard]] double tightness(double radius) const;
-    [[nodiscard]] std::vector<double> curvatures(const Line& line, std::span<const double> ways) const;
 
     const Surface& surface_;
     const Rows& rows_;

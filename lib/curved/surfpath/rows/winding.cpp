@@ -2,6 +2,7 @@
 
 #include "surface/curve/nearest.hpp"
 #include "surface/curve/walk.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +15,7 @@ namespace {
 using surface::curve::nearest;
 
 constexpr std::size_t kSamples = 24; // sample points of a ring to decide whether another runs beside it
-constexpr double kRingsBeside = 1.6; // largest distance of rings beside each other, in differences of their levels
-constexpr double kSpiralStep = 0.4;  // spacings between places of a spiral
 constexpr double kApart = 100;       // spacings of level between unrelated chains
-constexpr double kNearInset = 2;     // spacings from the inset within which a spiral's end is led to it
 
 struct RingLine {
     Line line;
@@ -50,7 +48,7 @@ double apart(const RingLine& a, const RingLine& b, double most) {
 }
 
 bool beside(const RingLine& a, const RingLine& b) {
-    return std::isfinite(apart(a, b, kRingsBeside * std::abs(a.level - b.level)));
+    return std::isfinite(apart(a, b, rules::kBeside * std::abs(a.level - b.level)));
 }
 
 // Sorts rings into chains in which each lies beside the next.
@@ -114,7 +112,7 @@ class SpiralWinder {
     // Where the spiral that ends on `ring` reaches the inset, and the arc length at which it leaves the ring.
     [[nodiscard]] std::pair<RingPlace, double> landing(const RingLine& ring) const {
         RingPlace place;
-        double least = kNearInset * spacing_, from = 0;
+        double least = rules::kBeside * spacing_, from = 0;
         for (std::uint32_t r = 0; r < rows_.inset.rings.size(); ++r)
             for (std::size_t i = 0; i < ring.line.size();) {
                 const auto f = nearest(rows_.inset.rings[r], rows_.inset.ways[r], ring.line[i]);
@@ -146,7 +144,7 @@ class SpiralWinder {
     // One lap from `at` on a ring that gradually shifts to the next ring.
     [[nodiscard]] Line over(const RingLine& ring, double at, const RingLine& to) const {
         const double all = ring.ways.back(), gap = std::abs(to.level - ring.level);
-        const auto n = static_cast<std::size_t>(std::max(48.0, std::ceil(all / (kSpiralStep * spacing_))));
+        const auto n = static_cast<std::size_t>(std::max(48.0, std::ceil(all / (rules::kGrain * spacing_))));
         const double side = outward(ring, at, to, gap);
         Line out;
         for (std::size_t i = 0; i <= n; ++i) {
@@ -222,7 +220,7 @@ std::vector<std::size_t> level_rings(const Surface& s, std::vector<UnclippedLine
     std::vector<std::vector<Near>> next(n); // the nearest first
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t k = i + 1; k < n; ++k) {
-            const double far = apart(rings[i], rings[k], kRingsBeside * spacing);
+            const double far = apart(rings[i], rings[k], rules::kBeside * spacing);
             if (!std::isfinite(far)) continue;
             next[i].emplace_back(far, k);
             next[k].emplace_back(far, i);

@@ -33,6 +33,9 @@ inline constexpr double kAlong = 1.0 / 3;
 // deep, and its start bends off a row that it may meet at a slant.
 inline constexpr double kTurnReach = 2;
 
+// Radii of turns that are tried one after another, in least radii.
+inline constexpr double kRadiusShares[] = {1, 0.5, 0.2};
+
 // Least radii: the radius to which lines are rounded, so that their polylines on triangles keep the least radius when
 // it is measured in steps of a quarter of a millimetre.
 inline constexpr double kRounded = 1.1;
