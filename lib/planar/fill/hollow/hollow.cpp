@@ -260,7 +260,7 @@ class NearestLoop {
     }
     // Distances are exact where one is less than kTolerance more than the other; else `same` may be larger.
     [[nodiscard]] Hit operator()(Vec2 p, Feature wanted) const {
-        const double few = w_ / 4; // curves lie on their loops but for corners and links
+        const double few = w_ / 4; // curves lie on their loops except at corners and links
         const Hit hit = within(p, few, wanted);
         return hit.best + kTolerance <= few ? hit : within(p, w_, wanted);
     }

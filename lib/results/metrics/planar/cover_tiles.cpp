@@ -19,8 +19,8 @@ using geom::Box2;
 constexpr double kManyRows = 200;     // per bead: fewer are swept faster than tiles are made
 constexpr double kFewSections = 1024; // of rows with beads: sweeping them takes as long as dividing the tile
 constexpr std::size_t kFewRows = 16;  // a tile as high as this is not divided further
-// Shares of a tile at which a probe lies, and by which the first tile is too wide: odd ones, so that neither probes nor
-// sides lie on corners of outlines.
+// Shares of a tile at which a probe lies, and by which the first tile is too wide. They are odd ones, so that no probe
+// and no side lies on a corner of an outline.
 constexpr Vec2 kProbe{0.4871, 0.5237};
 
 // Keeps what lies between the left and the right side of a box.
