@@ -1,7 +1,7 @@
 // regions - contours to connected regions and the overlap graph
 // reads:  Layers
 // writes: Regions
-// memory: 33 layers at 8 times the bytes that it reads
+// memory: 33 layers at 9 times the bytes that it reads
 #include "cli/command.hpp"
 #include "regions/sizes.hpp"
 #include "regions/stack.hpp"
@@ -17,7 +17,7 @@ cli::Spec spec(regions::Options& o) {
             .description = cli::kDescription,
             .in = cli::reads(stream::Payload::layers),
             .out = cli::writes(stream::Payload::regions),
-            .memory = "33 layers at 8 times the bytes that it reads",
+            .memory = "33 layers at 9 times the bytes that it reads",
             .options = {cli::Option{"bead-width", &o.bead_width, "MM",
                                     "width of a bead; it decides where a stroke can climb"}
                             .within(0.01, 100)

@@ -46,7 +46,7 @@ def triangles(stl):
 # stage: what its help must say, and the bytes that this allows for files read and written
 STATED = {
     "slice": (r"the model at 400 bytes per triangle", lambda read, wrote: 400 * triangles(read)),
-    "regions": (r"33 layers at 8 times", lambda read, wrote: 8 * most_of(frames(read), 33)),
+    "regions": (r"33 layers at 9 times", lambda read, wrote: 9 * most_of(frames(read), 33)),
     "skins": (r"the whole part at 8 times", lambda read, wrote: 8 * sum(frames(read))),
     "sequence": (r"the whole graph at 8 times", lambda read, wrote: 8 * sum(frames(read))),
     "fill": (r"one region per thread at 20 times the bytes that it writes.*64 MB",

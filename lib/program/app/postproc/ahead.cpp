@@ -14,6 +14,21 @@ struct MoveQueue::Item {
     toolpath::MergeResult moves; // empty if an earlier call has kept them
 };
 
+void MoveQueue::Steps::add(const toolpath::MergeSteps& steps) {
+    begins.insert(begins.end(), steps.begins.begin(), steps.begins.end());
+    turns.insert(turns.end(), steps.turns.begin(), steps.turns.end());
+    ends.push_back({begins.size(), turns.size(), steps.off});
+}
+
+toolpath::MergeSteps MoveQueue::Steps::of(std::size_t span) const {
+    const End from = span > 0 ? ends[span - 1] : End{0, 0, 0}, to = ends[span];
+    const auto part = [](const auto& list, std::size_t first, std::size_t last) {
+        return std::vector(list.begin() + static_cast<std::ptrdiff_t>(first),
+                           list.begin() + static_cast<std::ptrdiff_t>(last));
+    };
+    return {part(begins, from.begins, to.begins), part(turns, from.turns, to.turns), to.off};
+}
+
 void MoveQueue::each(stream::Spool& spool, const Take& take) {
     const bool merges = !profile_->axes.active(), keeps = std::exchange(first_, false) && merges;
     std::size_t count = 0;
@@ -29,7 +44,7 @@ void MoveQueue::each(stream::Spool& spool, const Take& take) {
         if (keeps)
             item.moves = filum::postproc::merged(*profile_, item.span, joins_);
         else
-            item.moves = toolpath::merge_again(item.span, steps_[item.index - kept_.size()]);
+            item.moves = toolpath::merge_again(item.span, steps_.of(item.index - kept_.size()));
         return item;
     };
     bool room = keeps;
@@ -38,7 +53,7 @@ void MoveQueue::each(stream::Spool& spool, const Take& take) {
         take(std::move(item.span), !laid ? nullptr : kept(item) ? &kept_[item.index] : &item.moves);
         if (!keeps) return;
         room = room && moves_ + item.moves.moves.size() <= kMost;
-        if (!room) return steps_.push_back(std::move(item.moves.steps));
+        if (!room) return steps_.add(item.moves.steps);
         moves_ += item.moves.moves.size();
         item.moves.steps = {};
         kept_.push_back(std::move(item.moves));

@@ -29,7 +29,20 @@ class MoveQueue {
     int threads_;
     std::vector<toolpath::MergeResult> kept_; // moves of the first spans, one item for each
     std::size_t moves_ = 0;                   // number of moves in kept_
-    std::vector<toolpath::MergeSteps> steps_; // of the spans after those in kept_
+    // The steps of the spans after those in kept_, in few lists, as most spans may be short.
+    struct Steps {
+        std::vector<std::uint32_t> begins;
+        std::vector<toolpath::MergeSteps::Turn> turns;
+        struct End {
+            std::size_t begins, turns; // of all spans up to this one
+            double off;
+        };
+        std::vector<End> ends;
+
+        void add(const toolpath::MergeSteps& steps);
+        [[nodiscard]] toolpath::MergeSteps of(std::size_t span) const;
+    };
+    Steps steps_;
     bool first_ = true;
 };
 
