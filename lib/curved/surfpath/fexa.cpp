@@ -16,7 +16,6 @@ namespace {
 
 // the seed is a straight line if it deviates from one by less than this share of its size
 constexpr double kStraight = 1e-4;
-constexpr int kBins = 20;        // steps per spacing in which heights above the plane are tabulated
 constexpr double kSteepest = 20; // largest 1 / slope: the surface is almost parallel to the plane there
 
 // Change of height per mm along the triangle.
@@ -32,7 +31,7 @@ class HeightScale {
   public:
     HeightScale(const Surface& s, const SeedSides& sides, std::uint32_t side, std::span<const double> height,
                 double spacing)
-        : bin_(spacing / kBins) {
+        : bin_(rules::kGrain * spacing) {
         std::vector<double> rise, length;
         for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
             if (sides.of[t] != side) continue;

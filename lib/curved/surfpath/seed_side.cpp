@@ -16,9 +16,6 @@ using surface::Surface;
 
 namespace {
 
-constexpr double kLongRim = 5; // spacings: a shorter rim does not count as an end
-// largest variation of the width of a side, as a share, if its lines are to be fitted to both ends
-constexpr double kUneven = 0.06;
 constexpr double kTolerance = 1e-3; // mm: deviation of lines from the level set
 
 } // namespace
@@ -105,7 +102,8 @@ class BlendedDistance {
         for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
             if (sides.of[t] == side)
                 for (const std::uint32_t v : surface_.triangles[t])
-                    if (std::abs(seed_.distance[v] + end_.distance[v] - mean_) > kUneven * mean_) return false;
+                    if (std::abs(seed_.distance[v] + end_.distance[v] - mean_) > rules::kSpacingChange * mean_)
+                        return false;
         return true;
     }
 
@@ -160,7 +158,7 @@ class BlendedDistance {
 
 double step(const FarRim& rim, double spacing) {
     const double d = rim.mean / std::max(1.0, std::round(rim.mean / spacing));
-    return rim.length >= kLongRim * spacing && std::abs(d / spacing - 1) <= rules::kSpacingChange ? d : 0;
+    return rim.length >= rules::kBeside * spacing && std::abs(d / spacing - 1) <= rules::kSpacingChange ? d : 0;
 }
 
 std::vector<double> levels(double end, double step) {

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kArrived = 0.05; // steps: a line that ends farther from the next front has not reached it
 constexpr double kInset = 0.02;   // grains between the ends of a front and its outermost samples
-constexpr double kSpeck = 1e-3;   // steps: shorter fronts are dropped
 constexpr int kRings = 3;         // rings of triangles around a place in which fronts are searched
 
 // The triangle and its neighbours, ring by ring.
@@ -105,7 +104,7 @@ void Fronts::add_level(std::vector<Line> lines) {
     Level level;
     for (Line& line : lines) {
         auto ways = surface::curve::arc_lengths(line);
-        if (!(ways.back() > kSpeck * step_)) continue; // a tiny loop around a vertex
+        if (!(ways.back() > rules::kSamePoint)) continue; // a tiny loop around a vertex
         const auto front = static_cast<std::uint32_t>(level.fronts.size());
         for (std::uint32_t i = 0; i + 1 < ways.size(); ++i)
             level.segments.push_back({line.places[i].triangle, front, i});

@@ -4,6 +4,7 @@
 #include "surfpath/rules/rules.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace filum::surfpath::rows {
 
@@ -11,7 +12,6 @@ namespace {
 
 // Two lines need two half turns in any way, so a double spiral gains only from three lines on.
 constexpr std::size_t kFewest = 3;
-constexpr double kExchangeWastes = 0.7; // square spacings of void and overlap of an exchange
 
 // mm2 that stay void at both ends of the double spiral: the links leave a wedge, two lines wide where it begins, and
 // half turns reach into it by the share `into` of its length.
@@ -28,6 +28,8 @@ std::size_t wind_double(const Surface& s, std::vector<Line*> lines, const LoopOp
     const double wanted = rules::shift_length(o.gentle, 2 * o.spacing); // an arm shifts by two lines on a lap
     // A link is eased by two parabolas: this share of it is so near to its lane that half turns fit beside it.
     const double into = std::sqrt((1 - o.nearest) / 4);
+    // Square spacings that the two half turns of an exchange leave open: in the corners outside of each half circle.
+    const double wasted = 2 * (2 - std::numbers::pi / 2);
     std::size_t out = 0;
     while (lines.size() >= kFewest) {
         std::vector<Line> here;
@@ -36,7 +38,7 @@ std::size_t wind_double(const Surface& s, std::vector<Line*> lines, const LoopOp
         const lanes::Ladder ladder = lanes::spiral_ladder(lanes, 0, wanted);
         const bool leads = ladder.lanes() >= kFewest;
         const double exchanges = static_cast<double>(ladder.lanes()) - 1;
-        if (!leads || wedges(lanes, ladder, into) > exchanges * kExchangeWastes * o.spacing * o.spacing) {
+        if (!leads || wedges(lanes, ladder, into) > exchanges * wasted * o.spacing * o.spacing) {
             lines.erase(lines.begin());
             continue;
         }

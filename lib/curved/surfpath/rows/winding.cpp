@@ -15,7 +15,6 @@ namespace {
 using surface::curve::nearest;
 
 constexpr std::size_t kSamples = 24; // sample points of a ring to decide whether another runs beside it
-constexpr double kApart = 100;       // spacings of level between unrelated chains
 
 struct RingLine {
     Line line;
@@ -232,7 +231,7 @@ std::vector<std::size_t> level_rings(const Surface& s, std::vector<UnclippedLine
     for (const std::size_t most : {1U, 2U, 1000U}) // starts at ends of chains, then takes cycles and branches
         for (std::size_t i = 0; i < n; ++i) {
             if (seen[i] || next[i].size() > most) continue;
-            level += kApart * spacing;
+            level += rules::kBeside * spacing; // unrelated chains are not neighbours
             std::vector<std::size_t> chain;
             for (std::size_t at = i; at < n;) {
                 seen[at] = 1;
