@@ -19,7 +19,10 @@ constexpr double kWider = 1.07;
 constexpr double kHairpinBelow = 0.75;            // least radii: a tighter turn costs as much as a hairpin
 constexpr double kBulbCosts = 2 * kTightCosts;    // mm: cost of a bulb, for the voids beside it
 constexpr double kHairpinCosts = 3 * kTightCosts; // mm: cost of a hairpin
-constexpr double kWidest = 1.6;                   // widest turn, in turns of the least radius
+// Spacings: ends that are up to this far apart may always turn. Tuned: 2, at which lines are neighbours, covers .007
+// less with hairpins of ortheo, and overlaps .007 less.
+constexpr double kNextButOne = 2.5;
+constexpr double kWidest = 1.6; // widest turn, in turns of the least radius
 
 // The first `length` mm of a line on a chart; `flip` mirrors it upside down.
 std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, bool flip) {
@@ -147,13 +150,12 @@ Vec3 Turner::tangent(std::uint32_t end) const {
 // Whether a turn between the two ends is worth considering.
 bool Turner::may_turn(std::uint32_t a, std::uint32_t b) const {
     if (ring_place(a).ring != ring_place(b).ring || ring_place(a).ring == surface::kNone) return false;
-    const double spacing = o_.spacing, two = 2 * o_.least_radius,
-                 most = std::max(kWidest * two, rules::kBeside * spacing);
+    const double spacing = o_.spacing, two = 2 * o_.least_radius, most = std::max(kWidest * two, kNextButOne * spacing);
     const Vec3 d = inwards(b)[0] - inwards(a)[0], u = tangent(a);
     const double w = norm(d - dot(d, u) * u); // across the rows
     // Of ends too near for an arc only the nearest are considered, for hairpins and bulbs.
     if (!(dot(u, tangent(b)) > 0) || norm(d) > w / rules::kAlong + spacing) return false;
-    return w < most && (w <= rules::kBeside * spacing || w >= kHairpinBelow * two);
+    return w < most && (w <= kNextButOne * spacing || w >= kHairpinBelow * two);
 }
 
 // Whether one line ends at a hole in `a` and continues behind it in `b`.
