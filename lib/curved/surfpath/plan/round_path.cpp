@@ -12,7 +12,7 @@ namespace curve = surface::curve;
 constexpr double kKinksMove = 0.5; // spacings that points of kinks may move: the bead still lies on its old middle line
 // Spacings that points of other turns may move: two lines that move apart leave no room for a third one between them.
 constexpr double kBendsMove = 0.25;
-// Factor of the least radius to which turns are rounded, so that rounding does not decide whether they are tight.
+// Factor of the least radius to which turns are rounded: the flow comes near to a radius only in the limit.
 constexpr double kRoundedTo = 1.02;
 
 void apply(const Surface& s, Plan& plan, const curve::RoundingOptions& o) {

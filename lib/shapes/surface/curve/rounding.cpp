@@ -21,7 +21,7 @@ constexpr double kEven = 0.2;   // share of the way along the line to the middle
 // Shares of the distance of points: smaller steps are none. Long waves move slowly, so it is far below what matters.
 constexpr double kRest = 1e-5;
 // Most judgements. A stretch that fails one only has kinks rounded after it, and stays where it was after a second one.
-constexpr int kJudgements = 6;
+constexpr int kJudgements = 4;
 
 // The maximum over x of (sin(x / 2) / (x / 2))^2 (1 - cos x)^2, rounded up.
 constexpr double kGrowth = 1.65;
@@ -49,6 +49,28 @@ class Bump {
     std::vector<double> share_;
 };
 
+// A set of points in the order in which they were inserted.
+class PointSet {
+  public:
+    void resize(std::size_t points) { has_.assign(points, 0); }
+    [[nodiscard]] bool has(std::size_t point) const { return has_[point] != 0; }
+    [[nodiscard]] const std::vector<std::uint32_t>& all() const { return all_; }
+    bool insert(std::size_t point) { // whether it is new
+        if (has_[point] != 0) return false;
+        has_[point] = 1;
+        all_.push_back(static_cast<std::uint32_t>(point));
+        return true;
+    }
+    void clear() {
+        for (const std::uint32_t i : all_) has_[i] = 0;
+        all_.clear();
+    }
+
+  private:
+    std::vector<char> has_;
+    std::vector<std::uint32_t> all_;
+};
+
 class LineRounder {
   public:
     LineRounder(const Surface& s, std::span<const Line> lines, const RoundingOptions& o)
@@ -59,7 +81,7 @@ class LineRounder {
         const std::size_t n = places().size();
         move_.assign(n, Vec3{});
         most_.assign(n, 1 / o.radius);
-        live_.assign(n, 1);
+        for (PointSet* set : {&live_, &touched_, &displaced_}) set->resize(n);
         fails_.assign(n, 0);
         near_.assign(n, {});
         if (o.nearest > 0) {
@@ -75,6 +97,8 @@ class LineRounder {
         RoundingResult out;
         if (std::isfinite(o_.worth))
             for (const Strand& strand : strands_.all) limit_sharp_turns(strand);
+        for (const Strand& strand : strands_.all)
+            for (std::size_t i = 0; i < strand.count; ++i) wake(strand, i);
         for (int round = 0; round < kJudgements; ++round) {
             for (int i = 0; i < kSweeps; ++i)
                 if (!sweep(i % kSweepsApart == 0)) break;
@@ -128,40 +152,47 @@ class LineRounder {
         return {pull, (size - allowed) / size};
     }
 
+    void add(std::size_t point, const Vec3& way) {
+        if (touched_.insert(point)) move_[point] = Vec3{};
+        move_[point] = move_[point] + way;
+    }
+
     void push(const Strand& strand, std::size_t i, const Bump& bump, double most) {
         const Bend now = bend(strand, i, bump.k(), most);
         if (!(now.excess > 0)) return;
         const Vec3 way = now.excess * now.pull;
-        for (std::ptrdiff_t j = -bump.reach(); j <= bump.reach(); ++j) {
-            const std::ptrdiff_t to = strand.at(i, j);
-            if (to >= 0)
-                move_[strand.first + static_cast<std::size_t>(to)] =
-                    move_[strand.first + static_cast<std::size_t>(to)] + bump.at(j) * way;
-        }
+        for (std::ptrdiff_t j = -bump.reach(); j <= bump.reach(); ++j)
+            if (const std::ptrdiff_t to = strand.at(i, j); to >= 0)
+                add(strand.first + static_cast<std::size_t>(to), bump.at(j) * way);
     }
+
+    [[nodiscard]] const Strand& strand_of(std::size_t point) const { return strands_.all[strands_.of[point]]; }
 
     // One step of the flow of all points. Returns whether any point moves.
     bool sweep(bool apart) {
-        std::fill(move_.begin(), move_.end(), Vec3{});
-        for (const Strand& strand : strands_.all)
-            for (std::size_t i = 0; i < strand.count; ++i) {
-                if (!live_[strand.first + i] || fails_[strand.first + i] > 1) continue;
-                push(strand, i, wide_, most_[strand.first + i]);
-                if (narrow_.k() < wide_.k()) push(strand, i, narrow_, 2 / o_.spacing);
-            }
+        touched_.clear();
+        for (const std::uint32_t i : live_.all()) {
+            if (fails_[i] > 1) continue;
+            const Strand& strand = strand_of(i);
+            push(strand, i - strand.first, wide_, most_[i]);
+            if (narrow_.k() < wide_.k()) push(strand, i - strand.first, narrow_, 2 / o_.spacing);
+        }
         if (o_.nearest > 0 && apart) keep_apart();
-        bool moves = false;
-        std::fill(live_.begin(), live_.end(), 0);
-        for (const Strand& strand : strands_.all)
-            for (std::size_t i = 0; i < strand.count; ++i) {
-                if (fails_[strand.first + i] > 1 || (!strand.closed && (i == 0 || i + 1 == strand.count))) continue;
-                if (!take_step(strand, i)) continue;
-                moves = true;
-                for (std::ptrdiff_t k = -wide_.k(); k <= wide_.k(); ++k)
-                    if (const std::ptrdiff_t j = strand.at(i, k); j >= 0)
-                        live_[strand.first + static_cast<std::size_t>(j)] = 1;
-            }
-        return moves;
+        live_.clear();
+        for (const std::uint32_t i : touched_.all()) {
+            const Strand& strand = strand_of(i);
+            const std::size_t at = i - strand.first;
+            if (fails_[i] > 1 || (!strand.closed && (at == 0 || at + 1 == strand.count))) continue;
+            if (take_step(strand, at)) wake(strand, at);
+        }
+        return !live_.all().empty();
+    }
+
+    // Has the points around a point of the strand looked at in the next step.
+    void wake(const Strand& strand, std::size_t at) {
+        for (std::ptrdiff_t k = -wide_.k(); k <= wide_.k(); ++k)
+            if (const std::ptrdiff_t j = strand.at(at, k); j >= 0)
+                live_.insert(strand.first + static_cast<std::size_t>(j));
     }
 
     bool take_step(const Strand& strand, std::size_t at) {
@@ -180,6 +211,7 @@ class LineRounder {
         const Place next = step(s_, places()[i], way);
         const bool moves = distance(next.point, places()[i].point) > kRest * step_;
         places()[i] = next;
+        displaced_.insert(i);
         return moves;
     }
 
@@ -188,15 +220,11 @@ class LineRounder {
         float least; // mm
     };
 
-    [[nodiscard]] const Vec3& point(std::size_t i) const {
-        return i < places().size() ? places()[i].point : rim_[i - places().size()];
-    }
-
     // The points of other lines, of other parts of the line and of rims that point `i` could come too near to.
     const std::vector<Neighbour>& neighbours(std::size_t i) {
-        auto& [known, all] = near_[i];
-        if (known) return all;
-        known = true;
+        Neighbours& found = near_[i];
+        if (found.known) return found.all;
+        found.known = true;
         const Vec3 n = normal_at(s_, normals_, strands_.start[i]);
         const auto half_turn = static_cast<std::size_t>(std::ceil(std::numbers::pi / 2 * o_.spacing / step_));
         grid_.near(strands_.start[i].point, 1, [&](std::uint32_t j) {
@@ -212,28 +240,29 @@ class LineRounder {
                 }
                 if (!(dot(normal_at(s_, normals_, strands_.start[j]), n) > 0)) return;
             }
-            all.push_back({j, static_cast<float>(std::min(far, least))});
+            found.all.push_back({j, static_cast<float>(std::min(far, least))});
         });
-        return all;
+        return found.all;
     }
 
     // Pushes points apart that would come too near to each other.
     void keep_apart() {
-        for (std::size_t i = 0; i < places().size(); ++i) {
-            if (!(norm2(move_[i]) > 0) && !strands_.moved(i)) continue;
-            if (fails_[i] > 1) continue;
-            const Vec3 here = places()[i].point + move_[i];
+        const auto way_of = [&](std::size_t i) { return touched_.has(i) ? move_[i] : Vec3{}; };
+        for (const std::uint32_t i : displaced_.all()) {
+            if (fails_[i] > 1 || !strands_.moved(i)) continue;
+            const Vec3 here = places()[i].point + way_of(i);
             for (const Neighbour& other : neighbours(i)) {
-                const Vec3 there = other.point < places().size() ? places()[other.point].point + move_[other.point]
-                                                                 : point(other.point);
+                const bool rim = other.point >= places().size();
+                const Vec3 there =
+                    rim ? rim_[other.point - places().size()] : places()[other.point].point + way_of(other.point);
                 const Vec3 off = here - there;
                 const double far2 = norm2(off), least = other.least;
                 if (far2 >= least * least || !(far2 > 0)) continue;
                 const double far = std::sqrt(far2);
-                const bool alone = other.point >= places().size() || fails_[other.point] > 1;
+                const bool alone = rim || fails_[other.point] > 1;
                 const Vec3 way = (alone ? 1 : 0.5) * (least - far) / far * off;
-                move_[i] = move_[i] + way;
-                if (!alone) move_[other.point] = move_[other.point] - way;
+                add(i, way);
+                if (!alone) add(other.point, -1 * way);
             }
         }
     }
@@ -308,9 +337,9 @@ class LineRounder {
                 for (std::ptrdiff_t i = r.from; i < r.to; ++i) {
                     const std::size_t j = strand.first + static_cast<std::size_t>(strand.at(0, i));
                     places()[j] = strands_.start[j];
-                    live_[j] = 1;
                     most_[j] = 2 / o_.spacing;
                     ++fails_[j];
+                    wake(strand, j - strand.first);
                 }
             }
         return failed;
@@ -324,7 +353,9 @@ class LineRounder {
     Strands strands_;
     std::vector<Vec3> move_;
     std::vector<double> most_; // per point: allowed curvature, 1/mm
-    std::vector<char> live_;   // per point: whether it can bend more than before
+    PointSet live_;            // may bend more than before
+    PointSet touched_;         // are pushed in this step
+    PointSet displaced_;       // took a step at any time
     std::vector<char> fails_;  // per point: judgements that its stretch failed
     struct Neighbours {
         bool known = false;
