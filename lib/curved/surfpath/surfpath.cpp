@@ -91,7 +91,7 @@ double longest_side(const Options& o) {
 Plan with_round_turns(const surface::Sheet& sheet, const Options& options) {
     Plan out = lines(sheet, options);
     plan::round_kinks(sheet.surface, out, options.spacing);
-    if (by_field(options))
+    if (by_field(options) && options.width_change > 0) // lines of one width have no room to move
         plan::round_bends(sheet.surface, out, {options.spacing, options.least_radius, 1 - options.width_change});
     return out;
 }

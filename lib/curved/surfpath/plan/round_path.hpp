@@ -8,8 +8,7 @@ namespace filum::surfpath::plan {
 struct PathRounding {
     double spacing = 1;  // mm
     double radius = 2.4; // mm: least radius
-    double nearest =
-        1; // spacings: least distance of lines that movements may cause; less than 1 if beads may be narrower
+    double nearest = 1;  // spacings: least distance of lines that movements may cause; below 1 if beads may be narrower
 };
 
 // Rounds turns that are tighter than surface::curve::kKinkRadius to half a spacing, which is the turn to a neighbouring
