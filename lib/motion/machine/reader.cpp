@@ -6,6 +6,7 @@
 #include "base/printable.hpp"
 #include "machine/set_items.hpp"
 #include "machine/template.hpp"
+#include "machine/toml_text.hpp"
 
 #include <toml.hpp>
 
@@ -23,9 +24,6 @@ namespace {
 // Tables are sorted by key, so that nothing depends on a hash.
 using Node = toml::basic_value<toml::discard_comments, std::map>;
 using Table = Node::table_type;
-
-// Values nested deeper than this are refused, since the parser calls itself once for each level.
-constexpr int kDeepest = 100;
 
 } // namespace
 
@@ -65,35 +63,9 @@ std::size_t line_of(const Node& node) {
     return at.line() + (below ? 1 : 0);
 }
 
-// The number of brackets and braces that are open at once, at most; those in texts and comments count, too.
-int depth(std::string_view text) {
-    int open = 0, most = 0;
-    for (const char c : text) {
-        if (c == '[' || c == '{') most = std::max(most, ++open);
-        if ((c == ']' || c == '}') && open > 0) --open;
-    }
-    return most;
-}
-
-// The line, counted from 1, of the first byte that is not UTF-8; 0 if there is none.  toml11 3.7 reads past the end of
-// a quoted text with such a byte.
-std::size_t line_of_no_utf8(std::string_view text) {
-    std::size_t line = 1;
-    while (!text.empty()) {
-        const std::size_t length = utf8_character(text);
-        if (length == 0) return line;
-        line += text.front() == '\n' ? 1 : 0;
-        text.remove_prefix(length);
-    }
-    return 0;
-}
-
 Table parsed(std::string_view text, const std::string& file, const std::string& kind) {
     const std::string failed = "cannot read " + kind + " '" + file + "'";
-    if (depth(text) > kDeepest)
-        throw Error(Exit::bad_input, failed + ": more than " + std::to_string(kDeepest) + " brackets are open at once");
-    if (const std::size_t line = line_of_no_utf8(text); line > 0)
-        throw Error(Exit::bad_input, failed + ", line " + std::to_string(line) + ": a byte that is not UTF-8");
+    check_toml(text, failed);
     try {
         std::istringstream in{std::string(text)};
         return toml::parse<toml::discard_comments, std::map>(in, file).as_table();
