@@ -159,17 +159,6 @@ void Document::leave() { state_->within.clear(); }
 
 void Document::fail(const std::string& key, const std::string& why) const { fail_in_text(key, why, 0); }
 
-void Document::fail_in_text(const std::string& name, const std::string& why, std::size_t line) const {
-    const std::string key = state_->within + name;
-    if (state_->set.count(key) != 0) cannot_change(key, why);
-    const Node* node = find(state_->root, key);
-    // A key of a base stands in the base's file.
-    const bool placed = node != nullptr && node->location().line() > 0;
-    std::string where = "'" + (placed ? node->location().file_name() : state_->file) + "'";
-    if (node != nullptr) where += ", line " + std::to_string(line_of(*node) + line);
-    throw Error(Exit::bad_input, "cannot use " + state_->kind + " " + where + ", key '" + shown(key) + "': " + why);
-}
-
 bool Document::has(const std::string& key) const { return find(state_->root, state_->within + key) != nullptr; }
 
 void Document::require(const std::string& key) const {
@@ -344,7 +333,38 @@ void unread(const Table& table, const std::string& above, const std::set<std::st
     }
 }
 
+// A question about a name in `root` that nothing has read and that is nearly a part of the missing `key`, "" if there
+// is none: [feedz] for feeds.bead.
+std::string meant_for(Table& root, const std::string& key, const std::set<std::string>& asked) {
+    std::vector<UnreadKey> left;
+    unread(root, "", asked, left);
+    std::vector<std::string> names;
+    for (const UnreadKey& k : left)
+        if (!key.starts_with(k.key + ".")) names.push_back(k.key);
+    for (std::size_t end = 0; end < key.size(); ++end) {
+        end = std::min(key.find('.', end), key.size());
+        const std::string part = key.substr(0, end);
+        if (find(root, part) != nullptr) continue;
+        const std::string typed = nearest(part, names);
+        if (!typed.empty()) return "; is '" + shown(typed) + "' meant to be '" + part + "'?";
+    }
+    return "";
+}
+
 } // namespace
+
+void Document::fail_in_text(const std::string& name, const std::string& why, std::size_t line) const {
+    const std::string key = state_->within + name;
+    if (state_->set.count(key) != 0) cannot_change(key, why);
+    const Node* node = find(state_->root, key);
+    // A key of a base stands in the base's file.
+    const bool placed = node != nullptr && node->location().line() > 0;
+    std::string where = "'" + (placed ? node->location().file_name() : state_->file) + "'";
+    if (node != nullptr) where += ", line " + std::to_string(line_of(*node) + line);
+    const std::string question = node == nullptr ? meant_for(state_->root, key, state_->asked) : "";
+    throw Error(Exit::bad_input,
+                "cannot use " + state_->kind + " " + where + ", key '" + shown(key) + "': " + why + question);
+}
 
 void Document::finish() const {
     std::vector<UnreadKey> left;

@@ -54,7 +54,8 @@ class Document {
     // name of numbers() that is in braces in no text.
     void finish() const;
 
-    // Throws Error(bad_input): the value of `key` cannot be used.
+    // Throws Error(bad_input): the value of `key` cannot be used. If the text lacks the key and has a name that nothing
+    // has read and that is nearly its name, the message asks about it.
     [[noreturn]] void fail(const std::string& key, const std::string& why) const;
     // Throws Error(bad_input) for a fault on line `line`, counted from 0, of the text of `key`.
     [[noreturn]] void fail_in_text(const std::string& key, const std::string& why, std::size_t line) const;

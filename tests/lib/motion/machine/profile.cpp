@@ -150,6 +150,10 @@ TEST(Profile, MistakesAreNamedWithFileLineAndKey) {
         {"\xff\xfe", "cannot read profile 'm.toml', line 1: a byte that is not UTF-8"},
         {kLeast + "a = '\xa2\xa2'\n", "cannot read profile 'm.toml', line 9: a byte that is not UTF-8"},
         {"", "key 'name': it is missing"},
+        {kLeast + "[feedz]\nbead = 10\n[motion]\nmax_speed = 20\n",
+         "key 'feeds.bead': it must not be above motion.max_speed, 20; is 'feedz' meant to be 'feeds'?"},
+        {"nam = \"m\"\n", "key 'name': it is missing; is 'nam' meant to be 'name'?"},
+        {"name = \"m\"\n[bde]\nx = [0, 9]\n", "key 'bed.x': it is missing; is 'bde' meant to be 'bed'?"},
     };
     EXPECT_EQ(error_of(kLeast), "");
     EXPECT_EQ(error_of("\xef\xbb\xbf" + kLeast + "# 60 \xc2\xb0 \n[templates]\nend = '; \xc2\xb5m'\n"), "");
