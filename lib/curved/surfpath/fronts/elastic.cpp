@@ -15,6 +15,11 @@ using surface::kNone;
 constexpr int kSweeps = 400;
 constexpr double kOver = 1.6;  // over-relaxation
 constexpr double kRest = 1e-4; // spacings: relaxation ends when no knot moves farther
+// Slope relative to a rim from which on the rim does not pull a line. It is less than rules::kAlong, since the pull
+// turns lines away from their right angle to the source.
+constexpr double kSteepest = 0.2;
+// Smoothings after the relaxation: without them the lines' direction changes by twice as much from step to step.
+constexpr int kSmoothings = 4;
 
 // A spot of a line with its neighbours along the front and along the line.
 struct Knot {
@@ -54,6 +59,7 @@ class ElasticSheet {
                 if (!k.held) most = std::max(most, std::abs(pull(k)));
             if (most < kRest * d_) break;
         }
+        for (int i = 0; i < kSmoothings; ++i) smooth();
     }
 
     [[nodiscard]] double moved(std::size_t line, std::size_t spot) const { return knots_[first_[line] + spot].moved; }
@@ -102,8 +108,8 @@ class ElasticSheet {
             if (beside.line.closed) continue;
             const auto feel = [&](double x, double x_beside, double sign) {
                 const double slope = std::abs(x - x_beside) / fronts_.step();
-                if (x > rules::kBeside / 2 * d_ || slope > rules::kAlong) return;
-                const double weight = 2 * (1 - slope / rules::kAlong);
+                if (x > rules::kBeside / 2 * d_ || slope > kSteepest) return;
+                const double weight = 2 * (1 - slope / kSteepest);
                 k.rim_weight += weight;
                 k.rim += sign * weight * (d_ / 2 - x);
             };
@@ -136,6 +142,17 @@ class ElasticSheet {
         const double way = kOver * (sum / weight - k.moved);
         k.moved += way;
         return way;
+    }
+
+    // Removes oscillations from step to step.
+    void smooth() {
+        std::vector<double> next;
+        next.reserve(knots_.size());
+        for (const Knot& k : knots_) {
+            const bool inner = k.before != kNone && k.behind != kNone && !k.held;
+            next.push_back(inner ? (knots_[k.before].moved + 2 * k.moved + knots_[k.behind].moved) / 4 : k.moved);
+        }
+        for (std::size_t i = 0; i < knots_.size(); ++i) knots_[i].moved = next[i];
     }
 
     const Fronts& fronts_;
