@@ -53,6 +53,16 @@ constexpr double kPointRounding = 1e-9; // mm; more than the rounding of a point
 
 constexpr double kMostPieces = 1e6; // of a region's lines: 0.1 m2 of beads 0.4 mm wide; beyond, pieces are longer
 
+constexpr double kVoidParts = 10; // the least step along a line is this part of the void that may be crossed
+
+// The width of the widest bead, mm.
+double widest(std::span<const toolpath::Curve> curves) {
+    double out = 0;
+    for (const auto& curve : curves)
+        for (std::size_t i = 0; i < curve.points.size(); ++i) out = std::max(out, curve.width_at(i));
+    return out;
+}
+
 Vec2 vec(const Point& p) { return {p.x(), p.y()}; }
 
 // The lines, split into pieces of at most `step` mm, so that there is a door about every `step` mm. Line k has the
@@ -106,8 +116,9 @@ Triangulation triangulate(const Pieces& lines) {
 class Search {
   public:
     Search(Triangulation& t, std::span<const toolpath::Curve> curves, const SegmentIndex& index,
-           const SegmentCells& cells, Vec2 from)
-        : t_(t), curves_(curves), index_(index), cells_(cells), from_(from),
+           const SegmentCells& cells, Vec2 from, double width)
+        : t_(t), curves_(curves), index_(index), cells_(cells), from_(from), void_(kMostVoid * width),
+          widest_(widest(curves)),
           begin_(t.insert(Point(from.x, from.y))) { // a vertex already, if `from` is a point of a line
         for (Face f : t_.all_face_handles()) f->info() = {kNone, kNone, kNone};
     }
@@ -157,7 +168,7 @@ class Search {
             auto& d = doors_[static_cast<std::size_t>(at)];
             const double step = geom::distance(from, d.middle), l = length + step;
             if (d.done || l >= d.length) continue;
-            if (before != kNone && !free_step(doors_[static_cast<std::size_t>(before)], d, step)) continue;
+            if (!may_step(before, from, d, step)) continue;
             d.length = l;
             d.before = before;
             open_.emplace(l, at);
@@ -168,6 +179,31 @@ class Search {
     // as far from them as either middle, less its distance from that. Mostly this is enough.
     [[nodiscard]] bool free_step(const Door& a, const Door& b, double step) const {
         return (a.clear + b.clear - step) / 2 > narrow_ + kPointRounding || cells_.is_free(a.middle, b.middle, narrow_);
+    }
+
+    // Whether the path may go from `from`, the middle of the door `before` or the start of the path, to a door. The
+    // first step is within a triangle as well, but there may be lines near it that are not in the triangulation.
+    [[nodiscard]] bool may_step(int before, Vec2 from, const Door& to, double step) const {
+        if (before == kNone)
+            return is_free(cells_, from, to.middle, 0, kPointRounding, 0) && stays_beside_beads(from, to.middle, step);
+        const Door& door = doors_[static_cast<std::size_t>(before)];
+        if (!free_step(door, to, step)) return false;
+        if (step <= 2 * void_ - door.beyond_bead - to.beyond_bead) return true; // each half is near one end's bead
+        return stays_beside_beads(from, to.middle, step);
+    }
+
+    // Whether each point of the line a -> b, `step` mm long, is at most void_ outside some bead. The sides of a
+    // triangle can lie in strips on both sides of a hole, with nothing but the hole between them. From a point that is
+    // less than void_ outside a bead, the line stays beside that bead for the difference at least.
+    [[nodiscard]] bool stays_beside_beads(Vec2 a, Vec2 b, double step) const {
+        for (double at = 0; at < step;) {
+            const Vec2 p = geom::lerp(a, b, at / step);
+            const auto near = cells_.nearest(p, void_ + widest_ / 2);
+            const double room = near ? void_ + bead_width(near->segment, p) / 2 - near->distance : -1;
+            if (room < 0) return false;
+            at += std::max(room, void_ / kVoidParts);
+        }
+        return true;
     }
 
     // Whether the middle of a door is in a strip that the path may use.
@@ -214,6 +250,7 @@ class Search {
     const SegmentIndex& index_;
     const SegmentCells& cells_;
     Vec2 from_;
+    double void_, widest_; // mm, how far outside beads a path may be; the width of the widest bead
     Triangulation::Vertex_handle begin_;
     double narrow_ = 0, beyond_ = 0; // mm
     std::vector<Door> doors_;
@@ -250,7 +287,7 @@ std::optional<std::vector<Vec2>> strip_route(std::span<const std::vector<Vec2>> 
     Triangulation t = triangulate(pieces(lines, std::max(width, length / kMostPieces)));
     if (t.dimension() < 2) return std::nullopt;
     const SegmentCells cells(curves);
-    Search search(t, curves, index, cells, from);
+    Search search(t, curves, index, cells, from, width);
     for (const auto& [narrow, beyond] : strips)
         if (const auto way = search.run(narrow * width, beyond * width, best, rank))
             return straighten(*way, cells, narrow * width, width / 20);
