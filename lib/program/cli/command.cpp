@@ -249,7 +249,11 @@ int guarded(const std::string& program, const std::function<int()>& work) {
     } catch (const std::bad_alloc&) {
         return fail(program, Exit::failure, "cannot go on: out of memory; see MEMORY USAGE in the manual");
     } catch (const std::exception& e) {
-        return fail(program, Exit::failure, std::string("internal error: ") + e.what());
+        const std::string what = e.what();
+        if (what.starts_with("pthread_create has failed")) // of oneTBB
+            return fail(program, Exit::failure,
+                        "cannot start a thread: out of memory or of processes; see MEMORY USAGE in the manual");
+        return fail(program, Exit::failure, "internal error: " + what);
     }
 }
 
