@@ -43,7 +43,7 @@ void round_bends(const Surface& s, Plan& plan, const PathRounding& o) {
            .radius = kRoundedTo * o.radius,
            .corridor = kBendsMove * o.spacing,
            .nearest = o.nearest * o.spacing,
-           .worth = o.spacing}); // a mm of tight length costs as much as a mm of bead that is missing or laid twice
+           .worth = o.spacing}); // a mm of tight length costs as much as a mm of gap or overlap of a bead
 }
 
 } // namespace filum::surfpath::plan
