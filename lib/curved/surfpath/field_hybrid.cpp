@@ -7,6 +7,7 @@
 #include "surfpath/plan/turns.hpp"
 #include "surfpath/rows/boustrophedon.hpp"
 #include "surfpath/rows/loops.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 
@@ -19,7 +20,6 @@ constexpr double kSmoothed = 0.2;
 constexpr double kAcross = 10; // spacings: longest way from row to row across other lines
 // least radii: radius to which lines are eased, so that their sampled polylines keep the least radius
 constexpr double kEasedTo = 1.15;
-constexpr double kGive = 0.1; // spacings: how far easing may move a line; more would cut off the turns of pairs
 
 // Share of the change of widths that distances of lines may use. Near births and turns lines are nearer or farther than
 // that, and beads need the rest there.
@@ -52,10 +52,10 @@ void report(const Surface& s, const field::PrescribedDirections& prescribed, con
     }
 }
 
-// Eases all lines to a radius, moving them at most kGive spacings.
+// Eases all lines to a radius, moving them at most rules::kGive spacings.
 void ease(const Surface& s, std::vector<Line>& lines, double radius, double spacing) {
     for (Line& l : lines)
-        l = surface::curve::ease(s, l, {.radius = kEasedTo * radius, .corridor = kGive * spacing}).line;
+        l = surface::curve::ease(s, l, {.radius = kEasedTo * radius, .corridor = rules::kGive * spacing}).line;
 }
 
 // The lines that the options ask for, and where they are born.
@@ -138,7 +138,8 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         turns.staggered = o.beyond.empty();
         turns.tight = turns.tight || covers;
         rows::Rows found = rows::rows(
-            s, raw, {o.spacing / 2, o.spacing / 2, gentle, kGive * o.spacing, static_cast<unsigned>(o.rim_beads)});
+            s, raw,
+            {o.spacing / 2, o.spacing / 2, gentle, rules::kGive * o.spacing, static_cast<unsigned>(o.rim_beads)});
         const auto joined =
             rows::join_loops(s, found, {o.spacing, gentle, eased, o.cut_length, turns.tight, 1 - o.width_change});
         out = rows::boustrophedon(s, found, turns);

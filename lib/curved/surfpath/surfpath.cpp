@@ -38,8 +38,9 @@ constexpr double kLongestTrue = 0.5;  // spacings: of those for stripes that kee
 constexpr double kOffCoarse = 0.01;
 // spacings: cells of the grid that surfaces are moved to for lines of field; a power of two (plan/canonical.hpp)
 constexpr double kGrid = 1.0 / 1024;
-constexpr double kBeside = 0.5; // mm: path on either side of a tight turn that is marked with it, at least; however
-                                // long the stretch over which curvature is measured, the excess lies within
+// mm: path on either side of a tight turn that is marked with it, at least. However long the stretch over which
+// curvature is measured, the excess lies within.
+constexpr double kMarkedBeside = 0.5;
 
 Plan lines(const surface::Sheet& sheet, const Options& options) {
     const bool by_rows = options.algorithm == Algorithm::fina || options.algorithm == Algorithm::fexa;
@@ -199,7 +200,7 @@ void leave_out_short(Plan& plan, double least) {
 
 void finish(const Surface& surface, Plan& plan, const Options& o) {
     leave_out_short(plan, o.min_length);
-    const double beside = std::max(kBeside, o.spacing / 2);
+    const double beside = std::max(kMarkedBeside, o.spacing / 2);
     const plan::TightTurns tight = plan::mark_tight_turns(surface, plan, {o.least_radius, o.spacing, beside, o.offset});
     if (o.strict && tight.length > o.max_tight * tight.fibre)
         throw Error(Exit::failure, "cannot keep turns to " + shortest_text(o.least_radius) +
