@@ -1,7 +1,7 @@
 // link3d - curves to one toolpath
 // reads:  Paths
 // writes: Toolpath
-// memory: the regions it looks ahead at 10 times the bytes that it reads; all of them with --connect inside or outside
+// memory: the regions it looks ahead at 11 times the bytes that it reads; all of them with --connect inside or outside
 #include "app/link3d/link.hpp"
 #include "app/link3d/seam.hpp"
 #include "base/error.hpp"
@@ -63,7 +63,7 @@ cli::Spec spec(Options& o) {
         .in = cli::reads(stream::Payload::paths),
         .out = cli::writes(stream::Payload::toolpath),
         .memory =
-            "the regions it looks ahead at 10 times the bytes that it reads; all of them with --connect inside or "
+            "the regions it looks ahead at 11 times the bytes that it reads; all of them with --connect inside or "
             "outside",
         .options = cli::with(options(o), cli::head_options(o.head)),
         .groups = {{"regions that lie aside", {"reach", "look-ahead", "connect", "strand"}},
