@@ -9,11 +9,9 @@
 #include "wire/json.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <sstream>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -26,49 +24,24 @@ namespace fs = std::filesystem;
 
 constexpr int kDeepestDefinition = 32; // longest chain of definitions that inherit from each other
 
-void put_value(std::vector<SlicerSetting>& out, const std::string& key, const std::string& value) {
-    const auto at = std::ranges::find(out, key, &SlicerSetting::key);
-    if (at == out.end())
-        out.push_back({key, value});
-    else
-        at->value = value;
-}
-
 // A value as the other readers expect it: True and False become 1 and 0.
 std::string without_python(const std::string& value) { return value == "True" ? "1" : value == "False" ? "0" : value; }
 
-bool is_plain_number(const std::string& text) {
-    double number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size();
-}
-
-// One file of a profile: sections of lines "name = value".  A line that begins with a blank continues the value.
+// One file of a profile. A section that occurs twice counts as one, whose later values win.
 struct CuraProfile {
-    std::map<std::string, std::map<std::string, std::string>> sections;
+    std::map<std::string, std::vector<SlicerSetting>> sections;
 
     explicit CuraProfile(const std::string& text) {
-        std::istringstream in(text);
-        std::string *last = nullptr, section;
-        for (std::string line; std::getline(in, line);) {
-            const std::string inner = trimmed(line);
-            if (!inner.empty() && (line[0] == ' ' || line[0] == '\t')) {
-                if (last != nullptr) last->append("\n").append(inner);
-            } else if (inner.starts_with('[') && inner.ends_with(']')) {
-                section = inner.substr(1, inner.size() - 2);
-                last = nullptr;
-            } else if (const auto equal = inner.find('='); equal != std::string::npos) {
-                last = &sections[section][trimmed(inner.substr(0, equal))];
-                *last = trimmed(inner.substr(equal + 1));
-            }
+        for (const Section& part : app::filum::sections(text, Lines::continued)) {
+            auto& all = sections[part.heading];
+            for (const SlicerSetting& s : part.settings) put_setting(all, s);
         }
     }
 
     [[nodiscard]] std::string value(const std::string& section, const std::string& key) const {
         const auto in = sections.find(section);
-        if (in == sections.end()) return "";
-        const auto at = in->second.find(key);
-        return at == in->second.end() ? "" : at->second;
+        const SlicerSetting* found = in == sections.end() ? nullptr : find_setting(in->second, key);
+        return found == nullptr ? "" : found->value;
     }
     [[nodiscard]] bool any() const { return sections.contains("general") && sections.contains("metadata"); }
     // The number of the extruder that the profile is for; -1: it is for all.
@@ -99,8 +72,7 @@ std::optional<SlicerFile> joined_profiles(std::vector<CuraProfile> profiles) {
             left += values->second.size();
             continue;
         }
-        for (const auto& [key, value] : values->second)
-            if (!key.empty()) put_value(out.settings, key, without_python(value));
+        for (const auto& [key, value] : values->second) put_setting(out.settings, {key, without_python(value)});
     }
     if (left > 0)
         out.remarks.push_back(std::to_string(left) +
@@ -141,10 +113,9 @@ std::optional<SlicerFile> cura_program(const std::string& text) {
     if (!out) throw Error(Exit::bad_input, "cannot use the lines ;SETTING_3 of a program of Cura: they are damaged");
     constexpr std::string_view kHeight = ";Layer height: ";
     const auto at = text.find(kHeight);
-    const bool has = std::ranges::find(out->settings, "layer_height", &SlicerSetting::key) != out->settings.end();
-    if (!has && at != std::string::npos) {
+    if (!out->has("layer_height") && at != std::string::npos) {
         const std::size_t from = at + kHeight.size();
-        put_value(out->settings, "layer_height", trimmed(text.substr(from, text.find('\n', from) - from)));
+        put_setting(out->settings, {"layer_height", trimmed(text.substr(from, text.find('\n', from) - from))});
     }
     return out;
 }
@@ -184,8 +155,8 @@ class Definition {
             if (values.first.empty() && values.second.empty()) continue;
             const std::string value = calculated(values.second);
             if (is_formula(value) && !values.first.empty()) replaced += (replaced.empty() ? "" : ", ") + key;
-            put_value(to.settings, key,
-                      values.second.empty() || (is_formula(value) && !values.first.empty()) ? values.first : value);
+            const bool plain = values.second.empty() || (is_formula(value) && !values.first.empty());
+            put_setting(to.settings, {key, plain ? values.first : value});
         }
     }
 
@@ -196,7 +167,7 @@ class Definition {
         if (without_python(text) != text) return without_python(text);
         if (text.size() >= 2 && (text[0] == '\'' || text[0] == '"') && text.find(text[0], 1) == text.size() - 1)
             return text.substr(1, text.size() - 2);
-        return is_plain_number(text) || text.empty() || text[0] == '[' ? text : "=" + text;
+        return plain_number(text) || text.empty() || text[0] == '[' ? text : "=" + text;
     }
 
     std::map<std::string, std::string> values_;
@@ -251,18 +222,16 @@ std::optional<SlicerFile> cura_definition(const std::string& text, const std::st
 
 // Adds the speeds that Cura makes of those in the file.  A speed that the file gives as a formula stays unknown.
 void add_speeds(SlicerFile& file) {
-    const auto has = [&](std::string_view key) {
-        return std::ranges::find(file.settings, key, &SlicerSetting::key) != file.settings.end();
-    };
     std::string added;
     for (const preset::SettingRow& row : preset::setting_rows()) {
         const bool speed = row.reading == "speed" || row.reading == "first_speed" || row.reading == "base";
-        if (row.slicers != "cura" || !speed || !row.key.starts_with("s") || row.of.empty() || has(row.key)) continue;
-        if (!has(row.of)) continue;
+        if (row.slicers != "cura" || !speed || !row.key.starts_with("s") || row.of.empty() || file.has(row.key))
+            continue;
+        if (!file.has(row.of)) continue;
         auto mm_s = cura_number(file, row.key);
         if (!mm_s) continue;
         mm_s = std::round(*mm_s * 100) / 100; // two thirds of another speed, and the like
-        put_value(file.settings, std::string(row.key), shortest_text(*mm_s));
+        put_setting(file.settings, {std::string(row.key), shortest_text(*mm_s)});
         if (row.reading != "base")
             added += (added.empty() ? "" : ", ") + std::string(row.key) + " = " + shortest_text(*mm_s);
     }

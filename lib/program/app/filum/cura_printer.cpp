@@ -104,7 +104,7 @@ class CuraCode {
     }
     [[nodiscard]] bool known(const std::string& name) const {
         return std::ranges::any_of(kCuraNames, [&](const auto& pair) { return pair.first == name; }) ||
-               std::ranges::find(settings_.settings, name, &SlicerSetting::key) != settings_.settings.end();
+               settings_.has(name);
     }
     static std::string renamed(const std::string& expression) {
         std::string out;
@@ -123,8 +123,8 @@ class CuraCode {
 };
 
 std::string cura_text(const SlicerFile& file, std::string_view key) {
-    const auto at = std::ranges::find(file.settings, key, &SlicerSetting::key);
-    if (at != file.settings.end() && !is_formula(at->value)) return at->value;
+    const SlicerSetting* own = find_setting(file.settings, key);
+    if (own != nullptr && !is_formula(own->value)) return own->value;
     const SettingRow row = row_of(key, Slicer::cura);
     return row.usual.ends_with('%') ? "" : std::string(row.usual);
 }
@@ -170,10 +170,7 @@ std::string cura_corners(const SlicerFile& file) {
 
 SlicerFile cura_printer(const SlicerFile& file) {
     SlicerFile out{.slicer = Slicer::cura, .settings = {}, .remarks = {}};
-    const auto has = [&](std::string_view key) {
-        return std::ranges::find(file.settings, key, &SlicerSetting::key) != file.settings.end();
-    };
-    if (!has("machine_start_gcode") && !has("machine_width")) return out;
+    if (!file.has("machine_start_gcode") && !file.has("machine_width")) return out;
     const auto put = [&](const char* key, std::string value) { out.settings.push_back({key, std::move(value)}); };
     const auto number = [&](const char* key, const char* of) {
         put(key, shortest_text(cura_number_or_zero(file, of)));
@@ -206,7 +203,7 @@ SlicerFile cura_printer(const SlicerFile& file) {
     number("first_layer_temperature", "material_print_temperature_layer_0");
     number("bed_temperature", "material_bed_temperature");
     number("first_layer_bed_temperature", "material_bed_temperature_layer_0");
-    if (has("material_diameter")) number("filament_diameter", "material_diameter");
+    if (file.has("material_diameter")) number("filament_diameter", "material_diameter");
     for (const char* axis : {"x", "y", "z"}) {
         const std::string key = std::string("machine_max_feedrate_") + axis;
         // Cura has the speed of light for no limit.

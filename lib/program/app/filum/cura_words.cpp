@@ -1,11 +1,11 @@
 #include "app/filum/cura_words.hpp"
 
 #include "app/filum/cura_file.hpp"
+#include "app/filum/slicer_text.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 
@@ -202,19 +202,13 @@ Words CuraNumbers::adhesion() const {
 } // namespace
 
 std::optional<double> cura_number(const SlicerFile& file, std::string_view key) {
-    const auto number = [](std::string_view text) -> std::optional<double> {
-        double out = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
-        const bool whole = error == std::errc() && end == text.data() + text.size() && std::isfinite(out);
-        return whole ? std::optional(out) : std::nullopt;
-    };
     double factor = 1;
     for (int depth = 0; depth <= kDeepestFormula; ++depth) {
-        const auto at = std::ranges::find(file.settings, key, &SlicerSetting::key);
+        const SlicerSetting* own = find_setting(file.settings, key);
         const SettingRow row = row_of(key, Slicer::cura);
-        const bool share = at == file.settings.end() && row.usual.ends_with('%');
-        const std::string_view text = at != file.settings.end() ? std::string_view(at->value) : row.usual;
-        const auto value = number(share ? text.substr(0, text.size() - 1) : text);
+        const bool share = own == nullptr && row.usual.ends_with('%');
+        const std::string_view text = own != nullptr ? std::string_view(own->value) : row.usual;
+        const auto value = plain_number(share ? text.substr(0, text.size() - 1) : text);
         if (!value) return std::nullopt; // a formula, a word, or no value at all
         factor *= *value;
         if (!share) return factor;

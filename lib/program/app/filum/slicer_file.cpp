@@ -79,6 +79,19 @@ Slicer writer_of(const std::string& text, const std::vector<SlicerSetting>& sett
                                                                                                      : Slicer::unknown;
 }
 
+const SlicerSetting* find_setting(const std::vector<SlicerSetting>& all, std::string_view key) {
+    const auto at = std::ranges::find(all, key, &SlicerSetting::key);
+    return at == all.end() ? nullptr : &*at;
+}
+
+void put_setting(std::vector<SlicerSetting>& all, const SlicerSetting& setting) {
+    const auto at = std::ranges::find(all, setting.key, &SlicerSetting::key);
+    if (at == all.end())
+        all.push_back(setting);
+    else
+        at->value = setting.value;
+}
+
 const char* name_of(Slicer slicer) {
     switch (slicer) {
     case Slicer::slic3r:

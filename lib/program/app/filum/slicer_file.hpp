@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace filum::app::filum {
@@ -16,10 +17,18 @@ struct SlicerSetting {
     std::string key, value; // as in the file; the items of a list have commas between them
 };
 
+// The first setting with a key; null if there is none.
+const SlicerSetting* find_setting(const std::vector<SlicerSetting>& all, std::string_view key);
+
+// Gives the key the value in its place, or adds it at the end.
+void put_setting(std::vector<SlicerSetting>& all, const SlicerSetting& setting);
+
 struct SlicerFile {
     Slicer slicer = Slicer::unknown; // the slicer that wrote the file
     std::vector<SlicerSetting> settings;
     std::vector<std::string> remarks{}; // presets that were not found, a sentence for each
+
+    [[nodiscard]] bool has(std::string_view key) const { return find_setting(settings, key) != nullptr; }
 };
 
 // The slicer that wrote a text.  It is known by its name in the first 16 KiB of the text, or by keys that only this

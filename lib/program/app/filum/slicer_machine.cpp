@@ -162,10 +162,9 @@ void try_codes(const preset::Preset& from) {
 
 std::string machine_of(const SlicerFile& all, const std::string& input) {
     const SlicerFile file = all.slicer == Slicer::cura ? cura_printer(all) : all;
-    const auto has = [&](std::string_view key) {
-        return std::ranges::find(file.settings, key, &SlicerSetting::key) != file.settings.end();
-    };
-    if (!has("start_gcode") && !has("machine_start_gcode") && !has("bed_shape") && !has("printable_area")) return "";
+    if (!file.has("start_gcode") && !file.has("machine_start_gcode") && !file.has("bed_shape") &&
+        !file.has("printable_area"))
+        return "";
     const preset::Preset preset = preset_of(file, input);
     const Settings settings(preset);
     const bool orca = of_orca(file.slicer);
@@ -194,13 +193,7 @@ SlicerMachine::SlicerMachine(std::vector<SlicerFile> files, std::vector<std::str
     : sources_(std::move(sources)) {
     for (const SlicerFile& file : files) {
         if (file.slicer != Slicer::unknown) file_.slicer = file.slicer;
-        for (const SlicerSetting& s : file.settings) {
-            const auto known = std::ranges::find(file_.settings, s.key, &SlicerSetting::key);
-            if (known == file_.settings.end())
-                file_.settings.push_back(s);
-            else
-                known->value = s.value;
-        }
+        for (const SlicerSetting& s : file.settings) put_setting(file_.settings, s);
     }
     text_ = machine_of(file_, "");
     if (text_.empty()) return;

@@ -14,11 +14,6 @@ namespace {
 constexpr std::size_t kDeepestPreset = 64; // longest chain of presets that inherit from each other
 constexpr std::size_t kNamesShown = 6;     // most names in a message
 
-const SlicerSetting* setting(const std::vector<SlicerSetting>& all, std::string_view key) {
-    const auto at = std::ranges::find(all, key, &SlicerSetting::key);
-    return at == all.end() ? nullptr : &*at;
-}
-
 // The names in a list.  The divider is ';', in lists from JSON ','.
 std::vector<std::string> names_in(const std::string& list, char divider) {
     std::vector<std::string> out;
@@ -33,24 +28,16 @@ std::vector<std::string> names_in(const std::string& list, char divider) {
 }
 
 std::vector<std::string> parents_of(const Preset& preset) {
-    const SlicerSetting* own = setting(preset.settings, "inherits");
+    const SlicerSetting* own = find_setting(preset.settings, "inherits");
     std::vector<std::string> out = own == nullptr ? std::vector<std::string>{} : names_in(own->value, ';');
-    if (const SlicerSetting* more = setting(preset.settings, "include"); more != nullptr)
+    if (const SlicerSetting* more = find_setting(preset.settings, "include"); more != nullptr)
         std::ranges::copy(names_in(more->value, ','), std::back_inserter(out));
     return out;
 }
 
-void put(std::vector<SlicerSetting>& out, const SlicerSetting& s) {
-    const auto at = std::ranges::find(out, s.key, &SlicerSetting::key);
-    if (at == out.end())
-        out.push_back(s);
-    else
-        at->value = s.value;
-}
-
 PresetKind kind_by_keys(const std::vector<SlicerSetting>& settings) {
-    const auto has = [&](const char* key) { return setting(settings, key) != nullptr; };
-    if (const SlicerSetting* type = setting(settings, "type"); type != nullptr)
+    const auto has = [&](const char* key) { return find_setting(settings, key) != nullptr; };
+    if (const SlicerSetting* type = find_setting(settings, "type"); type != nullptr)
         if (const auto kind = kind_of(type->value)) return *kind;
     if (has("nozzle_diameter") || has("bed_shape") || has("printable_area") || has("printer_model"))
         return PresetKind::printer;
@@ -109,7 +96,7 @@ void PresetShelf::read_bundle(const std::string& text, const std::string& file, 
         const auto [at, fresh] = into.presets.try_emplace(key, Preset{*kind, key.second, file, slicer, {}});
         if (fresh) into.order.push_back(key);
         for (const SlicerSetting& s : section.settings) {
-            put(at->second.settings, s);
+            put_setting(at->second.settings, s);
             if (s.key != "renamed_from") continue;
             for (const std::string& old : names_in(s.value, ';')) into.renamed[{*kind, old}] = key.second;
         }
@@ -162,8 +149,8 @@ std::vector<KnownPreset> PresetShelf::known(PresetKind kind) {
         const std::string name = std::filesystem::path(file).stem().string();
         if (name.starts_with("fdm_")) continue; // bases of other presets; a user cannot choose them
         const Preset preset = preset_of(content_of(file), file);
-        const SlicerSetting* shown = setting(preset.settings, "instantiation");
-        const SlicerSetting* type = setting(preset.settings, "type");
+        const SlicerSetting* shown = find_setting(preset.settings, "instantiation");
+        const SlicerSetting* type = find_setting(preset.settings, "type");
         if ((shown == nullptr || shown->value == "true") && (type == nullptr || kind_of(type->value) == kind))
             out.push_back({name, file});
     }
@@ -189,7 +176,7 @@ void PresetShelf::gather(const Preset& preset, std::vector<std::string>& path, s
         if (std::ranges::find(missing, what) == missing.end()) missing.push_back(what);
     }
     path.pop_back();
-    for (const SlicerSetting& s : preset.settings) put(out, s);
+    for (const SlicerSetting& s : preset.settings) put_setting(out, s);
 }
 
 std::vector<SlicerSetting> PresetShelf::whole(const Preset& preset, std::vector<std::string>& missing) {
@@ -205,7 +192,7 @@ Preset preset_of(const std::string& text, const std::string& file) {
     out.settings = is_json(text) ? json_settings(text) : all_settings(text, Lines::plain);
     out.slicer = writer_of(text, out.settings);
     out.kind = kind_by_keys(out.settings);
-    if (const SlicerSetting* name = setting(out.settings, "name"); name != nullptr) out.name = name->value;
+    if (const SlicerSetting* name = find_setting(out.settings, "name"); name != nullptr) out.name = name->value;
     return out;
 }
 
@@ -240,16 +227,16 @@ SlicerFile settings_of_presets(PresetShelf& shelf, PresetNames names, const std:
         const Preset preset = wanted_preset(shelf, kind, names[i], file);
         const auto settings = shelf.whole(preset, out.remarks);
         if (out.slicer == Slicer::unknown) out.slicer = preset.slicer;
-        for (const SlicerSetting& s : settings) put(out.settings, s);
+        for (const SlicerSetting& s : settings) put_setting(out.settings, s);
         if (kind == PresetKind::print && out.slicer != Slicer::super) // SuperSlicer's defaults depend on each other
             for (const SlicerSetting& s : defaults_of(out.slicer))
-                if (setting(out.settings, s.key) == nullptr) out.settings.push_back(s);
+                if (find_setting(out.settings, s.key) == nullptr) out.settings.push_back(s);
         if (kind != PresetKind::printer) continue;
         constexpr std::pair<PresetKind, const char*> kDefaults[] = {{PresetKind::print, "default_print_profile"},
                                                                     {PresetKind::filament, "default_filament_profile"}};
         for (const auto& [other, key] : kDefaults) {
             std::string& name = names[static_cast<std::size_t>(other)];
-            const SlicerSetting* usual = setting(settings, key);
+            const SlicerSetting* usual = find_setting(settings, key);
             if (!name.empty() || usual == nullptr) continue;
             const auto all = names_in(usual->value, preset.file.ends_with(".json") ? ',' : ';');
             if (all.empty()) continue;
@@ -293,8 +280,8 @@ SlicerFile preset_settings(const std::string& text, const std::string& file) {
         keys[static_cast<std::size_t>(PresetKind::print)] = "print_settings_id";
         keys[static_cast<std::size_t>(PresetKind::filament)] = "filament_settings_id";
         const char* key = keys[static_cast<std::size_t>(preset.kind)];
-        const SlicerSetting* own = setting(out.settings, key);
-        if (own == nullptr || own->value.empty()) put(out.settings, {key, preset.name});
+        const SlicerSetting* own = find_setting(out.settings, key);
+        if (own == nullptr || own->value.empty()) put_setting(out.settings, {key, preset.name});
     }
     return out;
 }

@@ -29,13 +29,8 @@ SlicerFile project_settings(const std::string& bytes, const std::string& file, i
         out.slicer = writer_of(text, out.settings);
     }
     if (out.settings.empty()) return out;
-    for (const auto& [key, value] : mesh::read_project(zip, name, plate).shared) {
-        const auto at = std::ranges::find(out.settings, key, &SlicerSetting::key);
-        if (at != out.settings.end())
-            at->value = value;
-        else
-            out.settings.push_back({key, value});
-    }
+    for (const auto& [key, value] : mesh::read_project(zip, name, plate).shared)
+        put_setting(out.settings, {key, value});
     return out;
 }
 

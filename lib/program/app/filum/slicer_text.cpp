@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <charconv>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -33,11 +35,23 @@ std::string unquoted(const std::string& text) {
     return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(" \t\"") - from + 1);
 }
 
+std::optional<double> plain_number(std::string_view text) {
+    double out = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+    const bool whole = error == std::errc() && end == text.data() + text.size() && std::isfinite(out);
+    return whole ? std::optional(out) : std::nullopt;
+}
+
 std::vector<Section> sections(const std::string& text, Lines kind) {
     std::vector<Section> out(1);
     std::istringstream in(text);
     for (std::string line; std::getline(in, line);) {
+        const bool indented = line.starts_with(' ') || line.starts_with('\t');
         line = trimmed(line);
+        if (kind == Lines::continued && indented && !line.empty()) {
+            if (!out.back().settings.empty()) out.back().settings.back().value.append("\n").append(line);
+            continue;
+        }
         const bool comment = line.starts_with(';');
         if (comment != (kind == Lines::commented)) continue;
         if (comment) line = trimmed(line.substr(1));

@@ -3,13 +3,16 @@
 
 #include "app/filum/slicer_file.hpp"
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace filum::app::filum {
 
-// The form of lines with settings.  plain: "name = value"; commented: "; name = value".
-enum class Lines : std::uint8_t { plain, commented };
+// The form of lines with settings.  plain: "name = value"; commented: "; name = value"; continued: as plain, and a line
+// that begins with a blank belongs to the value above it, as in files of Python's configparser.
+enum class Lines : std::uint8_t { plain, commented, continued };
 
 // The settings below one heading "[kind:name]".  Settings before the first heading form a section with an empty
 // heading.
@@ -23,6 +26,9 @@ std::string trimmed(const std::string& text);
 
 // The text without spaces, tabs and quotes at both ends.
 std::string unquoted(const std::string& text);
+
+// The number that the whole text is, such as "0.2"; none if it is no finite number.
+std::optional<double> plain_number(std::string_view text);
 
 // The sections of a text in its order; at least one.  A heading that occurs twice gives two sections.
 std::vector<Section> sections(const std::string& text, Lines kind);
