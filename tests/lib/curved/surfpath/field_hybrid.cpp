@@ -36,9 +36,7 @@ Options field(double turn) {
     return out;
 }
 
-mesh::Mesh plate() {
-    return surface::grid(30, 20, 40, 27, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; });
-}
+mesh::Mesh plate() { return surface::flat_grid(30, 20, 40, 27); }
 
 // Tube of radius 10 and 30 long.
 mesh::Mesh tube() {
@@ -124,7 +122,7 @@ TEST(Follow, ANarrowStripIsCoveredToItsEnds) {
 // two.
 TEST(Follow, AStripAsWideAsALineOrLessIsOneLine) {
     for (const double width : {0.6, 0.8, 1.0, 1.8}) {
-        const auto sheet = sheet_of(surface::grid(60, width, 60, 1, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; }));
+        const auto sheet = sheet_of(surface::flat_grid(60, width, 60, 1));
         const Plan p = plan_paths(sheet, field(0));
         ASSERT_EQ(p.strokes.size(), 1U) << width;
         double length = 0;
@@ -243,7 +241,7 @@ TEST(Hybrid, RingsOfASmallDiscAreJoined) {
 // A line that cuts off a corner, as far from the other rows as from the others along the rim: the way there would lay
 // twenty times as much twice as it covers.
 TEST(Rows, ThatAreNotWorthTheirWayAreLeftOut) {
-    const auto sheet = sheet_of(surface::grid(40, 40, 40, 40, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; }));
+    const auto sheet = sheet_of(surface::flat_grid(40, 40, 40, 40));
     const Surface& s = sheet.surface;
     std::vector<UnclippedLine> lines;
     const auto add = [&](const Vec3& from, const Vec3& to) {

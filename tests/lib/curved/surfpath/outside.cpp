@@ -14,13 +14,7 @@ namespace {
 
 surface::Sheet flat_plate() {
     Notes notes;
-    return {surface::connect(surface::grid(30, 20, 6, 4,
-                                           [](geom::Vec2 p) {
-                                               return Vec3{p.x, p.y, 0};
-                                           }),
-                             notes),
-            {},
-            {}};
+    return {surface::connect(surface::flat_grid(30, 20, 6, 4), notes), {}, {}};
 }
 
 Options outside_by(Algorithm a, double depth) {

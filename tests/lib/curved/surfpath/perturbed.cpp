@@ -44,9 +44,7 @@ mesh::Mesh saddle() {
     });
 }
 
-mesh::Mesh plate() {
-    return surface::grid(16, 12, 16, 12, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; });
-}
+mesh::Mesh plate() { return surface::flat_grid(16, 12, 16, 12); }
 
 mesh::Mesh plate_with_hole() {
     const auto hole = [](geom::Vec2 p) { return std::hypot(p.x - 12, p.y - 12) < 4; };

@@ -59,6 +59,14 @@ double apart(const Line& a, const Line& b) {
     return out;
 }
 
+// The line keeps its ends, lies on the surface, and moved by less than `most` mm.
+void expect_moved_within(const Surface& s, const Line& before, const Line& after, double most) {
+    EXPECT_EQ(after[0], before[0]);
+    EXPECT_LT(distance(after.places.back().point, before.places.back().point), 1e-9);
+    EXPECT_LT(apart(after, before), most);
+    for (const Place& p : after.places) EXPECT_TRUE(surface::curve::lies_in(s, p.triangle, p.point));
+}
+
 void expect_rounded(bool rolled, const std::vector<Vec2>& way) {
     const Surface s = plate(rolled);
     Plan plan = plan_through(s, rolled, way);
@@ -66,12 +74,9 @@ void expect_rounded(bool rolled, const std::vector<Vec2>& way) {
     ASSERT_GT(kink_length(s, plan), 0);
     round_kinks(s, plan, kSpacing);
     ASSERT_EQ(plan.strokes.size(), 1U);
-    const Line& after = plan.strokes[0].sections[0].line;
     EXPECT_EQ(kink_length(s, plan), 0);
-    EXPECT_EQ(after[0], before[0]);
-    EXPECT_LT(distance(after.places.back().point, before.places.back().point), 1e-9);
-    EXPECT_LT(apart(after, before), 0.51 * kSpacing);
-    for (const Place& p : after.places) EXPECT_TRUE(surface::curve::lies_in(s, p.triangle, p.point));
+    const Line& after = plan.strokes[0].sections[0].line;
+    expect_moved_within(s, before, after, 0.51 * kSpacing);
 }
 
 TEST(Kinks, CornersOfAnyAngleBecomeArcs) {
@@ -140,10 +145,7 @@ TEST(Bends, CornersOfUpTo60DegreesGetTheLeastRadius) {
         // less than the length for which one place of measurement stands (turns.hpp)
         EXPECT_LT(tight_length(s, plan), surface::curve::turn_reach(kRadius, kSpacing) / 5);
         EXPECT_EQ(kink_length(s, plan), 0);
-        EXPECT_EQ(after[0], before[0]);
-        EXPECT_LT(distance(after.places.back().point, before.places.back().point), 1e-9);
-        EXPECT_LT(apart(after, before), 0.26 * kSpacing);
-        for (const Place& p : after.places) EXPECT_TRUE(surface::curve::lies_in(s, p.triangle, p.point));
+        expect_moved_within(s, before, after, 0.26 * kSpacing);
     }
 }
 

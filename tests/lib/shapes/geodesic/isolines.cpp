@@ -105,11 +105,7 @@ TEST(Isolines, AreRoundBetweenEdges) {
 // The middle of the left rim's triangle is 0.5 mm from it, less a rounding: what lies about it is farther.
 TEST(Isolines, ThatPassAVertexByARoundingAreClosed) {
     Notes notes;
-    const auto coarse = surface::connect(surface::grid(8, 1.8, 8, 1,
-                                                       [](geom::Vec2 p) {
-                                                           return Vec3{p.x, p.y, 0};
-                                                       }),
-                                         notes);
+    const auto coarse = surface::connect(surface::flat_grid(8, 1.8, 8, 1), notes);
     const Surface s = surface::finer(coarse, 1, 10'000).surface;
     const double level[] = {0.5};
     const auto lines = isolines(s, exact(s, surface::rim_sources(s)), level);

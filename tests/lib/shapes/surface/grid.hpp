@@ -21,7 +21,12 @@ inline mesh::Mesh grid(double a, double b, int n, int m, const std::function<geo
     return out;
 }
 
-// Likewise, without the cells in whose middle `hole` holds.
+// The rectangle itself, at z 0.
+inline mesh::Mesh flat_grid(double a, double b, int n, int m) {
+    return grid(a, b, n, m, [](geom::Vec2 p) { return geom::Vec3{p.x, p.y, 0}; });
+}
+
+// As grid(), without the cells in whose middle `hole` holds.
 inline mesh::Mesh pierced_grid(double a, double b, int n, int m, const std::function<geom::Vec3(geom::Vec2)>& lift,
                                const std::function<bool(geom::Vec2)>& hole) {
     constexpr auto none = ~std::uint32_t{0};

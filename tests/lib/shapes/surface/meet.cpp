@@ -45,7 +45,7 @@ TEST(Meet, APlaneOfTrianglesCutsAsAPlaneDoes) {
 }
 
 TEST(Meet, TheSideThatTheMeshFacesIsToTheLeft) {
-    const Surface s = surface_of(grid(10, 10, 7, 7, [](Vec2 p) { return Vec3{p.x, p.y, 0}; }));
+    const Surface s = surface_of(flat_grid(10, 10, 7, 7));
     auto wall = grid(30, 10, 3, 2, [](Vec2 p) { return Vec3{4.3, p.x - 10, p.y - 5}; }); // faces +x
     for (const double way : {-1.0, 1.0}) {
         const auto lines = meet(s, wall).segments;
@@ -56,7 +56,7 @@ TEST(Meet, TheSideThatTheMeshFacesIsToTheLeft) {
 }
 
 TEST(Meet, ThroughVerticesAndAlongEdgesNothingIsLostOrDoubled) {
-    const Surface s = surface_of(grid(10, 10, 10, 10, [](Vec2 p) { return Vec3{p.x, p.y, 0}; }));
+    const Surface s = surface_of(flat_grid(10, 10, 10, 10));
     const auto wall = grid(10, 10, 10, 10, [](Vec2 p) { return Vec3{3, p.x, p.y - 5}; }); // along the edges at x = 3
     const auto lines = meet(s, wall).segments;
     std::vector<std::pair<double, double>> ways;
@@ -96,7 +96,7 @@ TEST(Meet, ASharedBorderCountsThoughItsTrianglesDiffer) {
 }
 
 TEST(Meet, ARimThatOnlyPassesTheMeshDoesNotCount) {
-    const Surface s = surface_of(grid(10, 10, 10, 10, [](Vec2 p) { return Vec3{p.x, p.y, 0}; }));
+    const Surface s = surface_of(flat_grid(10, 10, 10, 10));
     const auto wall = grid(30, 10, 3, 2, [](Vec2 p) { return Vec3{4.3 + 0.2 * (p.x - 15), p.x - 10, p.y - 5}; });
     const Intersection m = meet(s, wall);
     EXPECT_EQ(m.touching, 0);
@@ -104,7 +104,7 @@ TEST(Meet, ARimThatOnlyPassesTheMeshDoesNotCount) {
 }
 
 TEST(Meet, WhatLiesOnTheMeshIsToldByItsArea) {
-    const Surface s = surface_of(grid(10, 10, 5, 5, [](Vec2 p) { return Vec3{p.x, p.y, 0}; }));
+    const Surface s = surface_of(flat_grid(10, 10, 5, 5));
     const auto patch = grid(3, 3, 2, 2, [](Vec2 p) { return Vec3{2.7 + p.x, 3.1 + p.y, 0}; });
     const Intersection m = meet(s, patch);
     EXPECT_NEAR(m.flush, 9, 1e-9);
@@ -114,7 +114,7 @@ TEST(Meet, WhatLiesOnTheMeshIsToldByItsArea) {
 }
 
 TEST(Meet, NothingWhereTheyAreApart) {
-    const Surface s = surface_of(grid(10, 10, 5, 5, [](Vec2 p) { return Vec3{p.x, p.y, 0}; }));
+    const Surface s = surface_of(flat_grid(10, 10, 5, 5));
     EXPECT_TRUE(meet(s, grid(9, 9, 2, 2, [](Vec2 p) { return Vec3{p.x, p.y, 0.5}; })).segments.empty());
     EXPECT_TRUE(meet(s, mesh::Mesh{}).segments.empty());
     const mesh::Mesh flat{{{1, 1, 0}, {2, 2, 0}, {3, 3, 0}}, {{0, 1, 2}}}; // without area

@@ -181,13 +181,7 @@ TEST(Directions, BendNoTighterThanAskedWhereTheyCan) {
 
 TEST(Directions, SayWhatIsMissing) {
     Notes notes;
-    const surface::Sheet sheet{surface::connect(surface::grid(4, 4, 4, 4,
-                                                              [](geom::Vec2 p) {
-                                                                  return Vec3{p.x, p.y, 0};
-                                                              }),
-                                                notes),
-                               {},
-                               {}};
+    const surface::Sheet sheet{surface::connect(surface::flat_grid(4, 4, 4, 4), notes), {}, {}};
     const Cells cells = surface::directions::cells(sheet.surface);
     DirectionMix o;
     o.stress = 1;

@@ -13,13 +13,7 @@ namespace {
 
 TEST(WholeRings, OfARectangleAreRectangles) {
     Notes notes;
-    const surface::Sheet sheet{surface::connect(surface::grid(20, 14, 27, 19,
-                                                              [](geom::Vec2 p) {
-                                                                  return Vec3{p.x, p.y, 0};
-                                                              }),
-                                                notes),
-                               {},
-                               {}};
+    const surface::Sheet sheet{surface::connect(surface::flat_grid(20, 14, 27, 19), notes), {}, {}};
     const auto rings = whole_rings(sheet, 1);
     ASSERT_EQ(rings.size(), 7U);
     for (std::size_t i = 0; i < rings.size(); ++i) {

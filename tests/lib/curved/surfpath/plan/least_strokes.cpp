@@ -33,8 +33,8 @@ std::size_t least(const mesh::Mesh& mesh, double cut_length = 50) {
 }
 
 TEST(LeastStrokes, OfWhatLeavesRoomToComeBackIsOne) {
-    EXPECT_EQ(least(surface::grid(60, 40, 60, 40, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; })), 1U);
-    EXPECT_EQ(least(surface::grid(200, 1.5, 200, 2, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; })), 1U);
+    EXPECT_EQ(least(surface::flat_grid(60, 40, 60, 40)), 1U);
+    EXPECT_EQ(least(surface::flat_grid(200, 1.5, 200, 2)), 1U);
     EXPECT_EQ(least(comb(70, 2)), 1U); // in and out beside each other
 }
 
@@ -46,7 +46,7 @@ TEST(LeastStrokes, TwoForFourNarrowTeethThreeForFiveAndOneWhereTheWayBackIsCheap
 }
 
 TEST(LeastStrokes, EachComponentTakesOneIfAnythingIsLaidThere) {
-    auto mesh = surface::grid(10, 10, 10, 10, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; });
+    auto mesh = surface::flat_grid(10, 10, 10, 10);
     const auto other = surface::grid(10, 10, 10, 10, [](geom::Vec2 p) { return Vec3{p.x + 20, p.y, 0}; });
     const auto n = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());

@@ -22,7 +22,7 @@ constexpr double kRadius = 2.4;
 
 Surface sheet() {
     Notes notes;
-    return surface::connect(surface::grid(60, 60, 60, 60, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; }), notes);
+    return surface::connect(surface::flat_grid(60, 60, 60, 60), notes);
 }
 
 // A closed line around the middle of the sheet, clockwise, so that a smaller one is on its right.

@@ -23,7 +23,7 @@ namespace {
 
 Surface sheet_to_join_on() {
     Notes notes;
-    return surface::connect(surface::grid(40, 40, 50, 50, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; }), notes);
+    return surface::connect(surface::flat_grid(40, 40, 50, 50), notes);
 }
 
 Line through(const Surface& s, const std::vector<geom::Vec2>& points, bool closed) {
