@@ -166,6 +166,17 @@ std::string cura_corners(const SlicerFile& file) {
     return corner(0, 0) + "," + corner(width, 0) + "," + corner(width, depth) + "," + corner(0, depth);
 }
 
+// Keys of PrusaSlicer whose number is that of a key of Cura.
+constexpr std::pair<const char*, const char*> kNumbers[] = {
+    {"max_print_height", "machine_height"},
+    {"nozzle_diameter", "machine_nozzle_size"},
+    {"layer_height", "layer_height"},
+    {"first_layer_height", "layer_height_0"},
+    {"temperature", "material_print_temperature"},
+    {"first_layer_temperature", "material_print_temperature_layer_0"},
+    {"bed_temperature", "material_bed_temperature"},
+    {"first_layer_bed_temperature", "material_bed_temperature_layer_0"}};
+
 } // namespace
 
 SlicerFile cura_printer(const SlicerFile& file) {
@@ -195,14 +206,7 @@ SlicerFile cura_printer(const SlicerFile& file) {
     put("use_volumetric_e", trimmed(cura_text(file, "machine_gcode_flavor")) == "RepRap (Volumetric)" ? "1" : "0");
     put("use_firmware_retraction", cura_text(file, "machine_firmware_retract") == "1" ? "1" : "0");
     put("machine_limits_usage", "time_estimate_only");
-    number("max_print_height", "machine_height");
-    number("nozzle_diameter", "machine_nozzle_size");
-    number("layer_height", "layer_height");
-    number("first_layer_height", "layer_height_0");
-    number("temperature", "material_print_temperature");
-    number("first_layer_temperature", "material_print_temperature_layer_0");
-    number("bed_temperature", "material_bed_temperature");
-    number("first_layer_bed_temperature", "material_bed_temperature_layer_0");
+    for (const auto& [ours, theirs] : kNumbers) number(ours, theirs);
     if (file.has("material_diameter")) number("filament_diameter", "material_diameter");
     for (const char* axis : {"x", "y", "z"}) {
         const std::string key = std::string("machine_max_feedrate_") + axis;

@@ -52,11 +52,13 @@ class CuraNumbers {
     [[nodiscard]] Words outlines(const std::string& key) const;
     [[nodiscard]] Words temperature(const std::string& key, const std::string& target) const;
     [[nodiscard]] Words accelerations(const std::string& key, const SettingRow& row) const;
-    [[nodiscard]] Words cooling() const;
-    [[nodiscard]] Words shrinkage() const;
+    [[nodiscard]] Words travel(const std::string& target, const char* enabled, const std::string& amount,
+                               const std::string& key) const;
+    [[nodiscard]] Words cooling(const std::string& key) const;
+    [[nodiscard]] Words shrinkage(const std::string& key) const;
     [[nodiscard]] Words supports(const std::string& key) const;
-    [[nodiscard]] Words interface() const;
-    [[nodiscard]] Words adhesion() const;
+    [[nodiscard]] Words interface(const std::string& key) const;
+    [[nodiscard]] Words adhesion(const std::string& key) const;
 
   private:
     [[nodiscard]] double full_layer() const;
@@ -125,6 +127,13 @@ Words CuraNumbers::accelerations(const std::string& key, const SettingRow& row) 
     return {key_word(std::string(row.target), number(key))};
 }
 
+// A length of the travel that another key switches off.
+Words CuraNumbers::travel(const std::string& target, const char* enabled, const std::string& amount,
+                          const std::string& key) const {
+    if (!first(key, {enabled, amount.c_str()})) return {};
+    return {key_word(target, on(enabled) ? number(amount) : 0)};
+}
+
 // The layer from which on the fan has its full speed, from 0.
 double CuraNumbers::full_layer() const {
     if (has("cool_fan_full_layer")) return number("cool_fan_full_layer");
@@ -136,9 +145,13 @@ double CuraNumbers::full_layer() const {
 // Cura's fan has the minimum speed on layers that take `cool_min_layer_time_fan_speed_max` seconds or more, and the
 // maximum on those that take `cool_min_layer_time`.  On the first layer it has `cool_fan_speed_0`, and the speed rises
 // up to the layer full_layer().
-Words CuraNumbers::cooling() const {
+Words CuraNumbers::cooling(const std::string& key) const {
+    if (!first(key, {"cool_fan_enabled", "cool_fan_speed", "cool_fan_speed_max", "cool_fan_speed_min",
+                     "cool_min_layer_time", "cool_min_layer_time_fan_speed_max", "cool_fan_full_layer",
+                     "cool_fan_full_at_height", "cool_fan_speed_0"}))
+        return {};
     const bool fan = on("cool_fan_enabled");
-    const auto speed = [&](const char* key) { return fan ? std::round(25.5 * number(key)) / 10 : 0; };
+    const auto speed = [&](const char* share) { return fan ? std::round(25.5 * number(share)) / 10 : 0; };
     const double slow = number("cool_min_layer_time");
     Words out{key_word("limits.layer_time", slow),
               key_word("cooling.most", speed("cool_fan_speed_max")),
@@ -156,7 +169,10 @@ Words CuraNumbers::cooling() const {
 }
 
 // Cura scales the part by these percentages; --shrinkage takes what the material loses of its size, in percent.
-Words CuraNumbers::shrinkage() const {
+Words CuraNumbers::shrinkage(const std::string& key) const {
+    if (!first(key, {"material_shrinkage_percentage", "material_shrinkage_percentage_xy",
+                     "material_shrinkage_percentage_z"}))
+        return {};
     const auto lost = [&](const char* axis) {
         const double factor = has(axis) ? number(axis) : number("material_shrinkage_percentage");
         return factor > 100 ? std::round((100 - 1e4 / factor) * 1e6) / 1e6 : 0;
@@ -178,7 +194,10 @@ Words CuraNumbers::supports(const std::string& key) const {
 }
 
 // The layers of a support next to the part.
-Words CuraNumbers::interface() const {
+Words CuraNumbers::interface(const std::string& key) const {
+    if (!first(key,
+               {"support_roof_enable", "support_interface_enable", "support_roof_height", "support_interface_height"}))
+        return {};
     const auto either = [&](const char* roof, const char* all) { return number(has(roof) ? roof : all); };
     if (!on("support_enable") || !(number("layer_height") > 0)) return {};
     if (either("support_roof_enable", "support_interface_enable") == 0) return {"--interface=0"};
@@ -186,7 +205,10 @@ Words CuraNumbers::interface() const {
     return {option_word("interface", std::min(100.0, std::ceil(std::round(layers * 1e4) / 1e4)))};
 }
 
-Words CuraNumbers::adhesion() const {
+Words CuraNumbers::adhesion(const std::string& key) const {
+    if (!first(key, {"adhesion_type", "brim_width", "brim_line_count", "skirt_gap", "skirt_line_count",
+                     "raft_surface_layers"}))
+        return {};
     const std::string type = word("adhesion_type");
     if (type == "skirt" && number("skirt_line_count") > 0 && number("skirt_gap") > 0)
         return {option_word("skirt", number("skirt_gap"))};
@@ -233,36 +255,13 @@ Words cura_words(const SlicerValues& values, const std::string& key, const Setti
     if (target.ends_with("_temp")) return cura.temperature(key, target);
     if (target == "extrusion.flow") return {key_word(target, cura.number(key) / 100)};
     if (target.ends_with("acceleration")) return cura.accelerations(key, row);
-    if (target == "travel.retract")
-        return cura.first(key, {"retraction_enable", "retraction_amount"})
-                   ? Words{key_word(target, cura.on("retraction_enable") ? cura.number("retraction_amount") : 0)}
-                   : Words{};
-    if (target == "travel.lift")
-        return cura.first(key, {"retraction_hop_enabled", "retraction_hop"})
-                   ? Words{key_word(target, cura.on("retraction_hop_enabled") ? cura.number("retraction_hop") : 0)}
-                   : Words{};
-    if (target == "cooling")
-        return cura.first(key, {"cool_fan_enabled", "cool_fan_speed", "cool_fan_speed_max", "cool_fan_speed_min",
-                                "cool_min_layer_time", "cool_min_layer_time_fan_speed_max", "cool_fan_full_layer",
-                                "cool_fan_full_at_height", "cool_fan_speed_0"})
-                   ? cura.cooling()
-                   : Words{};
-    if (target == "shrinkage")
-        return cura.first(key, {"material_shrinkage_percentage", "material_shrinkage_percentage_xy",
-                                "material_shrinkage_percentage_z"})
-                   ? cura.shrinkage()
-                   : Words{};
+    if (target == "travel.retract") return cura.travel(target, "retraction_enable", "retraction_amount", key);
+    if (target == "travel.lift") return cura.travel(target, "retraction_hop_enabled", "retraction_hop", key);
+    if (target == "cooling") return cura.cooling(key);
+    if (target == "shrinkage") return cura.shrinkage(key);
     if (target.starts_with("support")) return cura.supports(key);
-    if (target == "interface")
-        return cura.first(key, {"support_roof_enable", "support_interface_enable", "support_roof_height",
-                                "support_interface_height"})
-                   ? cura.interface()
-                   : Words{};
-    if (target == "adhesion")
-        return cura.first(key, {"adhesion_type", "brim_width", "brim_line_count", "skirt_gap", "skirt_line_count",
-                                "raft_surface_layers"})
-                   ? cura.adhesion()
-                   : Words{};
+    if (target == "interface") return cura.interface(key);
+    if (target == "adhesion") return cura.adhesion(key);
     if (target == "vase") return cura.on(key) ? Words{"--vase"} : Words{};
     return {};
 }
