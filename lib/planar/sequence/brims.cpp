@@ -20,10 +20,12 @@ std::vector<Pair> brims(std::span<const polygon::Region> regions) {
     return out;
 }
 
-void hold_together(std::span<const Pair> brims, std::vector<Pair>& hits) {
+void hold_together(std::span<const Pair> brims, Graph& g) {
+    std::vector<Pair> more;
     for (const auto& [brim, region] : brims)
-        for (std::size_t i = 0, n = hits.size(); i < n; ++i)
-            if (hits[i].first == brim && hits[i].second != region) hits.emplace_back(region, hits[i].second);
+        for (const Index waiting : g.after[brim])
+            if (waiting != region) more.emplace_back(region, waiting);
+    if (!more.empty()) add_precedence(g, std::move(more));
 }
 
 void begin_with(std::span<const Pair> brims, Graph& g, Plan& p) {

@@ -89,8 +89,8 @@ SequenceResult sequence(std::vector<polygon::Region> regions, const Options& opt
         for (auto& r : regions) outlines.push_back(outline(std::move(r.loops)));
         add_precedence(g, below_hanging(g, outlines));
         hits = collisions(g, c, outlines, options.heads, work);
-        hold_together(rims, hits);
         add_precedence(g, hits);
+        hold_together(rims, g);
     }
     Plan p = options.by_layers ? layer_plan(g) : plan(g, c, options.budget, options.first);
     if (options.by_layers && options.layers) {

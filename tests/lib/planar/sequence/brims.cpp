@@ -72,6 +72,32 @@ TEST(Brims, TheHeadHasRoomOverThem) {
     }
 }
 
+// An island that begins in the air beside a brim waits for the brim, and so for the region of that brim, which may stand
+// far away from it. With a head or without, and whatever else waits for what: the order keeps every precedence (or
+// sequence() throws), and each brim is printed just before its region.
+TEST(Brims, StayBeforeTheirRegionsBesideHangingIslands) {
+    Random random(6);
+    for (int trial = 0; trial < 200; ++trial) {
+        std::vector<Outlined> outlined;
+        for (const auto& r : random_world(random, 6, 3, 20)) outlined.push_back({r.layer, r.loops});
+        for (Index island = 0; island < 3; ++island) {
+            const auto b = box(uniform(random, -3, 23), uniform(random, -3, 23), 0.5, 0.5);
+            for (Index l = any(random, 1, 3); l < 6; ++l) outlined.push_back({l, b});
+        }
+        std::ranges::stable_sort(outlined, {}, &Outlined::layer);
+        const auto all = with_brims(world(outlined));
+        Options o;
+        o.budget = 300'000;
+        o.heads.common.none = trial % 2 == 0;
+        o.heads.common.cone_height = 0.5;
+        const SequenceResult r = sequence(all, o);
+        for (std::size_t i = 0; i < r.order.size(); ++i)
+            if (all[r.order[i]].brim >= 0) {
+                EXPECT_EQ(r.order[i - 1], all[r.order[i]].brim) << "trial " << trial;
+            }
+    }
+}
+
 // A skirt fills the nozzle, so it is the first that its tool prints, wherever it lies and whatever else there is.
 TEST(Skirts, ComeFirst) {
     Random random(5);
