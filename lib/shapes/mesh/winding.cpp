@@ -8,14 +8,40 @@ namespace filum::mesh {
 
 namespace {
 
-constexpr std::uint32_t kLeaf = 8; // most triangles of a leaf
-constexpr double kFar = 3;         // in radii of a node: from this distance on, a node counts as one dipole
+constexpr std::uint32_t kLeaf = 8;  // most triangles of a leaf
+constexpr double kFar = 3;          // in radii of a node: from this distance on, a node counts as one dipole
+constexpr double kSmall = 0x1p-500; // products of directions are enlarged below this
 
-// The signed solid angle of a triangle, in sr.  a, b and c are relative to the point.
-double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) { // Van Oosterom and Strackee 1983
-    const double la = norm(a), lb = norm(b), lc = norm(c);
-    return 2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-}
+// Adds signed solid angles without an arc tangent for each. Half of the solid angle of a triangle is the angle of a
+// complex number, in [-pi, pi] (Van Oosterom and Strackee 1983). The product of those numbers has the sum of the
+// angles, less whole turns. A turn is complete where two angles of one sign have a product of the other sign. Rounding
+// cannot miscount: terms of the imaginary part cancel only near pi, where the turn and the final angle use the same
+// sign bit.
+class SolidAngles {
+  public:
+    // Adds the triangle a, b, c, relative to the point. A triangle with a corner on the point adds nothing.
+    void add(const Vec3& a, const Vec3& b, const Vec3& c) {
+        const double la = norm(a), lb = norm(b), lc = norm(c);
+        const double along = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
+        const double across = dot(a, cross(b, c));
+        const double size = std::abs(along) + std::abs(across);
+        if (!(size > 0)) return;
+        const double x = along / size, y = across / size;
+        const double re = re_ * x - im_ * y, im = re_ * y + im_ * x;
+        const int back = std::signbit(y) ? 1 : 0, was = std::signbit(im_) ? 1 : 0, is = std::signbit(im) ? 1 : 0;
+        turns_ += (1 - 2 * back) * ((1 ^ back ^ was) & (back ^ is));
+        const double scale = std::abs(re) + std::abs(im) < kSmall ? 1 / kSmall : 1; // each factor is at least 1/2
+        re_ = scale * re;
+        im_ = scale * im;
+    }
+
+    // The sum, sr.
+    [[nodiscard]] double sum() const { return 2 * (2 * std::numbers::pi * turns_ + std::atan2(im_, re_)); }
+
+  private:
+    double re_ = 1, im_ = 0;
+    int turns_ = 0;
+};
 
 } // namespace
 
@@ -67,7 +93,8 @@ void Winding::split(std::uint32_t node, std::uint32_t first, std::uint32_t last)
 }
 
 double Winding::at(const Vec3& p) const {
-    double sum = 0;
+    double far = 0; // sr of distant triangles
+    SolidAngles near;
     std::uint32_t stack[96], depth = 0;
     stack[depth++] = 0;
     while (depth > 0) {
@@ -75,7 +102,7 @@ double Winding::at(const Vec3& p) const {
         const Vec3 r = n.middle - p;
         const double d2 = dot(r, r);
         if (d2 > kFar * kFar * n.radius * n.radius) {
-            sum += dot(n.dipole, r) / (d2 * std::sqrt(d2));
+            far += dot(n.dipole, r) / (d2 * std::sqrt(d2));
             continue;
         }
         if (n.count == 0 && !triangles_.empty()) {
@@ -84,9 +111,9 @@ double Winding::at(const Vec3& p) const {
             continue;
         }
         for (std::uint32_t i = n.first; i < n.first + n.count; ++i)
-            sum += solid_angle(triangles_[i].a - p, triangles_[i].b - p, triangles_[i].c - p);
+            near.add(triangles_[i].a - p, triangles_[i].b - p, triangles_[i].c - p);
     }
-    return sum / (4 * std::numbers::pi);
+    return (far + near.sum()) / (4 * std::numbers::pi);
 }
 
 } // namespace filum::mesh
