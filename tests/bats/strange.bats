@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
-# Meshes and stresses as other programs write them, each with its right value: a few of each kind.  tests/parts/strange-meshes
-# and tests/parts/strange-stresses try any number of them.
+# Meshes, projects and stresses as other programs write them, each with its right value: a few of each kind.
+# tests/parts/strange-meshes and its neighbours try any number of them.
 
 load common
 
@@ -11,6 +11,12 @@ load common
     "$FILUM_SOURCE/tests/parts/strange-meshes" needles 3 4
 }
 
+@test "projects of slicers have the volume of their plate without the negative bodies" {
+    "$FILUM_SOURCE/tests/parts/strange-projects" negative 0 9
+    "$FILUM_SOURCE/tests/parts/strange-projects" negative 48 48 # looped forever
+    "$FILUM_SOURCE/tests/parts/strange-projects" plates 0 9
+}
+
 @test "a field of stresses comes back from every form in which it is written" {
-    "$FILUM_SOURCE/tests/parts/strange-stresses" 0 15
+    "$FILUM_SOURCE/tests/parts/strange-stresses" 0 23
 }

@@ -30,14 +30,16 @@ Mesh box_mesh(const geom::Vec3& lo, const geom::Vec3& hi) {
 
 } // namespace
 
-Plates::Plates(const std::vector<Plate>& plates, int plate)
-    : plates_(plates), plate_(static_cast<std::size_t>(plate) - 1), items_(std::max<std::size_t>(plates.size(), 1)) {}
+Plates::Plates(const std::vector<Plate>& plates, int plate) : plates_(plates), plate_(plate) {
+    if (plates.empty()) items_[1] = 0;
+    for (const Plate& p : plates) items_[p.number] = 0;
+}
 
 bool Plates::wanted(const std::string& object) {
     const int instance = instances_[object]++;
     if (plates_.empty()) {
-        ++items_[0];
-        return plate_ == 0;
+        ++items_[1];
+        return plate_ == 1;
     }
     const auto on = std::ranges::find_if(plates_, [&](const Plate& p) {
         return std::ranges::find(p.items, std::pair(object, instance)) != p.items.end();
@@ -46,27 +48,27 @@ bool Plates::wanted(const std::string& object) {
         ++nowhere_;
         return false;
     }
-    const auto at = static_cast<std::size_t>(on - plates_.begin());
-    ++items_[at];
-    return at == plate_;
+    ++items_[on->number];
+    return on->number == plate_;
 }
 
 std::string Plates::fault() const {
-    if (plate_ < items_.size() && (items_[plate_] > 0 || plates_.empty())) return "";
+    const auto own = items_.find(plate_);
+    if (own != items_.end() && (own->second > 0 || plates_.empty())) return "";
     std::string others;
-    for (std::size_t i = 0; i < items_.size(); ++i)
-        if (items_[i] > 0) others += (others.empty() ? "" : ", ") + std::to_string(i + 1);
-    return "plate " + std::to_string(plate_ + 1) + (plate_ < items_.size() ? " is empty" : " does not exist") +
+    for (const auto& [number, items] : items_)
+        if (items > 0) others += (others.empty() ? "" : ", ") + std::to_string(number);
+    return "plate " + std::to_string(plate_) + (own != items_.end() ? " is empty" : " does not exist") +
            "; plates with parts: " + (others.empty() ? "none" : others + " (--plate)");
 }
 
 void Plates::tell(Notes& notes) const {
-    for (std::size_t i = 0; i < items_.size(); ++i) {
-        if (i == plate_ || items_[i] == 0) continue;
-        const std::string name = i < plates_.size() && !plates_[i].name.empty() ? " '" + plates_[i].name + "'" : "";
-        const std::string number = std::to_string(i + 1);
-        notes.push_back(note(NoteCode::plate_ignored, 0, number + name));
-        notes.back().count = items_[i];
+    for (const auto& [number, items] : items_) {
+        if (number == plate_ || items == 0) continue;
+        const auto plate = std::ranges::find(plates_, number, &Plate::number);
+        const std::string name = plate != plates_.end() && !plate->name.empty() ? " '" + plate->name + "'" : "";
+        notes.push_back(note(NoteCode::plate_ignored, 0, std::to_string(number) + name));
+        notes.back().count = items;
     }
     if (nowhere_ == 0) return;
     notes.push_back(note(NoteCode::object_off_plate));

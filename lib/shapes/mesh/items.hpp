@@ -15,7 +15,7 @@ namespace filum::mesh {
 // Chooses the items of one plate of a project.
 class Plates {
   public:
-    // `plate` is counted from 1.  A project that lists no plates has one.
+    // `plate` is the number of a plate. A project that lists no plates has one, 1.
     Plates(const std::vector<Plate>& plates, int plate);
 
     // True if the next build item, an instance of `object`, is on the plate.  Call it once per item, in file order.
@@ -27,10 +27,10 @@ class Plates {
 
   private:
     const std::vector<Plate>& plates_;
-    std::size_t plate_; // from 0
+    int plate_;
     std::map<std::string, int> instances_;
-    std::vector<std::size_t> items_; // number of items on each plate
-    std::size_t nowhere_ = 0;        // items that are on no plate
+    std::map<int, std::size_t> items_; // how many are on each plate, by its number
+    std::size_t nowhere_ = 0;          // items that are on no plate
 };
 
 // How far each item must go down (mm; negative: up) so that each group of items stands on the bed. Items whose boxes

@@ -29,11 +29,12 @@ std::uint32_t Materials::property(const std::string& path, const char* group, un
                                  : std::min(found->second + std::min(index, kMostMaterials), kMostMaterials);
 }
 
-Materials::Material Materials::of(const std::string& path, const pugi::xml_node& object, const std::string& parent,
-                                  const Material& above, const Project& project) const {
+Materials::Material Materials::of(const std::string& path, const pugi::xml_node& object, bool item,
+                                  const Project::Component* component, const Material& above,
+                                  const Project& project) const {
     const std::string id = object.attribute("id").value();
     Material out = above;
-    out.object = parent.empty() ? id : "";
+    out.object = item ? id : "";
     if (!above.by_project)
         out.number =
             property(path, object.attribute("pid").value(), object.attribute("pindex").as_uint(), above.number);
@@ -41,9 +42,8 @@ Materials::Material Materials::of(const std::string& path, const pugi::xml_node&
         out.number = std::min(number, kMostMaterials);
         out.by_project = true;
     };
-    if (const auto own = project.extruder.find(id); parent.empty() && own != project.extruder.end()) set(own->second);
-    if (const auto own = project.component_extruder.find({parent, id}); own != project.component_extruder.end())
-        set(own->second);
+    if (const auto own = project.extruder.find(id); item && own != project.extruder.end()) set(own->second);
+    if (component != nullptr && component->extruder) set(*component->extruder);
     return out;
 }
 

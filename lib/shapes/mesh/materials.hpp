@@ -28,9 +28,10 @@ class Materials {
         bool by_project = false; // an extruder of a project; it counts before properties of triangles
         std::string object{};    // the object of a project whose ranges of triangles count; "" if none
     };
-    // The material of an object within `above`, a component `part` of `parent` ("" for an item of the build).
-    [[nodiscard]] Material of(const std::string& path, const pugi::xml_node& object, const std::string& parent,
-                              const Material& above, const Project& project) const;
+    // The material of an object within `above`: of an item of the build, or of a component, for which `component` is
+    // what the project says of it, if it does.
+    [[nodiscard]] Material of(const std::string& path, const pugi::xml_node& object, bool item,
+                              const Project::Component* component, const Material& above, const Project& project) const;
     // The material of triangle number `i` of a mesh.
     [[nodiscard]] std::uint32_t of_triangle(const std::string& path, const pugi::xml_node& triangle, std::size_t i,
                                             const Material& mesh, const Project& project) const;

@@ -60,8 +60,10 @@ std::string metadata(const pugi::xml_node& element, const char* key) {
     return element.find_child_by_attribute("metadata", "key", key).attribute("value").value();
 }
 
-Plate plate_of(const pugi::xml_node& element) {
-    Plate out{metadata(element, "plater_name"), {}};
+// Reads a plate. `number` is that of a plate without one.
+Plate plate_of(const pugi::xml_node& element, int number) {
+    const int own = std::atoi(metadata(element, "plater_id").c_str());
+    Plate out{own > 0 ? own : number, metadata(element, "plater_name"), {}};
     for (const auto& instance : element.children("model_instance"))
         out.items.emplace_back(metadata(instance, "object_id"), std::atoi(metadata(instance, "instance_id").c_str()));
     return out;
@@ -110,9 +112,14 @@ std::size_t Project::of_triangle(const std::string& object, std::size_t i) const
     return at == found->second.end() ? kNone : at->body;
 }
 
-std::size_t Project::of_component(const std::string& object, const std::string& component) const {
-    const auto found = components.find({object, component});
-    return found == components.end() ? kNone : found->second;
+const Project::Component* Project::component(const std::string& object, const std::string& id,
+                                             std::size_t index) const {
+    const auto found = components.find(object);
+    if (found == components.end()) return nullptr;
+    const auto& all = found->second;
+    if (index < all.size() && all[index].id == id) return &all[index];
+    const auto at = std::ranges::find(all, id, &Component::id);
+    return at == all.end() ? nullptr : &*at;
 }
 
 namespace {
@@ -121,7 +128,8 @@ void read_volume(const pugi::xml_node& object, const pugi::xml_node& volume, Pro
     const std::string id = object.attribute("id").value();
     const Project::Range range{volume.attribute("firstid").as_ullong(), volume.attribute("lastid").as_ullong(), 0};
     if (const auto number = extruder_of(volume)) to.extruders[id].push_back({range.first, range.last, *number});
-    const std::string kind = metadata(volume, "volume_type");
+    std::string kind = metadata(volume, "volume_type");
+    if (kind.empty() && metadata(volume, "modifier") == "1") kind = "ParameterModifier"; // Slic3r, before 1.41
     if (const auto what = what_of(kPrusa, kind)) {
         to.triangles[id].push_back({range.first, range.last, to.bodies.size()});
         to.bodies.push_back(body_of(*what, volume, object));
@@ -134,14 +142,16 @@ void read_volume(const pugi::xml_node& object, const pugi::xml_node& volume, Pro
 
 void read_part(const pugi::xml_node& object, const pugi::xml_node& part, Project& to) {
     const std::string id = object.attribute("id").value(), component = part.attribute("id").value();
-    if (const auto number = extruder_of(part)) to.component_extruder.emplace(std::pair(id, component), *number);
+    auto& all = to.components[id];
+    all.push_back({component, Project::kNone, extruder_of(part)});
     const std::string kind = part.attribute("subtype").value();
     if (const auto what = what_of(kBambu, kind)) {
-        to.components.try_emplace({id, component}, to.bodies.size());
+        all.back().body = to.bodies.size();
         to.bodies.push_back(body_of(*what, part, object));
     } else if (kind.empty() || kind == "normal_part") {
         to.parts.push_back(printed_part(object, part));
         to.parts.back().component = component;
+        to.parts.back().index = all.size() - 1;
     }
 }
 
@@ -168,7 +178,9 @@ bool read_bambu_project(const std::string& text, Project& to) {
     pugi::xml_document xml;
     if (!xml.load_buffer(text.data(), text.size())) return false;
     read_objects(xml.child("config"), "part", read_part, to);
-    for (const auto& plate : xml.child("config").children("plate")) to.plates.push_back(plate_of(plate));
+    for (const auto& plate : xml.child("config").children("plate"))
+        to.plates.push_back(plate_of(plate, static_cast<int>(to.plates.size()) + 1));
+    std::ranges::stable_sort(to.plates, {}, &Plate::number);
     if (std::ranges::all_of(to.plates, [](const Plate& p) { return p.items.empty(); })) to.plates.clear();
     return true;
 }

@@ -18,6 +18,7 @@ namespace filum::mesh {
 // A plate of a project and the build items on it. An item is an object's id and the index of the instance of that
 // object, from 0.
 struct Plate {
+    int number = 1; // from 1, as the slicer shows it
     std::string name;
     std::vector<std::pair<std::string, int>> items;
 };
@@ -33,28 +34,36 @@ struct Project {
         std::size_t body = 0;
     };
     bool found = false;                                  // the file is a project of a slicer
-    std::vector<Plate> plates;                           // empty: everything is on one plate
+    std::vector<Plate> plates;                           // by number; empty: everything is on one plate
     std::vector<Body> bodies;                            // their meshes are still empty
     std::map<std::string, std::vector<Range>> triangles; // ranges of an object's mesh, by the object's id
-    std::map<std::pair<std::string, std::string>, std::size_t> components; // bodies, by the ids of object and part
 
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+    // The properties of a component of an object.
+    struct Component {
+        std::string id;                          // of the object that it is
+        std::size_t body = kNone;                // it belongs to
+        std::optional<std::uint32_t> extruder{}; // from 0
+    };
+    std::map<std::string, std::vector<Component>> components; // by the object's id, in the order of the file
     // The body of triangle `i` of the object, or kNone.
     [[nodiscard]] std::size_t of_triangle(const std::string& object, std::size_t i) const;
-    // The body of an object's component, or kNone.
-    [[nodiscard]] std::size_t of_component(const std::string& object, const std::string& component) const;
+    // The entry for component number `index` of an object, which is the object `id`: the entry of that number if it
+    // has the id, otherwise the first one with it, as in OrcaSlicer, since several parts may share one mesh. Null if
+    // none.
+    [[nodiscard]] const Component* component(const std::string& object, const std::string& id, std::size_t index) const;
     // Whether the triangles of a body, or those of no body (kNone), are printed.
     [[nodiscard]] bool printed(std::size_t body) const { return body == kNone || bodies[body].printed; }
 
-    // Extruders, numbered from 0, of objects and of their parts. A part is a range of triangles or a component.
+    // Extruders, numbered from 0, of objects and of their ranges of triangles.
     std::map<std::string, std::uint32_t> extruder;
     std::map<std::string, std::vector<Range>> extruders; // `body` is the number of the extruder
-    std::map<std::pair<std::string, std::string>, std::uint32_t> component_extruder;
 
     // A printed part of an object with the settings of both; those of the part win.
     struct Part {
-        std::string object, component; // `component` is empty for a range of triangles
-        std::size_t first = 0, last = kNone;
+        std::string object, component;       // `component` is empty for a range of triangles
+        std::size_t first = 0, last = kNone; // triangles
+        std::size_t index = 0;               // of the component
         SlicerSettings settings{};
     };
     std::vector<Part> parts;

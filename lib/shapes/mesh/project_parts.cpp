@@ -78,12 +78,11 @@ void divide(const std::string& key, const std::string& usual, const std::vector<
 } // namespace
 
 void Project::divide_settings(int plate, const std::function<std::string(const std::string&)>& usual) {
-    const auto number = static_cast<std::size_t>(std::max(plate, 1));
     const auto on_plate = [&](const Part& part) {
-        return plates.empty() ||
-               (number <= plates.size() && std::ranges::any_of(plates[number - 1].items, [&](const auto& item) {
-                    return item.first == part.object;
-                }));
+        return plates.empty() || std::ranges::any_of(plates, [&](const Plate& p) {
+                   return p.number == plate &&
+                          std::ranges::any_of(p.items, [&](const auto& item) { return item.first == part.object; });
+               });
     };
     std::vector<Part*> here;
     std::set<std::string> keys;
@@ -106,7 +105,7 @@ void Project::divide_settings(int plate, const std::function<std::string(const s
         if (part->component.empty() || part->component == part->object)
             triangles[part->object].push_back({part->first, part->last, at->second});
         else
-            components.try_emplace({part->object, part->component}, at->second);
+            components.at(part->object)[part->index].body = at->second;
     }
 }
 

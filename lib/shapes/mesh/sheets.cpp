@@ -195,7 +195,7 @@ class Hub {
             return s.angle != t.angle ? s.angle > t.angle : s.edge.side < t.edge.side;
         });
         for (std::size_t i = 0, j = 0; i < spokes_.size(); i = j) {
-            while (j < spokes_.size() && same(spokes_[i], spokes_[j])) ++j;
+            for (j = i + 1; j < spokes_.size() && same(spokes_[i], spokes_[j]);) ++j;
             for (std::size_t k = i; k < j; ++k) spokes_[k].angle = spokes_[i].angle;
             std::sort(spokes_.begin() + static_cast<std::ptrdiff_t>(i),
                       spokes_.begin() + static_cast<std::ptrdiff_t>(j), [](const Spoke& s, const Spoke& t) {

@@ -86,7 +86,7 @@ class Archive {
         int depth = 0;
         bool support = false; // one of them is a support
         std::size_t body = Project::kNone;
-        std::string parent{}; // id of the object directly above
+        const Project::Component* component = nullptr; // what the project says of the object as a component
         Materials::Material material{};
     };
 
@@ -172,12 +172,12 @@ class Archive {
         const auto found = model.objects.find(id);
         if (found == model.objects.end()) bad("object '" + id + "' is missing");
         const auto& object = found->second;
-        if (!there_.insert({&model, id, threemf::numbers(place)}).second) {
+        if (!there_.insert({&model, id, threemf::numbers(place), above.body}).second) {
             ++same_.count;
             return;
         }
         const threemf::Function function = checked_function(object, id, above.body != Project::kNone);
-        above.material = materials_.of(path, object, above.parent, above.material, project_);
+        above.material = materials_.of(path, object, above.depth == 0, above.component, above.material, project_);
         above.support = above.support || function == threemf::Function::support;
         if (const auto mesh = child(object, "mesh")) {
             if (above.support)
@@ -188,13 +188,15 @@ class Archive {
                 placed_.push_back(
                     {mesh, model.unit, place, above.depth == 0 ? id : "", above.body, items_, path, above.material});
         }
+        std::size_t index = 0;
         for (const auto& c : child(object, "components").children()) {
             if (!is(c, "component")) continue;
             const std::string other = threemf::part_path(c);
-            const std::size_t part = project_.of_component(id, c.attribute("objectid").value());
+            const auto* part = project_.component(id, c.attribute("objectid").value(), index++);
+            const std::size_t body = part == nullptr || part->body == Project::kNone ? above.body : part->body;
             if (++copies_ > kMaxCopies) bad("its components ask for more than 100000 copies");
             add(other.empty() ? path : other, c.attribute("objectid").value(), then(transform(c), place),
-                {above.depth + 1, above.support, part == Project::kNone ? above.body : part, id, above.material});
+                {above.depth + 1, above.support, body, part, above.material});
         }
     }
 
@@ -368,7 +370,7 @@ class Archive {
     archive::Zip zip_;
     std::map<std::string, std::unique_ptr<Model>> models_; // by path of the file
     std::size_t copies_ = 0;
-    std::set<std::tuple<const Model*, std::string, std::array<double, 12>>> there_;
+    std::set<std::tuple<const Model*, std::string, std::array<double, 12>, std::size_t>> there_; // with the body
     std::vector<PlacedMesh> placed_;
     std::uint32_t items_ = 0; // build items so far
     std::vector<std::uint32_t> item_of_vertex_, item_of_;

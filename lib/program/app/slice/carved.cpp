@@ -22,9 +22,11 @@ using polygon::Loops;
 constexpr std::size_t kMostPlanes = 20000; // most planes that are searched for material
 constexpr int kHalvings = 20;              // most halvings of the step between two planes
 
-Loops contours(const CarvedPart::Group& group, polygon::Layer& part, const polygon::Layer* away) {
-    if (!group.cut || away == nullptr || away->contours.empty()) return std::move(part.contours);
-    return polygon::subtract(part.contours, away->contours);
+// The contours of the part in layer `i` of the chunk without the bodies that are cut away.
+Loops contours(polygon::Layer& part, const std::vector<filum::slice::SlicedChunk>& away, std::size_t i) {
+    Loops all;
+    for (const filum::slice::SlicedChunk& body : away) all.add(body.layers[i].contours);
+    return all.empty() ? std::move(part.contours) : polygon::subtract(part.contours, all);
 }
 
 // The contours of the remaining material in each of the planes (z, mm).
@@ -51,13 +53,17 @@ double end_between(CarvedPart& carved, double inside, double outside) {
     // The end usually is at a vertex of the part or of a negative body, so the nearest one within 2 kLift is taken.
     double out = (inside + outside) / 2;
     double nearest = 2 * kLift;
-    for (const auto& group : carved.groups)
-        for (const auto* part : {&group->part, &group->away})
-            for (const geom::Vec3& v : part->mesh.vertices)
-                if (std::abs(v.z - (inside + outside) / 2) < nearest) {
-                    nearest = std::abs(v.z - (inside + outside) / 2);
-                    out = v.z;
-                }
+    const auto look = [&](const CarvedPart::Cut& c) {
+        for (const geom::Vec3& v : c.part.mesh.vertices)
+            if (std::abs(v.z - (inside + outside) / 2) < nearest) {
+                nearest = std::abs(v.z - (inside + outside) / 2);
+                out = v.z;
+            }
+    };
+    for (const auto& group : carved.groups) {
+        look(group->part);
+        for (const auto& body : group->away) look(*body);
+    }
     return out;
 }
 
@@ -89,11 +95,11 @@ geom::Box3 box_left(CarvedPart& carved, const geom::Box3& whole, double step, in
 bool is_carved(const mesh::File& file) { return !file.items.empty(); }
 
 CarvedPart carve(const mesh::File& file, double hairline, double step, int threads, Notes& notes) {
-    std::map<std::uint32_t, std::pair<mesh::Mesh, mesh::Mesh>> cut; // by item: the part and its negative bodies
+    std::map<std::uint32_t, std::pair<mesh::Mesh, std::vector<mesh::Mesh>>> cut; // by item: it, its negative bodies
     std::uint64_t bodies = 0;
     for (const mesh::Body& body : file.bodies) {
         if (body.what != mesh::Body::What::negative) continue;
-        mesh::append(body.mesh, cut[body.item].second);
+        cut[body.item].second.push_back(body.mesh);
         ++bodies;
     }
     mesh::Mesh rest{file.mesh.vertices, {}};
@@ -103,13 +109,15 @@ CarvedPart carve(const mesh::File& file, double hairline, double step, int threa
         (at == cut.end() ? rest : at->second.first).triangles.push_back(file.mesh.triangles[i]);
     }
     CarvedPart out;
-    const auto add = [&](mesh::Mesh part, mesh::Mesh away) {
+    const auto add = [&](mesh::Mesh part, std::vector<mesh::Mesh> away) {
         mesh::drop_unused_vertices(part);
         if (part.triangles.empty()) return;
         auto group = std::make_unique<CarvedPart::Group>();
-        group->cut = !away.triangles.empty();
-        group->part = filum::slice::make_part(std::move(part), notes, hairline);
-        if (group->cut) group->away = filum::slice::make_part(std::move(away), notes, hairline);
+        group->part.part = filum::slice::make_part(std::move(part), notes, hairline);
+        for (mesh::Mesh& body : away) {
+            auto& to = group->away.emplace_back(std::make_unique<CarvedPart::Cut>());
+            to->part = filum::slice::make_part(std::move(body), notes, hairline);
+        }
         out.groups.push_back(std::move(group));
     };
     add(std::move(rest), {});
@@ -121,22 +129,26 @@ CarvedPart carve(const mesh::File& file, double hairline, double step, int threa
 
 void sweep(CarvedPart& carved, const filum::slice::Options& options, const std::vector<Level>& levels, int threads) {
     for (const auto& group : carved.groups) {
-        group->of_part = filum::slice::sweep_over(group->part, options, levels, threads);
-        if (group->cut) group->of_away = filum::slice::sweep_over(group->away, options, levels, threads);
+        group->part.sweep = filum::slice::sweep_over(group->part.part, options, levels, threads);
+        for (const auto& body : group->away)
+            body->sweep = filum::slice::sweep_over(body->part, options, levels, threads);
     }
 }
 
 filum::slice::SlicedChunk cut(const CarvedPart& carved, std::size_t chunk) {
     filum::slice::SlicedChunk out;
     for (const auto& group : carved.groups) {
-        filum::slice::SlicedChunk part = filum::slice::cut(group->of_part, chunk), away;
-        if (group->cut) away = filum::slice::cut(group->of_away, chunk);
+        filum::slice::SlicedChunk part = filum::slice::cut(group->part.sweep, chunk);
         std::ranges::move(part.notes, std::back_inserter(out.notes));
-        std::ranges::move(away.notes, std::back_inserter(out.notes));
+        std::vector<filum::slice::SlicedChunk> away;
+        for (const auto& body : group->away) {
+            away.push_back(filum::slice::cut(body->sweep, chunk));
+            std::ranges::move(away.back().notes, std::back_inserter(out.notes));
+        }
         const bool first = out.layers.empty();
         for (std::size_t i = 0; i < part.layers.size(); ++i) {
             polygon::Layer& layer = part.layers[i];
-            Loops left = contours(*group, layer, group->cut ? &away.layers[i] : nullptr);
+            Loops left = contours(layer, away, i);
             if (first) {
                 layer.contours = std::move(left);
                 out.layers.push_back(std::move(layer));
@@ -151,6 +163,9 @@ filum::slice::SlicedChunk cut(const CarvedPart& carved, std::size_t chunk) {
 
 mesh::Mesh within_heights(mesh::Mesh mesh, const geom::Box3& box) {
     for (geom::Vec3& v : mesh.vertices) v.z = std::clamp(v.z, box.lo.z, box.hi.z);
+    const auto same = [&](std::uint32_t a, std::uint32_t b) { return mesh.vertices[a] == mesh.vertices[b]; };
+    std::erase_if(mesh.triangles,
+                  [&](const mesh::Triangle& t) { return same(t[0], t[1]) || same(t[1], t[2]) || same(t[2], t[0]); });
     return mesh;
 }
 

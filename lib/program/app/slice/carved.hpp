@@ -12,11 +12,15 @@
 namespace filum::app::slice {
 
 struct CarvedPart {
-    // Parts from which the same bodies are cut away.  All parts without negative bodies form one group.
+    struct Cut {
+        filum::slice::Part part;
+        filum::slice::Sweep sweep{}; // refers to `part`
+    };
+    // Parts from which the same bodies are cut away. All parts without negative bodies form one group. Each body is a
+    // solid by itself, whichever way its triangles face and however it meets others.
     struct Group {
-        filum::slice::Part part, away;
-        filum::slice::Sweep of_part, of_away; // refer to `part` and `away`
-        bool cut = false;                     // there are bodies to cut away
+        Cut part;
+        std::vector<std::unique_ptr<Cut>> away;
     };
     std::vector<std::unique_ptr<Group>> groups;
     geom::Box3 box; // of the remaining material, mm
@@ -37,7 +41,8 @@ void sweep(CarvedPart& carved, const filum::slice::Options& options, const std::
 // The layers of one chunk, as slice::cut returns them.
 filum::slice::SlicedChunk cut(const CarvedPart& carved, std::size_t chunk);
 
-// The mesh with all z clamped to the range of the box, so that it has the levels of the remaining material.
+// The mesh with all z clamped to the range of the box, so that it has the levels of the remaining material. Triangles
+// that lose an edge by it are left out.
 mesh::Mesh within_heights(mesh::Mesh mesh, const geom::Box3& box);
 
 } // namespace filum::app::slice
