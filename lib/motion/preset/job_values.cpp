@@ -170,6 +170,44 @@ void set_flush(const Job& job, Settings& to) {
     to.set("retraction_distance_when_ec", Variable::one(to.number("retraction_distances_when_ec", job.first_tool)));
 }
 
+// Sets whether the chamber stays warm for a large print of one layer: its area, volume over height, exceeds that of a
+// square 200 mm wide; on a bed wider than 260 mm, of one 70 mm smaller than the bed.
+void set_flat_print(const Job& job, Settings& to) {
+    constexpr double wide = 260, less = 70, usual = 200, about = 1e-4; // mm
+    const Extent bed = extent(corners(to.texts("printable_area")));
+    const double x = bed.high.x - bed.low.x, y = bed.high.y - bed.low.y;
+    const double side = x > wide && y > wide ? std::max(x, y) - less : usual;
+    double volume = 0;
+    for (const auto& [tool, mm3] : job.volume) volume += mm3;
+    const bool flat = job.height > 0 && job.height < to.number("initial_layer_print_height", 0, 0.2) + about;
+    to.set("hold_chamber_temp_for_flat_print", Variable::one(flat && volume / job.height > side * side));
+}
+
+// Sets what Bambu Studio names a filament, its extruder (from 0) and its nozzle; hotends have the number -1, except
+// those of a printer that chooses them itself.  Further the fastest auxiliary fan, and the most acceleration of the
+// bed, of which Bambu Studio takes the mass on it so far, and Filum that of the whole job, since it is known at the
+// start.
+void set_hotends(const Job& job, double extruder, std::size_t nozzles, Settings& to) {
+    for (const char* name : {"initial_filament_id", "initial_no_support_filament_id", "current_filament_id"})
+        to.set(name, Variable::one(whole_value(job.first_tool)));
+    for (const char* name : {"initial_extruder_id", "initial_no_support_extruder_id", "current_extruder_id",
+                             "initial_nozzle_id", "initial_no_support_nozzle_id", "current_nozzle_id"})
+        to.set(name, Variable::one(whole_value(extruder)));
+    for (const char* name : {"initial_no_support_hotend", "current_hotend"})
+        to.set(name, Variable::one(whole_value(-1)));
+    to.set("first_non_support_hotend", Variable::many(std::vector<Value>(nozzles, whole_value(-1))));
+    if (const Variable* found = to.find("nozzle_diameter")) to.set("nozzle_diameter_at_nozzle_id", *found);
+    to.set("clear_to_x0", Variable::one(false));
+    double fan = 0, grams = 0;
+    for (const std::uint32_t tool : job.tools) fan = std::max(fan, to.number("additional_cooling_fan_speed", tool));
+    to.set("max_additional_fan", Variable::one(fan));
+    for (const auto& [tool, mm3] : job.volume) grams += mm3 / 1000 * to.number("filament_density", tool);
+    const double force = to.number("machine_max_force_Y") * 1e6, bed = to.number("machine_bed_mass_Y"); // g mm/s2, g
+    const double most = to.number("machine_max_acceleration_y");
+    const double limit = force > 0 && bed > 0 && grams > 0 ? std::min(most, force / (bed + grams)) : most;
+    to.set("curr_y_acceleration_limit", Variable::one(limit));
+}
+
 // Sets the values that newer versions of Bambu Studio compute (GCode.cpp of version 2).
 void set_bambu(const Job& job, Settings& to) {
     const auto has = [&](const char* key, const char* value) {
@@ -196,9 +234,13 @@ void set_bambu(const Job& job, Settings& to) {
     for (const char* name :
          {"first_filaments", "first_tools", "first_non_support_filaments", "first_non_support_tools"})
         to.set(name, Variable::many(first));
+    set_hotends(job, extruder, nozzles, to);
     for (const char* name : {"most_used_physical_extruder_id", "curr_physical_extruder_id"})
         to.set(name, Variable::one(whole_value(nozzle)));
     to.set("has_timelapse_safe_pos", Variable::one(false));
+    to.set("wipe_tower_center_pos_valid", Variable::one(false)); // Filum prints no such tower
+    for (const char* name : {"wipe_tower_center_pos_x", "wipe_tower_center_pos_y"}) to.set(name, Variable::one(0.0));
+    set_flat_print(job, to);
     for (const char* name : {"timelapse_pos_x", "timelapse_pos_y"}) to.set(name, Variable::one(whole_value(0)));
 }
 

@@ -196,9 +196,16 @@ TEST(PresetProgram, NamesOfBambuStudio) {
          {"; {first_filaments[0]} {first_filaments[1]} {first_tools[0]} {first_non_support_tools[1]} "
           "{curr_physical_extruder_id}\n; {max_print_z} {min_vitrification_temperature} {is_all_bbl_filament} "
           "{has_tpu_in_first_layer} {has_timelapse_safe_pos} {timelapse_pos_x}\n; "
-          "{nozzle_temperature_initial_layer[first_filaments[0]]}\nM190 S50\nM109 S220"}},
+          "{nozzle_temperature_initial_layer[first_filaments[0]]}\n; {initial_filament_id} {initial_nozzle_id} "
+          "{nozzle_diameter_at_nozzle_id[initial_nozzle_id]} {current_hotend} {first_non_support_hotend[1]} "
+          "{max_additional_fan} {curr_y_acceleration_limit}\nM190 S50\nM109 S220"}},
         {"gcode_flavor", {"marlin2"}},
-        {"nozzle_diameter", {"0.4", "0.4"}},
+        {"nozzle_diameter", {"0.4", "0.6"}},
+        {"additional_cooling_fan_speed", {"70", "30"}},
+        {"machine_max_acceleration_y", {"12000"}},
+        {"machine_max_force_Y", {"10"}},
+        {"machine_bed_mass_Y", {"2000"}},
+        {"filament_density", {"1.25", "1.25"}},
         {"physical_extruder_map", {"1", "0"}},
         {"filament_map", {"1", "2"}},
         {"filament_vendor", {"Bambu Lab", "Other"}},
@@ -210,12 +217,44 @@ TEST(PresetProgram, NamesOfBambuStudio) {
     job.first_layer = {{100, 100}, {120, 100}, {120, 110}};
     job.height = 12.4;
     job.tools = {0};
+    job.volume = {{0U, 400'000}}; // 500 g
     std::string start = preset::Program(bambu, job).start();
-    EXPECT_NE(start.find("; -1 0 -1 0 1\n; 13 45 true false false 0\n; 220\n"), std::string::npos) << start;
+    EXPECT_NE(start.find("; -1 0 -1 0 1\n; 13 45 true false false 0\n; 220\n; 0 0 0.4 -1 -1 70 4000\n"),
+              std::string::npos)
+        << start;
     job.tools = {1};
     job.first_tool = 1;
     start = preset::Program(bambu, job).start();
-    EXPECT_NE(start.find("; 1 -1 1 -1 0\n; 13 30 false true false 0\n; 230\n"), std::string::npos) << start;
+    EXPECT_NE(start.find("; 1 -1 1 -1 0\n; 13 30 false true false 0\n; 230\n; 1 1 0.6 -1 -1 30 4000\n"),
+              std::string::npos)
+        << start;
+}
+
+// A print of one layer keeps the chamber warm if it is larger than a square of 200 mm, on large beds than one that is
+// 70 mm smaller than the bed.
+TEST(PresetProgram, LargeFlatPrintsOfBambuStudio) {
+    for (const double bed : {200.0, 256.0, 260.0, 300.0, 400.0})
+        for (const double share : {0.9, 1.1})
+            for (const double height : {0.2, 0.4}) {
+                preset::Preset bambu;
+                bambu.slicer = "bambu";
+                const std::string far = std::to_string(bed);
+                bambu.settings = {{"machine_start_gcode",
+                                   {"; {hold_chamber_temp_for_flat_print} {wipe_tower_center_pos_valid} "
+                                    "{wipe_tower_center_pos_x}\nM190 S50\nM109 S220"}},
+                                  {"gcode_flavor", {"marlin2"}},
+                                  {"nozzle_diameter", {"0.4"}},
+                                  {"initial_layer_print_height", {"0.2"}},
+                                  {"printable_area", {"0x0", far + "x0", far + "x" + far, "0x" + far}}};
+                preset::Job job;
+                job.height = height;
+                const double side = bed > 260 ? bed - 70 : 200;
+                job.volume = {{0U, share * side * side * height}};
+                const bool flat = height < 0.3 && share > 1;
+                const std::string start = preset::Program(bambu, job).start();
+                EXPECT_NE(start.find(std::string(flat ? "; true" : "; false") + " false 0\n"), std::string::npos)
+                    << start << bed << " " << share << " " << height;
+            }
 }
 
 } // namespace
