@@ -9,6 +9,9 @@ namespace filum::sequence {
 
 namespace {
 constexpr std::uint64_t kPivot = 8; // steps of a pivot per row and column
+// By how much less the highest link costs than the lowest in a first solution. Any small number does: it decides
+// between solutions of nearly the same value.
+constexpr double kHigher = 0.01;
 } // namespace
 
 Index proven_unused(std::size_t links, const std::vector<Inequality>& cuts, std::span<const double> prices) {
@@ -30,14 +33,18 @@ struct Cover::Program {
     std::vector<Inequality> cuts; // row i + 1 each
     std::vector<double> unused;
     std::uint64_t work = 0;
+    bool exact = false;
 
     explicit Program(std::size_t links) : lp(glp_create_prob()), unused(links, 0) {
         glp_set_obj_dir(lp, GLP_MIN);
         if (links > 0) glp_add_cols(lp, static_cast<int>(links));
-        for (int a = 1; a <= static_cast<int>(links); ++a) {
-            glp_set_col_bnds(lp, a, GLP_DB, 0, 1);
-            glp_set_obj_coef(lp, a, 1);
-        }
+        for (int a = 1; a <= static_cast<int>(links); ++a) glp_set_col_bnds(lp, a, GLP_DB, 0, 1);
+        price(kHigher);
+    }
+    // Sets the costs of unused links: 1 for the lowest, `higher` less for the highest.
+    void price(double higher) const {
+        for (int a = 1; a <= static_cast<int>(unused.size()); ++a)
+            glp_set_obj_coef(lp, a, 1 - higher * a / static_cast<double>(unused.size()));
     }
     [[nodiscard]] std::vector<double> prices() const;
     ~Program() { glp_delete_prob(lp); }
@@ -50,6 +57,12 @@ Cover::~Cover() = default;
 
 const std::vector<double>& Cover::unused() const { return p_->unused; }
 std::uint64_t Cover::work() const { return p_->work; }
+bool Cover::is_exact() const { return p_->exact; }
+
+void Cover::make_exact() {
+    p_->exact = true;
+    p_->price(0);
+}
 
 void Cover::add(std::vector<Inequality> cuts) {
     if (cuts.empty()) return;

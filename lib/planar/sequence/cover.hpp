@@ -13,7 +13,9 @@ namespace filum::sequence {
 Index proven_unused(std::size_t links, const std::vector<Inequality>& cuts, std::span<const double> prices);
 
 // Minimises the sum of unused[a] over the links, 0 <= unused[a] <= 1, subject to cuts, which are added step by step
-// (dual simplex method of the GNU Linear Programming Kit).
+// (dual simplex method of the GNU Linear Programming Kit). Very many solutions have the same value. So at first higher
+// links, which have higher numbers, cost a little less: of stretches that overlap, a break at the head of the lowest
+// one breaks the most. Without that, solutions move such a break from link to link, and each costs a cut.
 class Cover {
   public:
     explicit Cover(std::size_t links);
@@ -22,6 +24,9 @@ class Cover {
     Cover& operator=(const Cover&) = delete;
 
     void add(std::vector<Inequality> cuts);
+    // From now on all links cost the same.
+    void make_exact();
+    [[nodiscard]] bool is_exact() const;
     // Solves again. False if `budget` steps are not enough.
     bool solve(std::uint64_t budget);
     [[nodiscard]] const std::vector<double>& unused() const;

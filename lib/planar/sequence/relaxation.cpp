@@ -54,7 +54,8 @@ struct Relaxation::Program {
     }
     [[nodiscard]] std::uint64_t work() const { return before + cuts->work() + cover.work(); }
 
-    // Adds violated cuts; if there are none, those of columns along the current solution.
+    // Adds violated cuts; if there are none, those of columns along the current solution. If there are none of these,
+    // makes the costs exact.
     void cut(std::uint64_t budget) {
         auto more = cuts->violated(cover.unused());
         if (more.empty()) {
@@ -63,6 +64,7 @@ struct Relaxation::Program {
             cuts.emplace(g, columns, budget);
             more = cuts->violated(cover.unused());
         }
+        if (more.empty() && !cover.is_exact()) return cover.make_exact();
         done = more.empty();
         cover.add(std::move(more));
     }
