@@ -30,6 +30,20 @@ double entries(double segments, double length, double margin, double cell) {
     return (length / cell + 2 * segments) * (2 * margin / cell + 2);
 }
 
+std::vector<std::uint32_t> marked_numbers(std::span<const char> marked) {
+    std::vector<std::uint32_t> out;
+    for (std::uint32_t i = 0; i < marked.size(); ++i)
+        if (marked[i] != 0) out.push_back(i);
+    return out;
+}
+
+std::vector<Segment> chosen(std::span<const Segment> all, std::span<const std::uint32_t> numbers) {
+    std::vector<Segment> out;
+    out.reserve(numbers.size());
+    for (const std::uint32_t i : numbers) out.push_back(all[i]);
+    return out;
+}
+
 } // namespace
 
 double cell_for(std::span<const Segment> segments, double least) {
@@ -68,29 +82,37 @@ SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell, double 
 
     // Counts the items of each cell, then sums to the end of each cell; inserting an item moves that down to the
     // cell's start.
-    std::vector<std::uint32_t> only(segments.size()); // the cell of a segment in one cell, as most are
+    std::vector<std::uint32_t> found, first(segments.size()); // the cells of all segments; the first one of each
+    found.reserve(3 * segments.size());                       // most segments are in two cells or three
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        std::uint32_t cells = 0;
+        first[i] = static_cast<std::uint32_t>(found.size());
         cells_of(segments[i], margin, [&](unsigned x, unsigned y) {
             const std::size_t c = number_in(start_, x, y);
             ++start_[c];
-            only[i] = cells++ == 0 ? static_cast<std::uint32_t>(c) : kNone;
+            found.push_back(static_cast<std::uint32_t>(c));
         });
     }
     for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
     item_.resize(start_.back());
-    for (auto i = static_cast<std::uint32_t>(segments.size()); i-- > 0;) {
-        if (only[i] != kNone)
-            item_[--start_[only[i]]] = i;
-        else
-            cells_of(segments[i], margin, [&](unsigned x, unsigned y) { item_[--start_[number(x, y)]] = i; });
-    }
+    for (auto i = static_cast<std::uint32_t>(segments.size()); i-- > 0;)
+        for (; found.size() > first[i]; found.pop_back()) item_[--start_[found.back()]] = i;
 }
 
 SegmentPairs::SegmentPairs(std::span<const Segment> segments, double cell, double margin)
     : CellBlocks(segments, cell, margin), segments_(segments), margin_(margin), last_(kSide * kSide + 1, 0),
       entries_(1), met_(segments.size(), kNone) {
     entries_.reserve(3 * segments.size()); // most segments are in two cells or three
+}
+
+MarkedSegments::MarkedSegments(std::span<const Segment> all, std::span<const char> marked, double least, double margin)
+    : all_(all), marked_(marked.begin(), marked.end()), number_(marked_numbers(marked)),
+      segments_(chosen(all, number_)), grid_(segments_, cell_for(segments_, least), margin) {
+    const double more = margin + 1e-9 * least; // as in cells_of()
+    for (const Segment& s : segments_)
+        for (const Vec2 p : {s.a, s.b}) {
+            box_.add(p - Vec2{more, more});
+            box_.add(p + Vec2{more, more});
+        }
 }
 
 } // namespace filum::geom

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace filum::geom {
@@ -153,6 +154,46 @@ class SegmentPairs : private CellBlocks {
     std::vector<std::uint32_t> last_; // per cell: its last entry; 0: none
     std::vector<Entry> entries_;      // the first one is not used
     std::vector<std::uint32_t> met_;  // per segment: the last one that it was reported for
+};
+
+// Some of many segments: finds those that may meet another one. Costs little where they are few.
+class MarkedSegments {
+  public:
+    // `marked`: per segment, whether it is one of them. `least`: mm, of a cell, as in cell_for().
+    MarkedSegments(std::span<const Segment> all, std::span<const char> marked, double least, double margin = 0);
+
+    // Calls f(i, k), i < k, once for every pair of segments that share a cell, if one of them is marked.
+    template <class F>
+    void pairs(F&& f) const {
+        std::vector<std::uint32_t> met(number_.size(), ~std::uint32_t{0}); // per marked one: the last that met it
+        for (std::uint32_t k = 0; k < all_.size(); ++k) {
+            if (!meet(box_, bounds_of(all_[k]))) continue;
+            grid_.along(all_[k].a, all_[k].b, [&](std::uint32_t m) {
+                const std::uint32_t i = number_[m];
+                if (std::exchange(met[m], k) == k) return;
+                if (i < k)
+                    f(i, k);
+                else if (i > k && marked_[k] == 0) // else i meets k in its turn
+                    f(k, i);
+            });
+        }
+    }
+    // Calls f(i) for every marked segment that shares a cell with the segment p-q, possibly several times.
+    template <class F>
+    void along(Vec2 p, Vec2 q, F&& f) const {
+        grid_.along(p, q, [&](std::uint32_t m) { f(number_[m]); });
+    }
+
+  private:
+    static Box2 bounds_of(const Segment& s) {
+        return {{std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y)}, {std::max(s.a.x, s.b.x), std::max(s.a.y, s.b.y)}};
+    }
+    std::span<const Segment> all_;
+    std::vector<char> marked_;
+    std::vector<std::uint32_t> number_; // of each marked one
+    std::vector<Segment> segments_;     // these
+    Box2 box_;                          // of these, and a margin
+    SegmentGrid grid_;
 };
 
 template <class F>

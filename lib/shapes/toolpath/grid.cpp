@@ -122,21 +122,26 @@ void put_on_grid(Curve& curve) {
     curve = std::move(out);
 }
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_pairs(const std::vector<Curve>& curves, double cell) {
+std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_pairs(const std::vector<Curve>& curves, double cell,
+                                                                    std::span<const char> fresh) {
     const std::vector<geom::Segment> all = segments_of(curves);
-    geom::SegmentPairs pairs(all, geom::cell_for(all, cell));
     Pairs out;
-    for (std::uint32_t j = 0; j < all.size(); ++j)
-        pairs.add(j, [&](std::uint32_t i) {
-            if (geom::cross_properly(all[i].a, all[i].b, all[j].a, all[j].b)) out.emplace_back(i, j);
-        });
+    const auto compare = [&](std::uint32_t i, std::uint32_t j) {
+        if (geom::cross_properly(all[i].a, all[i].b, all[j].a, all[j].b)) out.emplace_back(i, j);
+    };
+    if (fresh.empty()) {
+        geom::SegmentPairs pairs(all, geom::cell_for(all, cell));
+        for (std::uint32_t j = 0; j < all.size(); ++j) pairs.add(j, [&](std::uint32_t i) { compare(i, j); });
+    } else {
+        geom::MarkedSegments(all, fresh, cell).pairs(compare);
+    }
     std::sort(out.begin(), out.end());
     return out;
 }
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> part_crossings(std::vector<Curve>& curves, double cell,
-                                                                    std::optional<Vec2> fixed) {
-    Pairs left = crossing_pairs(curves, cell);
+std::vector<std::pair<std::uint32_t, std::uint32_t>>
+part_crossings(std::vector<Curve>& curves, double cell, std::optional<Vec2> fixed, std::span<const char> fresh) {
+    Pairs left = crossing_pairs(curves, cell, fresh);
     if (left.empty()) return left;
     const std::vector<Vec2> offsets = all_offsets();
     // a point that could not be moved may be free after another one was moved
@@ -145,7 +150,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> part_crossings(std::vector<
         SegmentIndex net(curves, cell);
         for (const auto& [i, j] : left)
             if (net.cross(i, j)) net.separate(i, j, offsets, fixed);
-        left = crossing_pairs(curves, cell);
+        left = crossing_pairs(curves, cell, fresh);
     }
     return left;
 }

@@ -26,8 +26,10 @@ std::vector<geom::Segment> segments_of(std::span<const Curve> curves);
 
 // Pairs (i, j), i < j, of segments that cross properly: each goes from one side of the other to the other side.
 // Segments are numbered as in segments_of(). Ascending. `cell`: mm, about the
-// length of a segment or the distance between lines; affects only the speed.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_pairs(const std::vector<Curve>& curves, double cell);
+// length of a segment or the distance between lines; affects only the speed. `fresh`: per segment; only pairs with a
+// fresh segment count, and the cost is small where these are few. Empty: all are.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_pairs(const std::vector<Curve>& curves, double cell,
+                                                                    std::span<const char> fresh = {});
 
 // mm: the greatest displacement of a point that resolves a crossing: an acceptable error of the edges of beads.
 inline constexpr double kMostMoved = 0.01;
@@ -35,9 +37,10 @@ inline constexpr double kMostMoved = 0.01;
 // Resolves crossings: of two crossing segments one end is moved to the nearest place of the grid, at most kMostMoved
 // away, where none of its segments crosses anything, if there is one. Lines that nearly touch cross after rounding to
 // the grid, and then a micrometre is enough. Points must be on the grid, and stay on it; points at `fixed` are not
-// moved. `cell`: as above. Returns the remaining pairs. Ties: offsets by x, then y; the end that is nearer to the
-// other segment, then the first.
+// moved. `cell`, `fresh`: as above. Returns the remaining pairs. Ties: offsets by x, then y; the end that is nearer to
+// the other segment, then the first.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> part_crossings(std::vector<Curve>& curves, double cell,
-                                                                    std::optional<Vec2> fixed = std::nullopt);
+                                                                    std::optional<Vec2> fixed = std::nullopt,
+                                                                    std::span<const char> fresh = {});
 
 } // namespace filum::toolpath

@@ -99,34 +99,46 @@ bool crossed_before(const Line& l, const Tangle& a, const Tangle& b) {
     return false;
 }
 
+// Per chord whether its move differs from the line: it replaces other than one segment, or bends. Moves that do not can
+// only cross each other where the line does, or where rounding decides.
+std::vector<char> changed(const Line& line, std::span<const Move> moves, std::span<const std::uint32_t> begins,
+                          const Chords& chords) {
+    std::vector<char> out;
+    out.reserve(chords.move.size());
+    for (const std::uint32_t m : chords.move) {
+        const std::uint32_t end = m + 1 < begins.size() ? begins[m + 1] : line.size() - 1;
+        out.push_back(moves[m].sweep != 0 || end != begins[m] + 1 ? 1 : 0);
+    }
+    return out;
+}
+
 } // namespace
 
 std::vector<Tangle> tangles(const Line& line, std::span<const Move> moves, std::span<const std::uint32_t> begins,
                             std::span<const geom::Segment> others, double grid) {
     std::vector<Tangle> out;
+    const bool arcs = std::any_of(moves.begin(), moves.end(), [](const Move& m) { return m.sweep != 0; });
+    if (!arcs && moves.size() + 1 == line.size()) return out; // the line itself
     const Chords all = chords(line.points.front().xy(), moves, grid);
-    const auto n = static_cast<std::uint32_t>(all.segments.size());
-    if (n < 3 && others.empty()) return out;
     // The range of the line that a move replaces: from the point at or before its start to the one at or after its
     // end.
     const auto range = [&](std::uint32_t m) {
         const std::uint32_t end = m + 1 < begins.size() ? begins[m + 1] : line.size() - 2;
         return Tangle{begins[m], std::min(std::max(end, begins[m]), line.size() - 2)};
     };
-    const bool arcs = std::any_of(moves.begin(), moves.end(), [](const Move& m) { return m.sweep != 0; });
-    geom::SegmentPairs pairs(all.segments, geom::cell_for(all.segments, kLeastMove), arcs ? 2 * kSagitta : 0);
-    for (std::uint32_t k = 0; k < n; ++k)
-        pairs.add(k, [&](std::uint32_t i) {
-            const Move &m = moves[all.move[i]], &n = moves[all.move[k]];
-            if (k == i + 1 && ((m.sweep == 0 && n.sweep == 0) || all.move[i] == all.move[k])) return;
-            if (!cross(all.segments[i], m, all.segments[k], n)) return;
-            const Tangle one = range(all.move[i]), other = range(all.move[k]);
-            if (crossed_before(line, one, other)) return;
-            out.push_back(one);
-            out.push_back(other);
-        });
+    const geom::MarkedSegments near(all.segments, changed(line, moves, begins, all), kLeastMove,
+                                    arcs ? 2 * kSagitta : 0);
+    near.pairs([&](std::uint32_t i, std::uint32_t k) {
+        const Move &m = moves[all.move[i]], &n = moves[all.move[k]];
+        if (k == i + 1 && ((m.sweep == 0 && n.sweep == 0) || all.move[i] == all.move[k])) return;
+        if (!cross(all.segments[i], m, all.segments[k], n)) return;
+        const Tangle one = range(all.move[i]), other = range(all.move[k]);
+        if (crossed_before(line, one, other)) return;
+        out.push_back(one);
+        out.push_back(other);
+    });
     for (const geom::Segment& s : others)
-        pairs.along(s.a, s.b, [&](std::uint32_t k) {
+        near.along(s.a, s.b, [&](std::uint32_t k) {
             const geom::Segment other{rounded(s.a, grid), rounded(s.b, grid)};
             if (!cross(all.segments[k], moves[all.move[k]], other, {})) return;
             if (const Tangle one = range(all.move[k]); !crossed_before(line, one, s)) out.push_back(one);

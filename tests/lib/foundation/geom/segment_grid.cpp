@@ -65,4 +65,35 @@ TEST(SegmentPairs, FindsEveryNearPairOnce) {
         }
 }
 
+// Pairs with a marked segment are found once, as all others are not; none that is near is missing.
+TEST(MarkedSegments, FindEveryNearPairOfTheirsOnce) {
+    std::mt19937 random(3);
+    for (const double longest : {1.0, 1e3, 1e8})
+        for (const double margin : {0.0, 0.4})
+            for (const unsigned rare : {1U, 4U, 1000U}) {
+                const auto segments = random_segments(random, longest);
+                std::vector<char> marked;
+                for (std::size_t i = 0; i < segments.size(); ++i) marked.push_back(random() % rare == 0 ? 1 : 0);
+                const MarkedSegments some(segments, marked, 0.4, margin);
+                std::set<std::pair<std::uint32_t, std::uint32_t>> found;
+                some.pairs([&](std::uint32_t i, std::uint32_t k) {
+                    EXPECT_TRUE(i < k && (marked[i] != 0 || marked[k] != 0) && found.emplace(i, k).second);
+                });
+                for (std::uint32_t k = 0; k < segments.size(); ++k) {
+                    std::set<std::uint32_t> along;
+                    some.along(segments[k].a, segments[k].b, [&](std::uint32_t i) {
+                        EXPECT_TRUE(marked[i] != 0);
+                        along.insert(i);
+                    });
+                    for (std::uint32_t i = 0; i < segments.size(); ++i) {
+                        const Segment &s = segments[i], &t = segments[k];
+                        const bool near = segment_distance(s.a, s.b, t.a, t.b) <= margin;
+                        const bool any = marked[i] != 0 || marked[k] != 0;
+                        EXPECT_TRUE(i >= k || !near || !any || found.contains({i, k})) << i << " " << k;
+                        EXPECT_TRUE(!near || marked[i] == 0 || along.contains(i)) << i << " " << k;
+                    }
+                }
+            }
+}
+
 } // namespace
