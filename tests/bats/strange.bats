@@ -20,3 +20,15 @@ load common
 @test "a field of stresses comes back from every form in which it is written" {
     "$FILUM_SOURCE/tests/parts/strange-stresses" 0 23
 }
+
+@test "streams as another program may send them are used as they are meant, or refused" {
+    local python
+    for python in python3 /usr/bin/python3; do # Debian's knows protobuf
+        "$python" -c 'import google.protobuf, numpy' 2> /dev/null && break
+        python=
+    done
+    [[ -n $python ]] || skip "no python3-protobuf, python3-numpy"
+    for kind in loops crossings numbers spacings texts; do
+        "$python" "$FILUM_SOURCE/tests/parts/strange-streams" "$kind" 0 5
+    done
+}
