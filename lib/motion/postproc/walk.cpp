@@ -253,19 +253,22 @@ void Walk::put_bead(const Step& step, const Vec3& from) {
     run_ += step.length;
 }
 
-void Walk::extrude(const toolpath::Span& span) {
-    const bool other_layer = static_cast<std::int64_t>(span.layer) != layer_;
-    const double highest_z = other_layer ? highest(span) : 0;
-    if (other_layer)
+// Begins the span's layer and stroke, if they are new, and does what comes before its first bead.
+void Walk::begin_span(const toolpath::Span& span) {
+    if (static_cast<std::int64_t>(span.layer) != layer_)
         put({.act = Act::layer,
              .role = span.role,
              .layer = span.layer,
-             .to = {at_.x, at_.y, highest_z},
+             .to = {at_.x, at_.y, highest(span)},
              .height = span.height_at(0),
              .tool = tool_});
     if (!open_) begin_stroke(span);
     if (before() != Act::extrude) put({.act = before(), .layer = span.layer, .to = at_, .tool = tool_});
     layer_ = span.layer;
+}
+
+void Walk::extrude(const toolpath::Span& span) {
+    begin_span(span);
     toolpath::MergeResult own_moves;
     if (known() == nullptr) own_moves = merged(*profile_, span, joins_);
     const toolpath::MergeResult& moves = known() != nullptr ? *known() : own_moves;

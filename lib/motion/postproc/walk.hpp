@@ -166,6 +166,7 @@ class Walk final : public Walker {
     void travel(const toolpath::Span& span) override;
     void leave(const toolpath::Span& travel);
     void go(const Vec3& to, const toolpath::Span& travel);
+    void begin_span(const toolpath::Span& span);
     void begin_stroke(const toolpath::Span& span);
     void purge(std::uint32_t layer, const Vec3& over);
     void extrude(const toolpath::Span& span) override;

@@ -34,7 +34,6 @@ struct Text {
         if (t.starts_with("\xef\xbb\xbf")) at += 3; // byte order mark
     }
 
-    [[nodiscard]] bool at_end() const { return at == end; }
     // The number of the cursor's line, from 1.  Counts from the start each time, so it is only for messages.
     [[nodiscard]] std::size_t line() const {
         std::size_t n = 1;

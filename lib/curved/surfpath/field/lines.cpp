@@ -13,7 +13,6 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kHalfTurn = std::numbers::pi;
 constexpr double kInside = 1e-6; // share of an edge: crossings come no nearer to its ends
 
 // A crossing of a line with an edge. Crossings of an edge are in the order of the half-edge from its vertex of lower
@@ -57,8 +56,8 @@ class Tracer {
         const double from = std::arg(stripes_.phase[a]), to = from + grown;
         const double low = std::min(from, to), high = std::max(from, to);
         const auto begin = found_.size();
-        for (double k = std::ceil(low / kHalfTurn - 0.5); (k + 0.5) * kHalfTurn < high; ++k) {
-            const double share = std::clamp(((k + 0.5) * kHalfTurn - from) / grown, kInside, 1 - kInside);
+        for (double k = std::ceil(low / std::numbers::pi - 0.5); (k + 0.5) * std::numbers::pi < high; ++k) {
+            const double share = std::clamp(((k + 0.5) * std::numbers::pi - from) / grown, kInside, 1 - kInside);
             found_.push_back({h, s_.vertices[a] + share * (s_.vertices[b] - s_.vertices[a]), {kNone, kNone}, {}});
         }
         if (ahead != (grown > 0)) std::reverse(found_.begin() + static_cast<std::ptrdiff_t>(begin), found_.end());

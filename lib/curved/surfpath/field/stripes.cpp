@@ -18,12 +18,11 @@ using sparse::Matrix;
 using surface::kNone;
 using Vector = Eigen::VectorXd; // real and imaginary part for each vertex
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kMost =
     100; // largest squared slope integrated over a triangle, so that slivers do not outweigh the rest
 // rad: initial phase between that of a line and that of the middle between lines, so that a patch can have an odd or an
 // even number of lines.
-constexpr double kBegin = kPi / 4;
+constexpr double kBegin = std::numbers::pi / 4;
 constexpr double kPairWide = 3;      // spacings: width of a pair of births, as one gap becomes three
 constexpr double kDear = 4;          // factor of the cost of slopes at a place that repels births
 constexpr double kShortest = 0.25;   // spacings squared: shortest time of diffusion
@@ -206,7 +205,7 @@ Stripes with_growth(const Surface& s, const Cells& cells, std::span<const Vec3> 
 // The stripes whose angle grows by w[v] rad/mm across the directions at vertex v, as nearly as possible.
 Stripes at_frequency(const Surface& s, const Cells& cells, std::span<const Vec3> along, std::span<const double> w,
                      const StripeOptions& o) {
-    const Complex everywhere = std::polar(1.0, kBegin + kPi * o.shift);
+    const Complex everywhere = std::polar(1.0, kBegin + std::numbers::pi * o.shift);
     std::vector<Vector> psis{initial_phase(s.vertices.size(), everywhere, {})};
     if (!o.like.empty()) psis.push_back(initial_phase(s.vertices.size(), everywhere, o.like));
     PhaseDiffusion diffusion(s, cells, along, w, o);
@@ -219,7 +218,7 @@ Stripes at_frequency(const Surface& s, const Cells& cells, std::span<const Vec3>
 
 Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> along, const StripeOptions& o) {
     std::vector<double> w = frequencies(s, cells, along, o.change);
-    for (double& f : w) f *= kPi / o.spacing;
+    for (double& f : w) f *= std::numbers::pi / o.spacing;
     return at_frequency(s, cells, along, w, o);
 }
 
@@ -237,14 +236,14 @@ static std::optional<double> winding(const Surface& s, const Stripes& stripes, s
 
 bool singular(const Surface& s, const Stripes& stripes, std::uint32_t triangle) {
     const auto turns = winding(s, stripes, triangle);
-    return !turns || std::abs(*turns) > kPi;
+    return !turns || std::abs(*turns) > std::numbers::pi;
 }
 
 std::vector<Vec3> births(const Surface& s, const Stripes& stripes) {
     std::vector<Vec3> out;
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const auto turns = winding(s, stripes, t);
-        if (turns && std::abs(*turns) > kPi) out.push_back(middle(s, t));
+        if (turns && std::abs(*turns) > std::numbers::pi) out.push_back(middle(s, t));
     }
     return out;
 }

@@ -3,6 +3,7 @@
 #include "parallel/parallel.hpp"
 #include "surfpath/plan/path_segments.hpp"
 #include "surfpath/plan/samples.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +15,10 @@ namespace filum::surfpath::plan {
 
 namespace {
 
-constexpr double kPart = 1.0 / 3;       // widths between sample points
-constexpr double kMissing = 0.01;       // share of the surface above which missing beads are reported in a note
-constexpr double kTold = 0.04;          // share of the surface above which voids, or overlap, are reported in a note
-constexpr double kSought = 4;           // widths: largest distance at which the nearest line of a void is searched
-constexpr double kHeap = 3;             // widths: side of the cubes in which overlap is summed to find its worst place
-constexpr std::size_t kTriangles = 256; // triangles per task
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kPart = 1.0 / 3; // widths between sample points
+constexpr double kTold = 0.04;    // share of the surface above which voids, or overlap, are reported in a note
+constexpr double kSought = 4;     // widths: largest distance at which the nearest line of a void is searched
+constexpr double kHeap = 3;       // widths: side of the cubes in which overlap is summed to find its worst place
 
 struct CoverageSums {
     double surface = 0, covered = 0, missing = 0;
@@ -77,14 +75,14 @@ Vec3 widest_void(const std::vector<Sample>& voids, const PathSegments& lines, do
     double worst = -1;
     Vec3 at;
     for (const Sample& b : voids) {
-        double least = kFar;
-        for (double reach = width; least == kFar && reach <= kSought * width; reach *= 2)
+        double least = rules::kUnreached;
+        for (double reach = width; least == rules::kUnreached && reach <= kSought * width; reach *= 2)
             lines.near(b.p, b.normal, reach, [&](const PathSegment&, double off) { least = std::min(least, off); });
         if (least > worst) {
             worst = least;
             at = b.p;
         }
-        if (worst == kFar) break;
+        if (worst == rules::kUnreached) break;
     }
     return at;
 }
@@ -109,15 +107,16 @@ Coverage cover(const Surface& s, const Plan& plan, double width, std::uint32_t p
     const PathSegments lines(s, plan);
     const double widest = widest_bead(plan, width);
     const std::size_t count = std::min<std::size_t>(part, s.triangles.size());
-    std::vector<CoverageSums> parts((count + kTriangles - 1) / kTriangles);
-    parallel::for_chunks(count, kTriangles, 0, [&](std::size_t begin, std::size_t end) {
+    std::vector<CoverageSums> parts((count + rules::kTrianglesAtOnce - 1) / rules::kTrianglesAtOnce);
+    parallel::for_chunks(count, rules::kTrianglesAtOnce, 0, [&](std::size_t begin, std::size_t end) {
         std::vector<double> arcs;
         std::vector<Sample> room;
         std::vector<const PathSegment*> in_box;
         for (std::size_t t = begin; t < end; ++t)
             each_few(s, static_cast<std::uint32_t>(t), kPart * width, room, [&](std::span<const Sample> few) {
                 lines.in_box(geom::grown(box_of(few), widest / 2), few[0].normal, in_box);
-                for (const Sample& p : few) judge(p, lines, in_box, width, parts[begin / kTriangles], arcs);
+                for (const Sample& p : few)
+                    judge(p, lines, in_box, width, parts[begin / rules::kTrianglesAtOnce], arcs);
             });
     });
     CoverageSums sum;
@@ -138,7 +137,8 @@ void report_coverage(const Surface& s, Plan& plan, double width, std::uint32_t p
     plan.facts.push_back({"", "bare", c.missing, "mm2"});
     plan.facts.push_back({"", "uncovered", c.voids(), "mm2"});
     plan.facts.push_back({"", "laid-twice", c.overlap(), "mm2"});
-    if (c.missing > kMissing * c.surface) plan.notes.push_back(note(NoteCode::no_line_near, c.missing, c.widest));
+    if (c.missing > rules::kReported * c.surface)
+        plan.notes.push_back(note(NoteCode::no_line_near, c.missing, c.widest));
     if (c.voids() > kTold * c.surface) plan.notes.push_back(note(NoteCode::area_bare, c.voids(), c.widest));
     if (c.overlap() > kTold * c.surface) plan.notes.push_back(note(NoteCode::area_doubled, c.overlap(), c.thickest));
 }

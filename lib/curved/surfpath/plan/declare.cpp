@@ -3,6 +3,7 @@
 #include "geom/polyline.hpp"
 #include "surface/curve/turns.hpp"
 #include "surface/curve/walk.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -10,9 +11,6 @@
 namespace filum::surfpath::plan {
 
 namespace {
-
-// least radii: turns up to here are marked, so that rounding does not decide about turns of just the least radius
-constexpr double kSurely = 1.02;
 
 // The stroke as one line without repeated places.
 Line joined(const Stroke& stroke) {
@@ -77,7 +75,7 @@ TightTurns mark_tight_turns(const Surface& s, Plan& plan, const TurnLimits& o) {
                 out.at = curve::at(line, arcs, t.at).point;
             }
         }
-        const auto marked = curve::tight_turns(points, normals, kSurely * o.radius, reach);
+        const auto marked = curve::tight_turns(points, normals, rules::kSurely * o.radius, reach);
         stroke.sections.clear();
         double done = 0;
         for (const Interval& r : widened(marked, o.beside, arcs.back())) {

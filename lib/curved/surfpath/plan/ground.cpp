@@ -2,6 +2,7 @@
 
 #include "surface/curve/strip.hpp"
 #include "surface/curve/walk.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -10,9 +11,7 @@ namespace filum::surfpath::plan {
 
 namespace {
 
-constexpr double kOff = 0.01;     // mm: a segment may be this far from the surface
 constexpr double kRoundabout = 2; // a way along the surface may be this many times as long as the straight distance
-constexpr double kSame = 1e-6;    // mm: nearer places are the same
 
 double off_line(const Vec3& p, const Vec3& a, const Vec3& b) {
     const Vec3 d = b - a;
@@ -24,7 +23,7 @@ enum class Connection { straight, bent, none };
 
 // How the surface connects two consecutive places. `way` is set to the connecting line if that is bent.
 Connection connect(const Surface& s, const Place& a, const Place& b, Line& way) {
-    if (surface::curve::lies_in(s, a.triangle, b.point) || distance(a.point, b.point) < kSame)
+    if (surface::curve::lies_in(s, a.triangle, b.point) || distance(a.point, b.point) < rules::kSamePoint)
         return Connection::straight;
     way = surface::curve::join(s, a, b);
     if (!surface::curve::leads(s, way)) { // for example across a crease
@@ -34,7 +33,7 @@ Connection connect(const Surface& s, const Place& a, const Place& b, Line& way) 
     }
     double most = 0;
     for (const Place& p : way.places) most = std::max(most, off_line(p.point, a.point, b.point));
-    return most > kOff ? Connection::bent : Connection::straight;
+    return most > rules::kOff ? Connection::bent : Connection::straight;
 }
 
 struct StrokeBreaks {

@@ -1,6 +1,7 @@
 #include "surfpath/plan/improve.hpp"
 
 #include "surface/surface.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 
@@ -10,8 +11,7 @@ namespace {
 
 using surface::kNone;
 
-constexpr std::size_t kDeepest = 6; // links exchanged at once; one more takes about ten times as long
-constexpr double kRounding = 1e-9;
+constexpr std::size_t kDeepest = 6;             // links exchanged at once; one more takes about ten times as long
 constexpr std::uint64_t kMostRows = 20'000'000; // rows examined in all searches together, about a tenth of a second
 
 // Per end of a row its link, kNone if it has none.
@@ -96,7 +96,7 @@ class LinkSearch {
     // Sets `now` to the best state found from the open end of `trial`; false if none is better than `now`.
     bool improve_from(Linked& now, Linked& trial, std::uint32_t end, double saved, std::uint64_t most) {
         best_ = now;
-        const double before = least_ = cost(now) - kRounding;
+        const double before = least_ = cost(now) - rules::kRounding;
         left_ = most;
         search(trial, end, saved);
         std::swap(now, best_);
@@ -130,7 +130,7 @@ class LinkSearch {
     void keep(const Linked& now) {
         look(rows_);
         if (const double c = cost(now); c < least_) {
-            least_ = c - kRounding;
+            least_ = c - rules::kRounding;
             best_ = now;
         }
     }

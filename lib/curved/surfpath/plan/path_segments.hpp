@@ -4,6 +4,7 @@
 #include "geom/bvh.hpp"
 #include "geom/segment.hpp"
 #include "surfpath/plan/plan.hpp"
+#include "surfpath/rules/rules.hpp"
 
 namespace filum::surfpath::plan {
 
@@ -28,13 +29,12 @@ inline NearestPlace nearest_place(const PathSegment& l, const Vec3& p) {
 // Whether the segment is within `reach` mm of `p`. The same as nearest_place(l, p).off <= reach, without division and
 // square root unless the decision is a matter of rounding.
 inline bool within(const PathSegment& l, const Vec3& p, double reach) {
-    constexpr double kRounding = 1e-9; // relative
     const Vec3 d = l.b - l.a, from = p - l.a;
     const double l2 = norm2(d), along = dot(from, d);
     const bool foot = along > 0 && along < l2;
     const double all2 = foot ? norm2(from) * l2 : norm2(along > 0 ? p - l.b : from);
     const double off2 = foot ? all2 - along * along : all2, reach2 = reach * reach * (foot ? l2 : 1);
-    if (std::abs(off2 - reach2) > kRounding * (all2 + reach2)) return off2 < reach2;
+    if (std::abs(off2 - reach2) > rules::kRounding * (all2 + reach2)) return off2 < reach2;
     return nearest_place(l, p).off <= reach;
 }
 inline double arc(const PathSegment& l, double t) { return l.arc + t * distance(l.a, l.b); }

@@ -2,6 +2,7 @@
 
 #include "surface/curve/walk.hpp"
 #include "surface/finer.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +15,6 @@ namespace filum::surfpath::plan {
 namespace {
 
 constexpr std::size_t kMostFine = 500'000; // triangles
-constexpr double kCrumb = 1e-9;            // shares of a segment, or of a triangle's height, below this are rounding
 
 // The part of a segment that lies in a triangle of the same plane, from parameter `from` to `to`.
 struct Clip {
@@ -25,7 +25,7 @@ struct Clip {
 Clip clip(const Surface& s, std::uint32_t triangle, const Vec3& a, const Vec3& b) {
     auto u = surface::curve::barycentric(s, {triangle, a}), v = surface::curve::barycentric(s, {triangle, b});
     for (auto* w : {&u, &v}) // a point on a side counts as inside
-        for (double& x : *w) x = std::abs(x) < kCrumb ? 0 : x;
+        for (double& x : *w) x = std::abs(x) < rules::kRounding ? 0 : x;
     Clip out{0, 1, triangle};
     for (std::size_t k = 0; k < 3; ++k) {
         if (u[k] < 0 && v[k] <= 0) return {1, 0, triangle};
@@ -48,9 +48,9 @@ void cut(const Surface& s, const surface::Segment& g, std::uint32_t first, std::
     double done = 0;
     Vec3 at = g.a;
     for (std::size_t i = 0; i < clips.size(); ++i) {
-        if (!(clips[i].to > done + kCrumb)) continue;
+        if (!(clips[i].to > done + rules::kRounding)) continue;
         done = clips[i].to;
-        const Vec3 to = done > 1 - kCrumb ? g.b : g.a + done * (g.b - g.a);
+        const Vec3 to = done > 1 - rules::kRounding ? g.b : g.a + done * (g.b - g.a);
         out.segments.push_back({clips[i].triangle, at, to});
         at = to;
     }

@@ -2,6 +2,7 @@
 
 #include "surface/curve/rounding.hpp"
 #include "surface/curve/turns.hpp"
+#include "surfpath/rules/rules.hpp"
 
 namespace filum::surfpath::plan {
 
@@ -12,8 +13,6 @@ namespace curve = surface::curve;
 constexpr double kKinksMove = 0.5; // spacings that points of kinks may move: the bead still lies on its old middle line
 // Spacings that points of other turns may move: two lines that move apart leave no room for a third one between them.
 constexpr double kBendsMove = 0.25;
-// Factor of the least radius to which turns are rounded: the flow comes near to a radius only in the limit.
-constexpr double kRoundedTo = 1.02;
 
 void apply(const Surface& s, Plan& plan, const curve::RoundingOptions& o) {
     std::vector<Line> lines;
@@ -40,7 +39,7 @@ void round_bends(const Surface& s, Plan& plan, const PathRounding& o) {
     apply(s, plan,
           {.spacing = o.spacing,
            .limit = o.radius,
-           .radius = kRoundedTo * o.radius,
+           .radius = rules::kSurely * o.radius,
            .corridor = kBendsMove * o.spacing,
            .nearest = o.nearest * o.spacing,
            .worth = o.spacing}); // a mm of tight length costs as much as a mm of gap or overlap of a bead

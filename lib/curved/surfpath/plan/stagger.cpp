@@ -3,6 +3,7 @@
 #include "parallel/parallel.hpp"
 #include "surfpath/plan/path_segments.hpp"
 #include "surfpath/plan/samples.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -11,9 +12,7 @@ namespace filum::surfpath::plan {
 
 namespace {
 
-constexpr double kSampleApart = 0.25;       // widths between sample points: as fine as the steps in depth of turns
-constexpr std::size_t kSampledAtOnce = 256; // triangles per task
-constexpr int kMostSweeps = 20;             // over all turns; a few are enough
+constexpr int kMostSweeps = 20; // over all turns; a few are enough
 
 // Sample points that only turns may cover, and the variants of turns (numbered over all turns) that cover each.
 struct ContestedSamples {
@@ -39,9 +38,9 @@ void uncovered(std::span<const Sample> points, std::vector<const PathSegment*>& 
 // Contested samples per task, in the order of triangles.
 std::vector<ContestedSamples> contested(const Surface& s, const Plan& fixed, const Plan& variants, double width) {
     const PathSegments laid(s, fixed), maybe(s, variants);
-    std::vector<ContestedSamples> parts((s.triangles.size() + kSampledAtOnce - 1) / kSampledAtOnce);
-    parallel::for_chunks(s.triangles.size(), kSampledAtOnce, 0, [&](std::size_t begin, std::size_t end) {
-        ContestedSamples& out = parts[begin / kSampledAtOnce];
+    std::vector<ContestedSamples> parts((s.triangles.size() + rules::kTrianglesAtOnce - 1) / rules::kTrianglesAtOnce);
+    parallel::for_chunks(s.triangles.size(), rules::kTrianglesAtOnce, 0, [&](std::size_t begin, std::size_t end) {
+        ContestedSamples& out = parts[begin / rules::kTrianglesAtOnce];
         std::vector<Sample> room;
         std::vector<const PathSegment*> sure, possible; // segments near the points
         std::vector<const Sample*> open;                // points that no fixed segment covers
@@ -56,7 +55,7 @@ std::vector<ContestedSamples> contested(const Surface& s, const Plan& fixed, con
             out.count.push_back(static_cast<std::uint32_t>(out.variants.size() - first));
         };
         for (std::size_t t = begin; t < end; ++t)
-            each_few(s, static_cast<std::uint32_t>(t), kSampleApart * width, room, [&](std::span<const Sample> few) {
+            each_few(s, static_cast<std::uint32_t>(t), rules::kGrain * width, room, [&](std::span<const Sample> few) {
                 const auto in_box = geom::grown(box_of(few), width / 2);
                 maybe.in_box(in_box, few[0].normal, possible);
                 if (possible.empty()) return;
@@ -94,7 +93,7 @@ class StaggerSearch {
             first_.push_back(static_cast<std::uint32_t>(variants.strokes.size()));
             for (const Stroke& variant : turn) {
                 length_.push_back(length(variant));
-                variants.strokes.push_back(coarse(variant, kSampleApart * width));
+                variants.strokes.push_back(coarse(variant, rules::kGrain * width));
             }
         }
         first_.push_back(static_cast<std::uint32_t>(variants.strokes.size()));
@@ -151,7 +150,8 @@ class StaggerSearch {
         std::uint32_t best = chosen_[turn];
         double least = waste(first_[turn] + best);
         for (std::uint32_t w = first_[turn]; w < first_[turn + 1]; ++w)
-            if (const double now = waste(w); now < least - kSame || (now <= least && w < first_[turn] + best)) {
+            if (const double now = waste(w);
+                now < least - rules::kRounding || (now <= least && w < first_[turn] + best)) {
                 least = now;
                 best = w - first_[turn];
             }
@@ -164,7 +164,6 @@ class StaggerSearch {
         return length_[variant] * width_ - 2 * alone;
     }
 
-    static constexpr double kSame = 1e-9; // mm2: smaller gains are rounding, which could let turns change for ever
     double width_;
     std::vector<std::uint32_t> chosen_, first_; // per turn: its variant; the number of its first variant
     std::vector<double> length_;                // per variant, mm

@@ -4,6 +4,7 @@
 #include "surface/curve/ease.hpp"
 #include "surface/curve/turns.hpp"
 #include "surface/curve/walk.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,10 +17,6 @@ namespace filum::surfpath::plan {
 namespace {
 
 namespace curve = surface::curve;
-
-constexpr double kGrain = 0.25; // spacings between the points by which distances of lines are measured
-// Factor of the radius to which turns are eased, so that the sampled line keeps the radius.
-constexpr double kEasedTo = 1.1;
 
 // Shares of the radius to which a turn is eased, the best first. The smaller ones keep no radius. They give way to what
 // lies inside a turn, so that the turns outside it need not give up theirs.
@@ -62,7 +59,7 @@ class TurnRounder {
   public:
     TurnRounder(const Surface& s, const TurnRounding& o)
         : s_(s), o_(o), normals_(curve::vertex_normals(s)), reach_(curve::turn_reach(o.radius, o.spacing)) {
-        const double apart = kGrain * o.spacing;
+        const double apart = rules::kGrain * o.spacing;
         for (const auto& rim : s.rims)
             for (const std::uint32_t h : rim.sides) {
                 const Vec3 &a = s.vertices[s.tail(h)], &b = s.vertices[s.head(h)];
@@ -147,7 +144,8 @@ class TurnRounder {
     }
 
     [[nodiscard]] Line eased(const Line& line, double radius) const {
-        return curve::ease(s_, line, {.radius = kEasedTo * radius, .corridor = 2 * o_.radius, .fixed_ends = false})
+        return curve::ease(s_, line,
+                           {.radius = rules::kRounded * radius, .corridor = 2 * o_.radius, .fixed_ends = false})
             .line;
     }
 
@@ -177,7 +175,7 @@ class TurnRounder {
 
     void add(const Line& line, std::uint32_t number, double from) {
         if (line.size() < 2) return;
-        const Line even = curve::resampled(line, kGrain * o_.spacing);
+        const Line even = curve::resampled(line, rules::kGrain * o_.spacing);
         double arc = from;
         for (std::size_t i = 0; i < even.size(); ++i) {
             points_.push_back(even[i]);
@@ -216,7 +214,7 @@ class TurnRounder {
     [[nodiscard]] Nearest nearest_line(std::uint32_t line, const RoundedTurn& turn, const Line& shape) const {
         Nearest out;
         const double own = std::numbers::pi * o_.radius;
-        for (const Place& p : curve::resampled(shape, kGrain * o_.spacing).places) {
+        for (const Place& p : curve::resampled(shape, rules::kGrain * o_.spacing).places) {
             const Vec3 n = curve::normal_at(s_, normals_, p);
             grid_.near(p.point, 1, [&](std::uint32_t i) {
                 const LinePoint& other = of_[i];

@@ -2,10 +2,10 @@
 
 #include "surface/curve/walk.hpp"
 #include "surfpath/plan/path_segments.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace filum::surfpath::plan {
 
@@ -13,11 +13,8 @@ namespace {
 
 namespace curve = surface::curve;
 
-constexpr double kWidthsApart = 0.25; // spacings between the places at which widths are found: half of the least radius
 constexpr double kSameWidth = 0.02; // spacings: smaller differences of widths do not count, as ripples do not (kRipple)
 constexpr double kOnSide = 0.5;     // sine of the least angle between a line and the way to what lies beside it
-constexpr double kOwnTurn =
-    std::numbers::pi / 2; // spacings: length of a half turn; farther along the line is beside it
 
 class WidthFitter {
   public:
@@ -34,7 +31,7 @@ class WidthFitter {
             const bool last = i + 1 == line.size();
             const Vec3 way = last ? line[i] - line[i - 1] : line[i + 1] - line[i];
             const double length = norm(way);
-            const int n = last ? 1 : static_cast<int>(std::max(1.0, std::ceil(length / (kWidthsApart * o_.spacing))));
+            const int n = last ? 1 : static_cast<int>(std::max(1.0, std::ceil(length / (rules::kGrain * o_.spacing))));
             for (int k = 0; k < n; ++k) {
                 const double part = last ? 0 : static_cast<double>(k) / n;
                 const Place p{line.places[i].triangle, line[i] + part * way};
@@ -74,7 +71,7 @@ class WidthFitter {
             here = std::min(here, share * far);
         };
         lines_.near(p.point, n, 2 * most, [&](const PathSegment& l, double) {
-            if (std::abs(plan::arc(l, nearest_place(l, p.point).t) - arc) > kOwnTurn * o_.spacing) look(l, 0.5);
+            if (std::abs(plan::arc(l, nearest_place(l, p.point).t) - arc) > rules::kHalfTurn * o_.spacing) look(l, 0.5);
         });
         rim_.near(p.point, n, most, [&](const PathSegment& l, double) { look(l, 1); });
         const double least = (1 - o_.change) * o_.spacing;

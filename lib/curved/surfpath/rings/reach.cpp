@@ -25,7 +25,6 @@ using surface::kNone;
 
 constexpr double kEdge = 0.5;               // spacings: longest side of the triangles that are classified
 constexpr std::size_t kMostParts = 300'000; // triangles; larger ones only weaken the bound
-constexpr double kToldOut = 0.01;           // share of the surface above which a note is added
 
 // Angle defect of every vertex inside the surface, rad.
 std::vector<double> defects(const Surface& s) {
@@ -255,7 +254,7 @@ RingBound ring_bound(const Surface& s, double spacing, double radius) {
 
 void report_ring_bound(const RingBound& r, plan::Plan& plan) {
     plan.facts.push_back({"", "rings-bound", r.share(), ""});
-    if (!(r.surface - r.reached > kToldOut * r.surface)) return;
+    if (!(r.surface - r.reached > rules::kReported * r.surface)) return;
     Note out{NoteCode::area_out_of_rings, r.surface - r.reached};
     if (r.dead > 0) { // otherwise all of it is out of reach, and no place is special
         out.count = r.dead;

@@ -1,6 +1,7 @@
 #include "surfpath/rows/flat_turn.hpp"
 
 #include "geom/polyline.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@ namespace filum::surfpath::rows {
 namespace {
 
 constexpr double kArcStep = 1.0 / 180 * std::numbers::pi; // rad between points of an arc
-constexpr double kAllowed = 0.01;                         // mm beyond the bound that are accepted
 constexpr int kPushes = 6;                                // most attempts to move a turn inside the bound
 constexpr double kAsWide = 0.97; // radii: a single arc of this radius is accepted without trying a bulb
 
@@ -186,7 +186,7 @@ FlatTurn fitted(const TurnRoom& room, const Form& form) {
         FlatTurn out = form(top);
         if (out.points.empty()) return {};
         const double over = beyond(out.points, room.bound);
-        if (over <= kAllowed) {
+        if (over <= rules::kOff) {
             out.length = geom::length(out.points);
             return out;
         }

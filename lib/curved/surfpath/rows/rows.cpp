@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace filum::surfpath::rows {
@@ -18,8 +17,6 @@ namespace {
 
 using surface::kNone;
 
-// Largest accepted ratio of a detour to the length it replaces: a half circle is still accepted.
-constexpr double kDetour = std::numbers::pi / 2;
 // Least distance from rims, in halves of a spacing, at which a line continues along the inset; such lines come no
 // nearer to the next line than 0.7 spacings. With beads along the rims, the distance from the innermost of them counts.
 // Tuned: halving it gains 0.001 coverage and costs 0.004 overlap.
@@ -126,7 +123,7 @@ class InsetClipper {
             return distance(surface::curve::at(ring, of_ring, way).point, at((from + to) / 2));
         };
         const bool forward = ahead >= 0 && (back < 0 || off(a.way + ahead / 2) <= off(a.way - back / 2));
-        if (!((forward ? ahead : back) < kDetour * (to - from))) return {};
+        if (!((forward ? ahead : back) < rules::kHalfTurn * (to - from))) return {};
         if (forward) return surface::curve::part(ring, of_ring, a.way, a.way + ahead);
         Line out = surface::curve::part(ring, of_ring, b.way, b.way + back);
         surface::curve::reverse(out);
@@ -233,7 +230,7 @@ Line closed_within(const Surface& s, const InsetClipper& clipper, const Line& li
     if (clipper.room(first) <
         clipper.inset().margin) { // the line keeps the margin nowhere: take the ring if it is about as long
         const Line* ring = clipper.ring(first);
-        const bool alike = ring && ring->closed && surface::curve::length(*ring) < kDetour * ways.back();
+        const bool alike = ring && ring->closed && surface::curve::length(*ring) < rules::kHalfTurn * ways.back();
         return alike ? *ring : Line{};
     }
     const Line open = surface::curve::part(line, ways, begin, begin + ways.back());

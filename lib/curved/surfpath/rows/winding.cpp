@@ -204,6 +204,23 @@ void turn_from(const Surface& s, Line& b, const RingLine& a) {
     if (dot(cross(surface::normal(s, p.triangle), t), q - p.point) < 0) surface::curve::reverse(b);
 }
 
+// A ring, after its distance, mm.
+using NearRing = std::pair<double, std::size_t>;
+
+// Per ring those within `reach` mm of it, the nearest first.
+std::vector<std::vector<NearRing>> rings_beside(const std::vector<RingLine>& rings, double reach) {
+    std::vector<std::vector<NearRing>> out(rings.size());
+    for (std::size_t i = 0; i < rings.size(); ++i)
+        for (std::size_t k = i + 1; k < rings.size(); ++k) {
+            const double far = apart(rings[i], rings[k], reach);
+            if (!std::isfinite(far)) continue;
+            out[i].emplace_back(far, k);
+            out[k].emplace_back(far, i);
+        }
+    for (auto& near : out) std::sort(near.begin(), near.end());
+    return out;
+}
+
 } // namespace
 
 std::vector<std::size_t> level_rings(const Surface& s, std::vector<UnclippedLine>& lines, double spacing) {
@@ -215,16 +232,7 @@ std::vector<std::size_t> level_rings(const Surface& s, std::vector<UnclippedLine
             rings.push_back(ring_line(lines[i].line, 0));
         }
     const std::size_t n = rings.size();
-    using Near = std::pair<double, std::size_t>;
-    std::vector<std::vector<Near>> next(n); // the nearest first
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t k = i + 1; k < n; ++k) {
-            const double far = apart(rings[i], rings[k], rules::kBeside * spacing);
-            if (!std::isfinite(far)) continue;
-            next[i].emplace_back(far, k);
-            next[k].emplace_back(far, i);
-        }
-    for (auto& near : next) std::sort(near.begin(), near.end());
+    const auto next = rings_beside(rings, rules::kBeside * spacing);
     std::vector<char> seen(n, 0);
     std::vector<std::size_t> sizes(lines.size(), 0);
     double level = 0;
@@ -238,8 +246,8 @@ std::vector<std::size_t> level_rings(const Surface& s, std::vector<UnclippedLine
                 chain.push_back(at);
                 lines[which[at]].level = level;
                 level += spacing;
-                const auto on =
-                    std::find_if(next[at].begin(), next[at].end(), [&](const Near& k) { return seen[k.second] == 0; });
+                const auto on = std::find_if(next[at].begin(), next[at].end(),
+                                             [&](const NearRing& k) { return seen[k.second] == 0; });
                 at = on == next[at].end() ? n : on->second;
             }
             for (std::size_t k = 0; k < chain.size(); ++k) {

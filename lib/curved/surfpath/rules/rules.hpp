@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 
 namespace filum::surfpath::rules {
 
@@ -46,7 +47,23 @@ inline double shift_length(double radius, double by) { return 2 * std::sqrt(radi
 // The shift, as a share of the whole, after the share `t` of its length: two parabolas, the shift of least curvature.
 inline double shifted(double t) { return t < 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t); }
 
+// Length of a half circle, in diameters: half a turn over to the next line, in spacings, is no detour yet.
+inline constexpr double kHalfTurn = std::numbers::pi / 2;
+
+// Least radii: a turn is rounded to this, and measured as tight below it, so that rounding errors do not decide about
+// turns of just the least radius.
+inline constexpr double kSurely = 1.02;
+
 // ---- Numerics.
+
+// mm: how far a line may be off the surface, or beyond a bound, without a change.
+inline constexpr double kOff = 0.01;
+// Share of the surface above which a note reports places without a line.
+inline constexpr double kReported = 0.01;
+// Triangles per task.
+inline constexpr std::size_t kTrianglesAtOnce = 256;
+// Smaller differences of shares, of lengths in mm, or of areas in mm2 are rounding.
+inline constexpr double kRounding = 1e-9;
 
 // mm: points nearer to each other than this are one point, and costs that differ by less are equal. Positions are
 // computed to about 1e-9 mm.
