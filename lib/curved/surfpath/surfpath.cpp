@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "surface/curve/transfer.hpp"
 #include "surfpath/components.hpp"
 #include "surfpath/fexa.hpp"
 #include "surfpath/field_hybrid.hpp"
@@ -118,8 +117,7 @@ Plan on_small_triangles(const surface::Sheet& sheet, const Options& options) {
 // The plan on the sheet as it is.
 Plan as_given(const surface::Sheet& sheet, const Options& options) {
     plan::RefinedSheet small = plan::refined(sheet, longest_side(options));
-    if (by_field(options))
-        small.sheet.fields = surface::curve::transferred(sheet.surface, directions(sheet), small.sheet.surface);
+    if (by_field(options)) small.sheet.fields = plan::on_refined(sheet, directions(sheet), small);
     Options on_small = options;
     on_small.beyond.clear();
     if (!options.beyond.empty())
@@ -139,12 +137,16 @@ Plan as_given(const surface::Sheet& sheet, const Options& options) {
 // The plan on larger triangles, if those of the sheet are much finer than lines of field need.
 Plan on_needed_triangles(const surface::Sheet& sheet, const Options& options) {
     if (!options.coarsen || !options.beyond.empty() || !sheet.sources.empty()) return as_given(sheet, options);
+    const auto side = plan::coarse_side(sheet.surface, longest_side(options));
+    if (!side) return as_given(sheet, options);
     plan::RefinedSheet ordered = plan::refined(sheet, std::numeric_limits<double>::infinity());
-    ordered.sheet.fields = surface::curve::transferred(sheet.surface, directions(sheet), ordered.sheet.surface);
-    const auto coarse = plan::coarser(ordered.sheet, longest_side(options), kOffCoarse * options.spacing);
-    if (!coarse) return as_given(sheet, options);
-    Plan out = as_given(*coarse, options);
-    plan::to_given(out, coarse->surface, sheet.surface);
+    ordered.sheet.fields = plan::on_refined(sheet, directions(sheet), ordered);
+    const surface::curve::Locator locator(ordered.sheet.surface);
+    const surface::Sheet coarse = plan::coarser(ordered.sheet, locator, *side, kOffCoarse * options.spacing);
+    if (coarse.surface.triangles.size() >= sheet.surface.triangles.size()) return as_given(sheet, options);
+    Plan out = as_given(coarse, options);
+    plan::to_given(out, coarse.surface, locator);
+    plan::to_parents(out, ordered);
     return out;
 }
 

@@ -45,10 +45,10 @@ class Bvh {
         std::uint32_t first, count;
     };
     struct Middle {
-        double at; // coordinate along the axis that is halved
+        Vec3 at;
         std::uint32_t box;
     };
-    void split(const std::vector<Box3>& boxes, std::uint32_t node, std::vector<Middle>& room);
+    void split(std::uint32_t node, std::vector<Middle>& middles);
 
     template <class F>
     void descend(std::uint32_t at, const Vec3& p, double& bound, const F& f) const {

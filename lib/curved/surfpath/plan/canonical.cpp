@@ -1,6 +1,7 @@
 #include "surfpath/plan/canonical.hpp"
 
 #include "base/mix.hpp"
+#include "parallel/parallel.hpp"
 #include "surface/curve/walk.hpp"
 
 #include <algorithm>
@@ -135,9 +136,9 @@ CanonicalSheet canonical(const surface::Sheet& given, double grid, const Vec3& d
     cells.reserve(s.vertices.size());
     for (const Vec3& v : s.vertices) cells.push_back(cell(v - centre, grid));
     const auto all = frames(centre);
-    std::vector<std::uint64_t> looks;
-    looks.reserve(all.size());
-    for (const AxisFrame& f : all) looks.push_back(look(given, cells, f, direction));
+    std::vector<std::uint64_t> looks(all.size());
+    parallel::for_chunks(all.size(), 1, 0,
+                         [&](std::size_t i, std::size_t) { looks[i] = look(given, cells, all[i], direction); });
     const auto least = std::min_element(looks.begin(), looks.end()) - looks.begin();
     CanonicalSheet out{given, all[static_cast<std::size_t>(least)], {}};
     const AxisFrame& f = out.frame;

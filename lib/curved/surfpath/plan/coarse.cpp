@@ -1,31 +1,39 @@
 #include "surfpath/plan/coarse.hpp"
 
-#include "surface/curve/locate.hpp"
 #include "surface/curve/transfer.hpp"
 #include "surface/fit/fit.hpp"
+#include "surface/fit/fitter.hpp"
+#include "surfpath/plan/refined.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace filum::surfpath::plan {
 
-std::optional<surface::Sheet> coarser(const surface::Sheet& sheet, double longest, double tolerance) {
-    const double equilateral = std::sqrt(3.0) / 4 * longest * longest; // mm2
-    const double needed = surface::area(sheet.surface) / equilateral;
-    if (static_cast<double>(sheet.surface.triangles.size()) < kMuchFiner * needed) return {};
+std::optional<double> coarse_side(const Surface& surface, double longest) {
+    constexpr double equilateral = std::numbers::sqrt3 / 4; // area of a triangle with sides of 1
+    const double area = surface::area(surface), given = static_cast<double>(surface.triangles.size());
+    if (given >= kMuchFiner * area / (equilateral * longest * longest)) return longest;
+    const double most = kMostFine, side = std::max(longest, std::sqrt(area / (equilateral * most)));
+    if (given > most && given >= kTwice * area / (equilateral * side * side)) return side;
+    return {};
+}
+
+surface::Sheet coarser(const surface::Sheet& sheet, const surface::curve::Locator& locator, double side,
+                       double tolerance) {
     surface::Sheet out;
-    out.surface = surface::fit::fitted(sheet.surface, {longest, tolerance}).surface;
-    if (out.surface.triangles.size() >= sheet.surface.triangles.size()) return {};
-    out.fields = surface::curve::transferred(sheet.surface, sheet.fields, out.surface);
+    out.surface = surface::fit::fitted(sheet.surface, locator, {side / surface::fit::kLong, tolerance}).surface;
+    out.fields = surface::curve::transferred(sheet.surface, locator, sheet.fields, out.surface);
     return out;
 }
 
-void to_given(Plan& plan, const Surface& coarse, const Surface& given) {
-    const surface::curve::Locator locator(given);
+void to_given(Plan& plan, const Surface& coarse, const surface::curve::Locator& given) {
     for (Stroke& stroke : plan.strokes)
         for (Section& section : stroke.sections)
             for (Place& p : section.line.places) {
-                const Place found = locator.nearest(p.point, surface::normal(coarse, p.triangle));
-                p = found.triangle == surface::kNone ? locator.nearest(p.point) : found;
+                const Place found = given.nearest(p.point, surface::normal(coarse, p.triangle));
+                p = found.triangle == surface::kNone ? given.nearest(p.point) : found;
             }
 }
 

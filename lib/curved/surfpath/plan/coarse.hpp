@@ -1,6 +1,7 @@
 // Plans on larger triangles where those of a surface are finer than its lines need.
 #pragma once
 
+#include "surface/curve/locate.hpp"
 #include "surface/sheet.hpp"
 #include "surfpath/plan/plan.hpp"
 
@@ -8,15 +9,22 @@
 
 namespace filum::surfpath::plan {
 
-// The surface and the fields of a sheet with sides of about `longest` mm, shorter where it bends: its chords are within
-// `tolerance` mm of the given surface. None if the given triangles are not much smaller: fewer than kMuchFiner times as
-// many as equal sides of `longest` mm would make. Vertices and triangles must be sorted by place (plan/refined.hpp), so
-// that equal surfaces get equal results.
-std::optional<surface::Sheet> coarser(const surface::Sheet& sheet, double longest, double tolerance);
+// mm: the longest sides of the triangles to plan on in place of those of the surface, if lines need none shorter than
+// `longest` and the surface has many more triangles than necessary: kMuchFiner times as many as equal sides of
+// `longest` mm would make, or more than kMostFine and kTwice as many as that. In the second case sides are so long that
+// about kMostFine triangles suffice, if that is longer.
+std::optional<double> coarse_side(const Surface& surface, double longest);
 
 inline constexpr double kMuchFiner = 16; // sides of a quarter
+inline constexpr double kTwice = 2;      // a given triangle takes less time to replace than another one to plan on
+
+// The surface and the fields of a sheet with sides of at most about `side` mm, shorter where it bends: its chords are
+// within `tolerance` mm of the given surface. Vertices and triangles must be sorted by place (plan/refined.hpp), so
+// that equal surfaces get equal results.
+surface::Sheet coarser(const surface::Sheet& sheet, const surface::curve::Locator& locator, double side,
+                       double tolerance);
 
 // Moves the plan of the coarse surface to the nearest places of the given one that face the same way.
-void to_given(Plan& plan, const Surface& coarse, const Surface& given);
+void to_given(Plan& plan, const Surface& coarse, const surface::curve::Locator& given);
 
 } // namespace filum::surfpath::plan

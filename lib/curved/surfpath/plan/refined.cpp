@@ -1,5 +1,6 @@
 #include "surfpath/plan/refined.hpp"
 
+#include "surface/curve/transfer.hpp"
 #include "surface/curve/walk.hpp"
 #include "surface/finer.hpp"
 #include "surfpath/rules/rules.hpp"
@@ -13,8 +14,6 @@
 namespace filum::surfpath::plan {
 
 namespace {
-
-constexpr std::size_t kMostFine = 500'000; // triangles
 
 // The part of a segment that lies in a triangle of the same plane, from parameter `from` to `to`.
 struct Clip {
@@ -90,6 +89,8 @@ RefinedSheet ordered(const surface::Sheet& given) {
     }
     std::sort(named.begin(), named.end());
     RefinedSheet out;
+    out.vertex.resize(number.size());
+    for (std::uint32_t v = 0; v < number.size(); ++v) out.vertex[number[v]] = v;
     std::vector<std::uint32_t> now(s.twin.size()), twin(s.twin.size()), place(s.triangles.size());
     std::vector<Vec3> vertices(s.vertices.size());
     std::vector<mesh::Triangle> triangles;
@@ -119,9 +120,9 @@ RefinedSheet ordered(const surface::Sheet& given) {
 } // namespace
 
 RefinedSheet refined(const surface::Sheet& given, double edge) {
-    const auto [sheet, parent] = ordered(given);
+    auto [sheet, parent, vertex] = ordered(given);
     auto finer = surface::finer(sheet.surface, edge, kMostFine);
-    RefinedSheet out{{std::move(finer.surface), {}, {}, {}, {}, {}, {}}, std::move(finer.parent)};
+    RefinedSheet out{{std::move(finer.surface), {}, {}, {}, {}, {}, {}}, std::move(finer.parent), std::move(vertex)};
     out.sheet.sources.vertices = sheet.sources.vertices;
     for (const surface::Segment& g : sheet.sources.segments) {
         const auto [first, last] = std::equal_range(out.parent.begin(), out.parent.end(), g.triangle);
@@ -129,6 +130,15 @@ RefinedSheet refined(const surface::Sheet& given, double edge) {
             static_cast<std::uint32_t>(last - out.parent.begin()), out.sheet.sources);
     }
     for (std::uint32_t& p : out.parent) p = parent[p];
+    return out;
+}
+
+std::vector<surface::Field> on_refined(const surface::Sheet& given, std::span<const surface::Field> fields,
+                                       const RefinedSheet& refined) {
+    if (refined.sheet.surface.vertices.size() > refined.vertex.size())
+        return surface::curve::transferred(given.surface, fields, refined.sheet.surface);
+    std::vector<surface::Field> out;
+    for (const surface::Field& field : fields) out.push_back(surface::picked(field, refined.vertex));
     return out;
 }
 

@@ -1,6 +1,6 @@
 #include "surface/curve/transfer.hpp"
 
-#include "surface/curve/locate.hpp"
+#include "parallel/parallel.hpp"
 #include "surface/curve/walk.hpp"
 
 #include <algorithm>
@@ -11,8 +11,9 @@ namespace filum::surface::curve {
 namespace {
 
 constexpr double far = std::numeric_limits<double>::infinity();
-constexpr double kCounts = 1e-9; // smaller weights do not count
-constexpr double kNear = 0.1;    // mean edges: places this much farther count as equally near
+constexpr double kCounts = 1e-9;              // smaller weights do not count
+constexpr std::size_t kVerticesAtOnce = 1024; // vertices per task
+constexpr double kNear = 0.1;                 // mean edges: places this much farther count as equally near
 
 struct CornerWeights {
     std::uint32_t vertex[3];
@@ -81,23 +82,32 @@ std::vector<std::uint32_t> transferred_faces(const Surface& from, std::span<cons
 
 std::vector<surface::Field> transferred(const Surface& from, std::span<const surface::Field> fields,
                                         const Surface& to) {
+    return fields.empty() ? std::vector<surface::Field>{} : transferred(from, Locator(from), fields, to);
+}
+
+std::vector<surface::Field> transferred(const Surface& from, const Locator& locator,
+                                        std::span<const surface::Field> fields, const Surface& to) {
     std::vector<surface::Field> out;
-    if (fields.empty()) return out;
-    for (const auto& f : fields) out.push_back({f.name, {}, f.components});
-    const Locator locator(from);
+    for (const auto& f : fields)
+        out.push_back({f.name, std::vector<double>(to.vertices.size() * f.components), f.components});
     const auto normals = vertex_normals(to);
     const double near = kNear * surface::mean_edge(to);
-    for (std::size_t v = 0; v < to.vertices.size(); ++v) {
-        const CornerWeights c = corners_at(from, place_like(locator, to.vertices[v], normals[v], near));
-        for (std::size_t i = 0; i < fields.size(); ++i) {
-            if (fields[i].components == 1) {
-                out[i].values.push_back(number(fields[i], c));
-                continue;
+    parallel::for_chunks(to.vertices.size(), kVerticesAtOnce, 0, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+            const CornerWeights c = corners_at(from, place_like(locator, to.vertices[v], normals[v], near));
+            for (std::size_t i = 0; i < fields.size(); ++i) {
+                auto& values = out[i].values;
+                if (fields[i].components == 1) {
+                    values[v] = number(fields[i], c);
+                    continue;
+                }
+                const Vec3 d = vector(fields[i], c);
+                values[3 * v] = d.x;
+                values[3 * v + 1] = d.y;
+                values[3 * v + 2] = d.z;
             }
-            const Vec3 d = vector(fields[i], c);
-            out[i].values.insert(out[i].values.end(), {d.x, d.y, d.z});
         }
-    }
+    });
     return out;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "surface/curve/line.hpp"
+#include "surface/curve/locate.hpp"
 
 namespace filum::surface::curve {
 
@@ -10,6 +11,10 @@ namespace filum::surface::curve {
 // Vectors are directions without sign: before interpolation they are reversed where necessary to agree with the
 // nearest corner's, and the result has their mean length.
 std::vector<surface::Field> transferred(const Surface& from, std::span<const surface::Field> fields, const Surface& to);
+
+// The same for a surface with a locator.
+std::vector<surface::Field> transferred(const Surface& from, const Locator& locator,
+                                        std::span<const surface::Field> fields, const Surface& to);
 
 // The CAD face of each triangle of `to`: that of the place of `from` nearest to its middle, chosen as above. Empty if
 // `faces`, those of `from`, is empty.

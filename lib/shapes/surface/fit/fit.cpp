@@ -86,9 +86,8 @@ Surface evened(const Surface& s, const Options& o) {
     return compact(fitter.result());
 }
 
-FittedSurface fitted(const Surface& s, const Options& o) {
+FittedSurface fitted(const Surface& s, const Locator& locator, const Options& o) {
     Sizes size = checked_sizes(s, o);
-    const Locator locator(s);
     Fitter fitter(s, locator, size.wanted, editable(s, size.wanted, o.tolerance), most_splits(s, size.wanted));
     if (needles(s, size.wanted))
         fitter.run_by_halves();
@@ -103,12 +102,20 @@ FittedSurface fitted(const Surface& s, const Options& o) {
         fitter.run();
         now = compact(fitter.result());
     }
-    const double step = mean_edge(now) / kFinePieces;
-    Deviation most;
-    for (const auto& list : {deviations(now, locator, step), deviations(s, Locator(now), step)})
+    return {std::move(now), -1, {}, fitter.splits(), most_splits(s, size.wanted)};
+}
+
+FittedSurface fitted(const Surface& s, const Options& o) {
+    const Locator locator(s);
+    FittedSurface out = fitted(s, locator, o);
+    const double step = mean_edge(out.surface) / kFinePieces;
+    for (const auto& list : {deviations(out.surface, locator, step), deviations(s, Locator(out.surface), step)})
         for (const Deviation& a : list)
-            if (a.far > most.far) most = a;
-    return {std::move(now), most.far, most.at, fitter.splits(), most_splits(s, size.wanted)};
+            if (a.far > out.off) {
+                out.off = a.far;
+                out.off_at = a.at;
+            }
+    return out;
 }
 
 } // namespace filum::surface::fit

@@ -1,7 +1,7 @@
 // Remeshes a surface with triangles as large as its curvature and its use allow.
 #pragma once
 
-#include "surface/surface.hpp"
+#include "surface/curve/locate.hpp"
 
 namespace filum::surface::fit {
 
@@ -12,8 +12,8 @@ struct Options {
 
 struct FittedSurface {
     Surface surface;
-    double off = 0; // mm: greatest distance between the two surfaces, measured at corners, in middles of triangles, and
-                    // on sides at places an eighth of a mean side apart
+    double off = -1; // mm: greatest distance between the two surfaces, measured at corners, in middles of triangles,
+                     // and on sides at places an eighth of a mean side apart; -1: not measured
     Vec3 off_at;
     std::size_t splits = 0; // sides that were halved on the way: the work
     std::size_t most_splits = 0;
@@ -35,6 +35,9 @@ inline constexpr double kMostWork = 10;
 // Throws Error(usage) if it would take more than 20 million triangles. (Splitting, collapsing, flipping, moving:
 // Botsch, Kobbelt 2004; sizes by chords: Dunyach et al. 2013.)
 FittedSurface fitted(const Surface& s, const Options& o);
+
+// The same for a surface with a locator, without measuring `off`.
+FittedSurface fitted(const Surface& s, const curve::Locator& locator, const Options& o);
 
 // The same in one pass without checking the distance: its time is proportional to the number of triangles of both
 // surfaces, however long and thin the given ones are.
