@@ -139,15 +139,14 @@ void set_other_names(const Job& job, Settings& to) {
         exhaust.push_back(static_cast<std::int64_t>(to.number("during_print_exhaust_fan_speed", i) / 100 * 255));
     to.set("during_print_exhaust_fan_speed_num", Variable::many(exhaust));
     const std::pair<const char*, const char*> same[] = {{"retract_length", "retraction_length"},
+                                                        {"filament_ids", "filament_id"},
                                                         {"first_layer_height", "initial_layer_print_height"}};
     for (const auto& [name, from] : same)
         if (const Variable* found = to.find(from)) to.set(name, *found);
     // OrcaSlicer offers the height as a whole number, so that its half is one, too.
     to.set("max_print_height", Variable::one(whole_value(std::trunc(to.number("printable_height")))));
-    const std::pair<const char*, const char*> of_tool[] = {
-        {"long_retraction_when_cut", "long_retractions_when_cut"},
-        {"retraction_distance_when_cut", "retraction_distances_when_cut"}};
-    for (const auto& [name, from] : of_tool) to.set(name, Variable::one(to.number(from, job.first_tool)));
+    to.set("long_retraction_when_cut", Variable::one(to.number("long_retractions_when_cut", job.first_tool) != 0));
+    to.set("retraction_distance_when_cut", Variable::one(to.number("retraction_distances_when_cut", job.first_tool)));
     to.set("initial_no_support_tool", Variable::one(whole_value(job.first_tool)));
     to.set("bbl_bed_temperature_gcode", Variable::one(false));
     to.set("relative_e_axis", Variable::one(to.flag("use_relative_e_distances")));
@@ -184,9 +183,8 @@ void set_flat_print(const Job& job, Settings& to) {
 }
 
 // Sets what Bambu Studio names a filament, its extruder (from 0) and its nozzle; hotends have the number -1, except
-// those of a printer that chooses them itself.  Further the fastest auxiliary fan, and the most acceleration of the
-// bed, of which Bambu Studio takes the mass on it so far, and Filum that of the whole job, since it is known at the
-// start.
+// those of a printer that chooses them itself.  Sets the fastest auxiliary fan, too, and the most acceleration of the
+// bed. Bambu Studio takes the mass that is on the bed so far; Filum takes that of the whole job.
 void set_hotends(const Job& job, double extruder, std::size_t nozzles, Settings& to) {
     for (const char* name : {"initial_filament_id", "initial_no_support_filament_id", "current_filament_id"})
         to.set(name, Variable::one(whole_value(job.first_tool)));

@@ -198,11 +198,14 @@ TEST(PresetProgram, NamesOfBambuStudio) {
           "{has_tpu_in_first_layer} {has_timelapse_safe_pos} {timelapse_pos_x}\n; "
           "{nozzle_temperature_initial_layer[first_filaments[0]]}\n; {initial_filament_id} {initial_nozzle_id} "
           "{nozzle_diameter_at_nozzle_id[initial_nozzle_id]} {current_hotend} {first_non_support_hotend[1]} "
-          "{max_additional_fan} {curr_y_acceleration_limit}\nM190 S50\nM109 S220"}},
+          "{max_additional_fan} {curr_y_acceleration_limit} {if long_retraction_when_cut}cut{endif} "
+          "{filament_ids[initial_filament_id]}\nM190 S50\nM109 S220"}},
         {"gcode_flavor", {"marlin2"}},
         {"nozzle_diameter", {"0.4", "0.6"}},
         {"additional_cooling_fan_speed", {"70", "30"}},
         {"machine_max_acceleration_y", {"12000"}},
+        {"long_retractions_when_cut", {"0", "1"}},
+        {"filament_id", {"GFA00", "GFA01"}},
         {"machine_max_force_Y", {"10"}},
         {"machine_bed_mass_Y", {"2000"}},
         {"filament_density", {"1.25", "1.25"}},
@@ -219,13 +222,13 @@ TEST(PresetProgram, NamesOfBambuStudio) {
     job.tools = {0};
     job.volume = {{0U, 400'000}}; // 500 g
     std::string start = preset::Program(bambu, job).start();
-    EXPECT_NE(start.find("; -1 0 -1 0 1\n; 13 45 true false false 0\n; 220\n; 0 0 0.4 -1 -1 70 4000\n"),
+    EXPECT_NE(start.find("; -1 0 -1 0 1\n; 13 45 true false false 0\n; 220\n; 0 0 0.4 -1 -1 70 4000  GFA00\n"),
               std::string::npos)
         << start;
     job.tools = {1};
     job.first_tool = 1;
     start = preset::Program(bambu, job).start();
-    EXPECT_NE(start.find("; 1 -1 1 -1 0\n; 13 30 false true false 0\n; 230\n; 1 1 0.6 -1 -1 30 4000\n"),
+    EXPECT_NE(start.find("; 1 -1 1 -1 0\n; 13 30 false true false 0\n; 230\n; 1 1 0.6 -1 -1 30 4000 cut GFA01\n"),
               std::string::npos)
         << start;
 }
