@@ -2,8 +2,6 @@
 
 #include "fill/rings/fewer_points.hpp"
 #include "fill/rings/lanes.hpp"
-#include "geom/segment_grid.hpp"
-#include "polygon/segments.hpp"
 #include "toolpath/grid.hpp"
 
 #include <algorithm>
@@ -59,17 +57,16 @@ std::vector<toolpath::Curve> finished(const rings::Rings& rings, const polygon::
         corners.open_in_all = rings::kMostOpen * area;
         corners.rare = kRareCorners * w;
     }
-    const auto edges = polygon::segments(region);
-    const geom::SegmentGrid grid(edges, 1.5 * w);
+    const join::OutlineEdges outline(region, 1.5 * w);
     const auto room = [&](geom::Vec2 p) {
         double best = w;
-        grid.near({p.x - w, p.y - w}, {p.x + w, p.y + w}, [&](std::uint32_t i) {
-            best = std::min(best, geom::point_segment_distance(edges[i].a, edges[i].b, p));
+        outline.grid.near({p.x - w, p.y - w}, {p.x + w, p.y + w}, [&](std::uint32_t i) {
+            best = std::min(best, geom::point_segment_distance(outline.edge[i].a, outline.edge[i].b, p));
         });
         return best;
     };
     std::vector<toolpath::Curve> out;
-    for (toolpath::Curve& curve : join::join_rings(rings, std::max(w, how.widest), region, how.wind, how.hung)) {
+    for (toolpath::Curve& curve : join::join_rings(rings, std::max(w, how.widest), outline, how.wind, how.hung)) {
         curve = rounded(curve, w, corners, room);
         if (how.thin_out) curve = rings::with_fewer_points(curve, how.tolerance, least, true);
         tidy(curve);

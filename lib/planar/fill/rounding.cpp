@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace filum::fill {
 
@@ -42,12 +43,12 @@ class ArcLengthCurve {
         while (i > 0 && s_[i] > s) --i;
         const double l = s_[i + 1] - s_[i], t = l > 0 ? (s - s_[i]) / l : 0;
         const Vec2 a = point(i), p = geom::lerp(a, point(i + 1), t);
-        const double w = line_->width[i] + t * (line_->width[(i + 1) % n_] - line_->width[i]);
+        const double w = line_->width[i] + t * (line_->width[i + 1 == n_ ? 0 : i + 1] - line_->width[i]);
         return {p, w, sum_[i] + (s - s_[i]) * geom::lerp(a, p, 0.5) + turns * sum_.back()};
     }
 
   private:
-    [[nodiscard]] Vec2 point(std::size_t i) const { return line_->points[i % n_]; }
+    [[nodiscard]] Vec2 point(std::size_t i) const { return line_->points[i == n_ ? 0 : i]; } // at most n_
     const toolpath::Curve* line_;
     std::size_t n_;
     std::vector<double> s_;
@@ -60,13 +61,29 @@ struct Corner {
 
 struct RoundedStretch {
     double begin, end;
-    std::vector<Corner> corner;
-    // The reach at s, mm: constant near a corner, and continuous. A point moves to the mean of the line within it.
-    [[nodiscard]] double reach(double s) const {
+    std::vector<Corner> corner; // ascending
+};
+
+// The reach along a stretch, for places that ascend: constant near a corner, and continuous. A point moves to the mean
+// of the line within it.
+class Reach {
+  public:
+    explicit Reach(const RoundedStretch& part) : corner_(part.corner) {
+        for (const Corner& c : corner_) most_ = std::max(most_, 2 * c.reach);
+    }
+    // mm, at s
+    double operator()(double s) {
+        while (first_ < corner_.size() && corner_[first_].s + most_ < s) ++first_;
         double out = 0;
-        for (const Corner& c : corner) out = std::max(out, std::min(c.reach, 2 * c.reach - std::abs(s - c.s)));
+        for (std::size_t k = first_; k < corner_.size() && corner_[k].s - most_ <= s; ++k)
+            out = std::max(out, std::min(corner_[k].reach, 2 * corner_[k].reach - std::abs(s - corner_[k].s)));
         return out;
     }
+
+  private:
+    std::span<const Corner> corner_;
+    double most_ = 0;       // mm: the farthest that a corner matters
+    std::size_t first_ = 0; // corners before it are behind
 };
 
 // The reach on each side of a right angle that replaces it by a parabola leaving `open` mm2 beyond it.
@@ -158,10 +175,9 @@ class Rounding {
         }
         while (parts_.size() > 1 && parts_.back().end >= parts_.front().begin + curve_.length()) {
             RoundedStretch& first = parts_.front();
-            for (Corner c : parts_.back().corner) {
-                c.s -= curve_.length();
-                first.corner.push_back(c);
-            }
+            std::vector<Corner>& before = parts_.back().corner;
+            for (Corner& c : before) c.s -= curve_.length();
+            first.corner.insert(first.corner.begin(), before.begin(), before.end());
             first.begin = std::min(first.begin, parts_.back().begin - curve_.length());
             first.end = std::max(first.end, parts_.back().end - curve_.length());
             parts_.pop_back();
@@ -181,9 +197,10 @@ class Rounding {
     }
     void smooth(const RoundedStretch& part) {
         const int n = steps(part);
+        Reach reach(part);
         for (int k = 0; k <= n; ++k) {
             const double s = part.begin + (part.end - part.begin) * k / n;
-            const auto [mean, slower] = neighbourhood(s, std::max(1e-6, part.reach(s)));
+            const auto [mean, slower] = neighbourhood(s, std::max(1e-6, reach(s)));
             const double w = curve_.at(s, here_).width;
             out_.add(mean, std::max(w, std::min(w * std::min(slower, rings::kWidest), 2 * (*room_)(mean))));
         }

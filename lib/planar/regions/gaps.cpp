@@ -65,6 +65,15 @@ Nearest nearest(const Segment& e, const Segment& f) {
     return out;
 }
 
+// Whether the boxes of both edges are at least `width` apart along an axis, and so both edges.
+bool clearly_apart(const Segment& e, const Segment& f, double width) {
+    const double more = width * (1 + 1e-6); // more than what rounding can change
+    const auto apart = [&](double a, double b, double c, double d) {
+        return std::max(a, b) + more <= std::min(c, d) || std::max(c, d) + more <= std::min(a, b);
+    };
+    return apart(e.a.x, e.b.x, f.a.x, f.b.x) || apart(e.a.y, e.b.y, f.a.y, f.b.y);
+}
+
 // Whether each point is outside the solid beside the other edge.
 bool face_each_other(const Segment& e, const Segment& f, const Nearest& n) {
     const auto outside = [](const Segment& s, Vec2 p) { return geom::cross(s.b - s.a, p - s.a) <= 0; };
@@ -159,7 +168,7 @@ Loops bridges(const Loops& loops, double width, int layer) {
     for (std::uint32_t i = 0; i < edges.size(); ++i) {
         others.clear();
         each_near(grid, edges[i], cell, width, [&](std::uint32_t j) {
-            if (j > i) others.push_back(j);
+            if (j > i && !clearly_apart(edges[i], edges[j], width)) others.push_back(j);
         });
         std::sort(others.begin(), others.end());
         others.erase(std::unique(others.begin(), others.end()), others.end());

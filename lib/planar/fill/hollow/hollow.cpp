@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "fill/finish.hpp"
+#include "fill/hollow/features.hpp"
 #include "fill/hollow/over_air.hpp"
 #include "fill/hollow/pieces.hpp"
 #include "fill/join/attempt.hpp"
@@ -11,11 +12,9 @@
 #include "fill/join/cycle.hpp"
 #include "fill/rings/lanes.hpp"
 #include "fill/spiral.hpp"
-#include "geom/segment_grid.hpp"
 #include "infill/infill.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/inside_test.hpp"
-#include "polygon/segments.hpp"
 #include "polygon/stretches.hpp"
 #include "polygon/strips.hpp"
 #include "toolpath/grid.hpp"
@@ -39,12 +38,6 @@ using toolpath::Feature;
 constexpr double kTolerance = 0.01; // mm: tolerance of bead edges
 constexpr double kOfSkins = 0.75;   // of the tolerance: no other bead covers the seams of a skin
 constexpr double kStripGive = 0.25; // of a strip's height: rows are 0.75 to 1.25 beads wide
-
-// Closed curves, each of one feature.
-struct LooseCurves {
-    rings::Rings rings;
-    std::vector<Feature> feature; // per loop
-};
 
 // Adds rings. The first `walls` lanes become walls, lane 1 with the feature `first`; other lanes are solid.
 void add(LooseCurves& to, const rings::Rings& from, std::uint32_t walls, Feature first = Feature::outer_wall) {
@@ -221,96 +214,6 @@ LooseCurves closed_curves(const Region& r, double w, double tolerance) {
             for (const RegionPiece& piece : pieces(polygon::simplify(rest, kTolerance), r, w))
                 add_piece(out, piece, r, depth, tolerance);
     return out;
-}
-
-// Finds the points of a region that lie on a top surface.
-class TopSkin {
-  public:
-    explicit TopSkin(const Region& r) {
-        for (const Area& a : r.areas)
-            if (a.kind == AreaKind::skin_top) inside_.emplace_back(a.loops);
-    }
-    [[nodiscard]] bool holds(Vec2 p) const {
-        return std::any_of(inside_.begin(), inside_.end(), [&](const auto& inside) { return inside(p); });
-    }
-
-  private:
-    std::vector<polygon::InsideTest> inside_; // of each area
-};
-
-// The feature at p in a region that is not of the part: skirt, support or interface.
-Feature feature_beside(const Region& r, const TopSkin& top, Vec2 p) {
-    if (r.is == polygon::RegionClass::rim) return Feature::skirt;
-    return top.holds(p) ? Feature::interface : Feature::support;
-}
-
-// Finds the loop nearest to a point.
-class NearestLoop {
-  public:
-    struct Hit {
-        Feature feature;
-        double best, same; // mm to the nearest loop, and to the nearest one with the requested feature
-    };
-
-    // `w`: mm; loops farther away do not count.
-    NearestLoop(const LooseCurves& from, double w)
-        : from_(&from), w_(w), segments_(polygon::segments(Loops{from.rings.points, from.rings.start})),
-          grid_(segments_, geom::cell_for(segments_, 1.5 * w)) {
-        for (std::uint32_t l = 0; l < from.rings.size(); ++l) loop_of_.resize(from.rings.start[l + 1], l);
-    }
-    // Distances are exact where one is less than kTolerance more than the other; else `same` may be larger.
-    [[nodiscard]] Hit operator()(Vec2 p, Feature wanted) const {
-        const double few = w_ / 4; // curves lie on their loops except at corners and links
-        const Hit hit = within(p, few, wanted);
-        return hit.best + kTolerance <= few ? hit : within(p, w_, wanted);
-    }
-
-  private:
-    [[nodiscard]] Hit within(Vec2 p, double reach, Feature wanted) const {
-        Hit out{Feature::solid, 2 * w_, 2 * w_};
-        grid_.near(p - Vec2{reach, reach}, p + Vec2{reach, reach}, [&](std::uint32_t k) {
-            const double d = geom::point_segment_distance(segments_[k].a, segments_[k].b, p);
-            const Feature feature = from_->feature[loop_of_[k]];
-            if (feature == wanted) out.same = std::min(out.same, d);
-            if (d < out.best) {
-                out.best = d;
-                out.feature = feature;
-            }
-        });
-        return out;
-    }
-
-    const LooseCurves* from_;
-    double w_;
-    std::vector<geom::Segment> segments_;
-    std::vector<std::uint32_t> loop_of_;
-    geom::SegmentGrid grid_;
-};
-
-// Sets the feature of every segment of the curves: that of the loop nearest to its middle. Solid segments on a top
-// surface become `top`. Regions that are not of the part get one of the features of supports and skirts.
-void tell_features(const Region& r, const LooseCurves& from, double w, std::vector<toolpath::Curve>& curves) {
-    const NearestLoop nearest(from, w);
-    const TopSkin top(r);
-    for (auto& c : curves) {
-        Feature last = Feature::solid; // of the loop of the segment before
-        for (std::size_t i = 0; i < c.points.size(); ++i) {
-            const Vec2 p = geom::lerp(c.points[i], c.points[(i + 1) % c.points.size()], 0.5);
-            if (r.is != polygon::RegionClass::part) {
-                c.feature.push_back(feature_beside(r, top, p));
-                continue;
-            }
-            if (i > 0 && geom::distance(c.points[i], p) < kTolerance / 2) {
-                c.feature.push_back(c.feature.back()); // a link ends in a piece as short as this
-                continue;
-            }
-            const NearestLoop::Hit hit = nearest(p, last);
-            Feature feature = hit.feature;
-            if (i > 0 && hit.same - hit.best < kTolerance) feature = last; // halfway on a link
-            last = feature;
-            c.feature.push_back(feature == Feature::solid && top.holds(p) ? Feature::top : feature);
-        }
-    }
 }
 
 // How beads are carried over the air that bridges of the region span; empty without bridges. The rim of the air is two

@@ -49,9 +49,9 @@ struct Bridge {
 
 class Joiner {
   public:
-    Joiner(const rings::Rings& rings, double width, const Loops& outline, const Hanging& hung)
-        : graph_(rings, 1.5 * width), outline_(polygon::segments(outline)), outline_grid_(outline_, 1.5 * width),
-          width_(width), splices_(graph_), groups_(splices_.groups()), hung_(&hung) {
+    Joiner(const rings::Rings& rings, double width, const OutlineEdges& outline, const Hanging& hung)
+        : graph_(rings, 1.5 * width), outline_(&outline), width_(width), splices_(graph_), groups_(splices_.groups()),
+          hung_(&hung) {
         for (std::uint32_t r = 1; r < graph_.size(); ++r) // open lines never join each other
             if (graph_.open(r)) groups_.unite(r - 1, r);
         if (!hung) return;
@@ -137,7 +137,7 @@ class Joiner {
 
     // True if no outline crosses this link.
     [[nodiscard]] bool clear(const geom::Segment& l) const {
-        return !stay_inside_ || !outline_grid_.crosses(l.a, l.b, outline_, [](std::uint32_t) { return true; });
+        return !stay_inside_ || !outline_->grid.crosses(l.a, l.b, outline_->edge, [](std::uint32_t) { return true; });
     }
 
     // Places on rings, evenly spread, where a ring of another group is near; the best come first. With `all` there are
@@ -234,8 +234,7 @@ class Joiner {
     }
 
     RingGraph graph_;
-    std::vector<geom::Segment> outline_;
-    geom::SegmentGrid outline_grid_;
+    const OutlineEdges* outline_;
     double width_;
     bool stay_inside_ = true;
     int may_hang_ = 0; // the largest value of hung_ at a link
@@ -249,10 +248,18 @@ class Joiner {
 
 } // namespace
 
-std::vector<Curve> join_rings(const rings::Rings& rings, double width, const Loops& outline, bool spirals,
+OutlineEdges::OutlineEdges(const polygon::Loops& outline, double cell)
+    : edge(polygon::segments(outline)), grid(edge, cell) {}
+
+std::vector<Curve> join_rings(const rings::Rings& rings, double width, const OutlineEdges& outline, bool spirals,
                               const Hanging& hung) {
     if (rings.size() == 0) return {};
     return Joiner(rings, width, outline, hung).run(spirals);
+}
+
+std::vector<Curve> join_rings(const rings::Rings& rings, double width, const Loops& outline, bool spirals,
+                              const Hanging& hung) {
+    return join_rings(rings, width, OutlineEdges(outline, 1.5 * width), spirals, hung);
 }
 
 void note_unjoined(const std::vector<toolpath::Curve>& curves, Notes& notes) {

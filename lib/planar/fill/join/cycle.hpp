@@ -3,6 +3,7 @@
 
 #include "base/note.hpp"
 #include "fill/join/splices.hpp"
+#include "geom/segment_grid.hpp"
 #include "toolpath/path.hpp"
 
 #include <functional>
@@ -13,6 +14,13 @@ namespace filum::fill::join {
 // How a bead is carried at a place: 0 from below, 1 by the bead beside it, kHangsMost not at all.
 using Hanging = std::function<int(Vec2)>;
 inline constexpr int kHangsMost = 2;
+
+// The edges of an outline, and their places in a grid.
+struct OutlineEdges {
+    std::vector<geom::Segment> edge;
+    geom::SegmentGrid grid;
+    OutlineEdges(const polygon::Loops& outline, double cell);
+};
 
 // Joins rings along a spanning tree. Where two rings face each other, both give up a window of about half a bead width.
 // Two links connect the four ends, so two closed curves become one (Lemma 1: exchange).
@@ -33,6 +41,8 @@ inline constexpr int kHangsMost = 2;
 // come first in `rings`; rings beside them become parts of them. They are returned first, in their order, and never
 // join each other. Places where rings are a bead apart and a bead wide come first. Ties: the lower ring, then the
 // earlier place.
+std::vector<Curve> join_rings(const rings::Rings& rings, double width, const OutlineEdges& outline,
+                              bool spirals = false, const Hanging& hung = {});
 std::vector<Curve> join_rings(const rings::Rings& rings, double width, const Loops& outline = {}, bool spirals = false,
                               const Hanging& hung = {});
 

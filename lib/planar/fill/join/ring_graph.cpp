@@ -94,6 +94,7 @@ std::vector<std::vector<Stretch>> RingGraph::near_others(double reach) const {
 
 double RingGraph::wrapped(std::uint32_t ring, double s) const {
     const double l = length_[ring];
+    if (s >= 0 && s < l) return s;
     if (open(ring)) return std::clamp(s, 0.0, l);
     s = std::fmod(s, l);
     return s < 0 ? s + l : s;

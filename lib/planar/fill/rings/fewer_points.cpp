@@ -34,7 +34,7 @@ class BeadSimplifier {
         out.points.reserve(n);
         out.width.reserve(n);
         for (std::size_t k = 0; k <= n; ++k) {
-            const Vertex at = vertex(kept, chords, k % n);
+            const Vertex at = vertex(kept, chords, k < n ? k : 0);
             add_tapered(at.point, at.width, least_, out);
         }
         out.drop_last(); // equal to the first one
@@ -67,8 +67,9 @@ class BeadSimplifier {
     // Whether the line from a to b stays in a strip along its chord at most twice the tolerance wide, with a width
     // near enough to that of the chord.
     [[nodiscard]] bool within(std::size_t a, std::size_t b) const {
-        const Vec2 p = bead_.points[a], chord = bead_.points[b % n_] - p;
-        const double wa = bead_.width[a], wider_by = bead_.width[b % n_] - wa, l2 = geom::norm2(chord);
+        const std::size_t end = around(b);
+        const Vec2 p = bead_.points[a], chord = bead_.points[end] - p;
+        const double wa = bead_.width[a], wider_by = bead_.width[end] - wa, l2 = geom::norm2(chord);
         const double by_length2 = l2 > 0 ? 1 / l2 : 0, widest = 2 * tolerance_;
         const auto along = [&](std::size_t i) { // parameter of the chord's place nearest to point i
             return std::clamp(by_length2 * dot(bead_.points[i] - p, chord), 0.0, 1.0);
@@ -80,9 +81,10 @@ class BeadSimplifier {
         double laid_aside = 0, left2 = 0, right2 = 0; // mm2
         for (std::size_t i = a + 1; i < b; ++i) {
             const double most = kMostOff * bead_.width[i], t = along(i), d2 = off2(i, t);
-            double& side2 = cross(chord, bead_.points[i] - p) > 0 ? left2 : right2;
-            side2 = std::max(side2, d2);
-            if (d2 > most * most || left2 + right2 + 2 * std::sqrt(left2 * right2) > strip * strip) return false;
+            const bool on_left = cross(chord, bead_.points[i] - p) > 0;
+            left2 = std::max(left2, on_left ? d2 : 0.0);
+            right2 = std::max(right2, on_left ? 0.0 : d2);
+            if (d2 > most * most || wider_than(strip * strip, left2, right2)) return false;
             const double wider = std::abs(bead_.width[i] - (wa + t * wider_by));
             if (wider > most) return false;
             if (wider > 0) laid_aside += wider * way_[i];
@@ -90,6 +92,15 @@ class BeadSimplifier {
         }
         return true;
     }
+
+    // Whether the sum of two widths is more than that of a strip; all given by their squares.
+    static bool wider_than(double strip2, double left2, double right2) {
+        constexpr double kTwice = 2 * (1 + 1e-9); // most lines lie well inside, which shows without a root
+        const double sum = left2 + right2;
+        return kTwice * sum > strip2 && sum + 2 * std::sqrt(left2 * right2) > strip2;
+    }
+    // The number of the point that follows the one before i; the first one follows the last.
+    [[nodiscard]] std::size_t around(std::size_t i) const { return i == n_ ? 0 : i; }
 
     // Measure of the turn at q, proportional to its square for small turns.
     static double bend(Vec2 p, Vec2 q, Vec2 r) {
@@ -102,7 +113,7 @@ class BeadSimplifier {
     void even_out(std::vector<std::size_t>& kept) const {
         const std::size_t n = kept.size();
         if (n < 5) return;
-        const auto at = [&](std::size_t k) { return bead_.points[kept[k % n]]; };
+        const auto at = [&](std::size_t k) { return bead_.points[kept[k < n ? k : k - n]]; };
         for (std::size_t k = 1; k + 1 < n; ++k) {
             const Vec2 h = at(k + n - 2), a = at(k - 1), c = at(k + 1), d = at(k + 2);
             const auto bends = [&](Vec2 b, double most) { // the sum, or a partial sum that already reaches `most`
@@ -121,11 +132,12 @@ class BeadSimplifier {
     }
 
     [[nodiscard]] Chord chord(std::size_t a, std::size_t b) const {
-        const Vec2 p = bead_.points[a], q = bead_.points[b % n_];
+        const std::size_t end = around(b);
+        const Vec2 p = bead_.points[a], q = bead_.points[end];
         Chord out;
         double left = 0, right = 0, laid = 0;
         for (std::size_t i = a; i < b; ++i) {
-            const std::size_t j = (i + 1) % n_;
+            const std::size_t j = around(i + 1);
             const double l = way_[j];
             const double aside = cross(q - p, bead_.points[i] - p);
             left = std::max(left, aside);
@@ -135,16 +147,16 @@ class BeadSimplifier {
         }
         const double l = geom::distance(p, q);
         if (l > 0) out.aside = std::clamp((left + right) / 2 / l, -tolerance_, tolerance_);
-        if (out.length > 0) out.wider = laid / out.length - (bead_.width[a] + bead_.width[b % n_]) / 2;
+        if (out.length > 0) out.wider = laid / out.length - (bead_.width[a] + bead_.width[end]) / 2;
         return out;
     }
     // The k-th remaining point, moved; its width is such that chords have the right width on average.
     [[nodiscard]] Vertex vertex(const std::vector<std::size_t>& kept, const std::vector<Chord>& chords,
                                 std::size_t k) const {
-        const std::size_t n = kept.size(), before = (k + n - 1) % n;
+        const std::size_t n = kept.size(), before = (k == 0 ? n : k) - 1, after = k + 1 == n ? 0 : k + 1;
         const Chord &a = chords[before], &b = chords[k];
         const double l = a.length + b.length, share = l > 0 ? a.length / l : 0.5; // long chords keep their width
-        return {moved(kept[before], kept[k], kept[(k + 1) % n], a.aside, b.aside),
+        return {moved(kept[before], kept[k], kept[after], a.aside, b.aside),
                 bead_.width[kept[k]] + std::lerp(b.wider, a.wider, share)};
     }
     // The point at i between the chords from h and to j, moved so that both get their offsets aside: least squares
@@ -175,7 +187,7 @@ void add_tapered(Vec2 p, double width, double least_void, toolpath::Curve& to) {
     if (!to.points.empty()) {
         const Vec2 from = to.points.back();
         const double wide = to.width.back(), area = std::abs(width - wide) * geom::distance(from, p) / 16;
-        const int parts = static_cast<int>(std::ceil(std::sqrt(area / least_void)));
+        const int parts = area > least_void ? static_cast<int>(std::ceil(std::sqrt(area / least_void))) : 1;
         for (int k = 1; k < parts; ++k) {
             const double t = static_cast<double>(k) / parts;
             to.add(geom::lerp(from, p, t), std::lerp(wide, width, t));
