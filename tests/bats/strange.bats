@@ -21,6 +21,10 @@ load common
     "$FILUM_SOURCE/tests/parts/strange-stresses" 0 23
 }
 
+@test "settings of slicers are used as they are meant, or named, in every form in which they come" {
+    "$FILUM_SOURCE/tests/parts/strange-settings" 0 11
+}
+
 @test "streams as another program may send them are used as they are meant, or refused" {
     local python
     for python in python3 /usr/bin/python3; do # Debian's knows protobuf

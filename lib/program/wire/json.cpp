@@ -1,5 +1,7 @@
 #include "wire/json.hpp"
 
+#include "base/utf8.hpp"
+
 #include "base/number.hpp"
 
 #include <algorithm>
@@ -17,24 +19,6 @@ namespace {
 constexpr int kDeepest = 64; // most brackets within each other
 
 struct Fault {}; // the text is no JSON
-
-// Appends the character of a code point.
-void append_utf8(std::uint32_t code, std::string& to) {
-    const auto put = [&](std::uint32_t byte) { to += static_cast<char>(byte); };
-    if (code < 0x80) return put(code);
-    if (code < 0x800) {
-        put(0xc0 | code >> 6);
-    } else {
-        if (code < 0x10000) {
-            put(0xe0 | code >> 12);
-        } else {
-            put(0xf0 | code >> 18);
-            put(0x80 | (code >> 12 & 0x3f));
-        }
-        put(0x80 | (code >> 6 & 0x3f));
-    }
-    put(0x80 | (code & 0x3f));
-}
 
 // Joins the items of a list.  A comma is between them; if an item holds a comma, a quote or a line end, the items are
 // in quotes with semicolons between them, as PrusaSlicer writes lists of texts.

@@ -3,6 +3,7 @@
 #include "app/filum/cura_file.hpp"
 #include "app/filum/slicer_presets.hpp"
 #include "app/filum/slicer_project.hpp"
+#include "app/filum/slicer_values.hpp"
 #include "archive/zip.hpp"
 #include "base/error.hpp"
 
@@ -19,12 +20,21 @@ bool has_key(const std::vector<SlicerSetting>& settings, std::initializer_list<c
                                [&](const SlicerSetting& s) { return std::ranges::find(keys, s.key) != keys.end(); });
 }
 
+constexpr std::pair<const char*, const char*> kMarks[] = {
+    {"; CONFIG_BLOCK_START", "; CONFIG_BLOCK_END"},
+    {"; prusaslicer_config = begin", "; prusaslicer_config = end"},
+    {"; superslicer_config = begin", "; superslicer_config = end"}};
+
+// Whether a block of settings begins in a G-code file and does not end.
+bool block_is_cut(const std::string& text) {
+    return std::ranges::any_of(kMarks, [&](const auto& mark) {
+        const auto from = text.find(mark.first);
+        return from != std::string::npos && text.find(mark.second, from) == std::string::npos;
+    });
+}
+
 // The part of a G-code file between the marks of the slicer's block of settings; the whole text if it has no marks.
 std::string config_block(const std::string& text) {
-    constexpr std::pair<const char*, const char*> kMarks[] = {
-        {"; CONFIG_BLOCK_START", "; CONFIG_BLOCK_END"},
-        {"; prusaslicer_config = begin", "; prusaslicer_config = end"},
-        {"; superslicer_config = begin", "; superslicer_config = end"}};
     for (const auto& [begin, end] : kMarks) {
         const auto from = text.find(begin);
         if (from == std::string::npos) continue;
@@ -53,6 +63,7 @@ SlicerFile of_text(const std::string& text, const NamedPresets& named) {
         SlicerFile out;
         out.settings = all_settings(config_block(text), Lines::commented);
         out.slicer = writer_of(text, out.settings);
+        if (block_is_cut(text)) out.remarks.emplace_back("the file is cut short: its block of settings has no end");
         if (!out.settings.empty()) return out;
     }
     return !is_json(text) && is_bundle(text) ? bundle_settings(text, named) : preset_settings(text, named.file);
@@ -127,6 +138,7 @@ SlicerFile slicer_file(const std::string& word, int plate) {
     if (!named.any())
         if (auto cura = cura_file(text, file)) return *std::move(cura);
     SlicerFile out = project ? project_settings(text, file, plate) : of_text(text, named);
+    refuse_decimal_commas(out, file);
     if (!out.settings.empty()) return out;
     if (is_json(text))
         throw Error(Exit::bad_input, "cannot use '" + file + "': it is no JSON, or holds no settings; export it again");

@@ -37,6 +37,7 @@ class Reader {
     Words words(const std::string& key, const SettingRow& row) {
         const std::string value = values_.text(key);
         if (value.empty() || values_.overridden(key, row)) return {};
+        values_.check(key, row);
         if (row.reading == "special") return special(key, row);
         if (row.reading == "number") return {option(row.target, values_.number(key))};
         if (row.reading == "nonzero" || row.reading == "positive" || row.reading == "foot")

@@ -1,6 +1,9 @@
 #include "app/filum/slicer_text.hpp"
 
+#include "archive/zip.hpp"
 #include "base/error.hpp"
+#include "base/padding.hpp"
+#include "base/utf8.hpp"
 #include "wire/json.hpp"
 
 #include <algorithm>
@@ -21,6 +24,41 @@ bool is_key(const std::string& text) {
     return !text.empty() && std::ranges::all_of(text, [](unsigned char c) {
         return std::islower(c) != 0 || std::isdigit(c) != 0 || c == '_' || std::isupper(c) != 0;
     });
+}
+
+// Text in UTF-16 as UTF-8. `low` is the index of the low byte of a pair of bytes.
+std::string from_utf16(std::string_view text, std::size_t low) {
+    std::string out;
+    std::uint32_t high = 0; // half of a character that takes two pairs of bytes
+    for (std::size_t i = 0; i + 1 < text.size(); i += 2) {
+        const auto byte = [&](std::size_t k) { return std::uint32_t{static_cast<unsigned char>(text[i + k])}; };
+        const std::uint32_t unit = byte(low) | byte(1 - low) << 8;
+        if (unit >= 0xd800 && unit < 0xdc00) {
+            high = unit;
+            continue;
+        }
+        append_utf8(unit >= 0xdc00 && unit < 0xe000 ? 0x10000 + ((high & 0x3ff) << 10) + (unit & 0x3ff) : unit, out);
+    }
+    return out;
+}
+
+// The text without byte order mark, in UTF-8, with line feeds as line ends.
+std::string plain_text(std::string text) {
+    if (text.starts_with("\xff\xfe"))
+        text = from_utf16(std::string_view(text).substr(2), 0);
+    else if (text.starts_with("\xfe\xff"))
+        text = from_utf16(std::string_view(text).substr(2), 1);
+    else if (text.starts_with("\xef\xbb\xbf"))
+        text.erase(0, 3);
+    text.resize(without_padding(text).size());
+    if (text.find('\r') == std::string::npos) return text;
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (text[i] != '\r')
+            out += text[i];
+        else if (i + 1 == text.size() || text[i + 1] != '\n')
+            out += '\n';
+    return out;
 }
 
 } // namespace
@@ -93,7 +131,8 @@ std::string content_of(const std::string& file) {
     std::string text;
     if (in) text.assign(std::istreambuf_iterator<char>(in), {});
     if (!in || in.bad()) throw Error(Exit::io, "cannot read '" + file + "': " + std::strerror(errno));
-    return text;
+    if (archive::Zip::begins(text) || text.starts_with("GCDE")) return text;
+    return plain_text(std::move(text));
 }
 
 } // namespace filum::app::filum

@@ -43,7 +43,8 @@ std::vector<SlicerSetting> json_settings(const std::string& text);
 // Whether a text begins as a JSON object does.
 bool is_json(const std::string& text);
 
-// The whole content of a file.  Throws Error(io).
+// The whole content of a file; of text in UTF-8 or UTF-16, with or without a byte order mark and with line ends of any
+// kind, as UTF-8 with line feeds.  Throws Error(io).
 std::string content_of(const std::string& file);
 
 } // namespace filum::app::filum

@@ -35,6 +35,9 @@ class SlicerValues {
     // The density in percent.  Slic3r wrote fractions (0.4 for 40 %), and PrusaSlicer still reads them so.  Thus a
     // value up to 1 without '%' is a fraction, except in files of OrcaSlicer, Bambu Studio and Cura.
     [[nodiscard]] double density(const std::string& key) const;
+    // Throws Error(usage) if the value cannot be meant: a list where the slicer has one number, a percentage of
+    // nothing, or a number out of the range of the setting.
+    void check(const std::string& key, const SettingRow& row) const;
     // Whether the key "filament_" + `key` is set, which replaces the value of `key`.
     [[nodiscard]] bool overridden(const std::string& key, const SettingRow& row) const;
 
@@ -43,5 +46,8 @@ class SlicerValues {
     std::map<std::string, std::string> values_;
     std::size_t extruder_ = 0; // the one that prints perimeters, from 0
 };
+
+// Throws Error(bad_input) if numbers of the file have decimal commas, which make lists of them; `name` is the file's.
+void refuse_decimal_commas(const SlicerFile& file, const std::string& name);
 
 } // namespace filum::app::filum
