@@ -1,14 +1,18 @@
 #include "fill/spiral.hpp"
 
+#include "fill/doubled.hpp"
 #include "fill/finish.hpp"
 #include "fill/join/attempt.hpp"
 #include "fill/join/crossings.hpp"
 #include "fill/join/cycle.hpp"
 #include "fill/least_radius.hpp"
 #include "fill/rings/lanes.hpp"
+#include "fill/volume.hpp"
 #include "toolpath/grid.hpp"
 #include "toolpath/merge.hpp"
 
+#include <algorithm>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -77,6 +81,14 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
     if (o.min_radius > 0) {
         const Note tight = tight_turns(spiral.curves, o.bead_width / 2, o.min_radius);
         if (tight.count > 0) notes.push_back(tight);
+    }
+    const double dot = std::numbers::pi / 4 * o.bead_width * o.bead_width; // mm2; less is a crumb
+    const Doubled doubled = doubled_at_turns(spiral.curves);
+    if (doubled.area > dot) {
+        double laid = 0; // mm2
+        for (const auto& c : spiral.curves) laid += rings::laid_area(c);
+        if (doubled.area > kMostChange * laid)
+            notes.push_back({NoteCode::area_doubled, doubled.area, 1, -1, doubled.at.x, doubled.at.y});
     }
     if (length > 0) notes.push_back({NoteCode::bead_too_thin, length, 1, -1, where.x, where.y});
 }
