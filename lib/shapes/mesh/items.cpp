@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <unordered_map>
 
 namespace filum::mesh {
@@ -13,6 +14,7 @@ namespace filum::mesh {
 namespace {
 
 constexpr double kLevel = 1e-3;  // mm: heights that differ by less count as equal, as files round them
+constexpr double kOpen = 1e-6;   // share of the area by which area vectors of a closed surface may differ from 0
 constexpr double kBeyond = 1e-2; // mm by which the body below the bed is larger than the item
 
 bool overlap_from_above(const geom::Box3& a, const geom::Box3& b) {
@@ -116,6 +118,36 @@ void cut_below_bed(const geom::Box3& box, std::uint32_t item, File& to) {
     body.mesh = box_mesh(box.lo - beyond, top);
     body.item = item;
     to.notes.push_back(note(NoteCode::part_below_bed, -box.lo.z));
+}
+
+void face_outwards(Mesh& mesh, std::size_t from, std::span<const std::size_t> part, Notes& notes) {
+    struct Shell {
+        geom::Vec3 origin, sum; // the sum of area vectors, which is 0 for a closed surface
+        double volume = 0, area = 0;
+    };
+    std::map<std::size_t, Shell> shells;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+        const Triangle& t = mesh.triangles[from + i];
+        Shell& s = shells.try_emplace(part[i], Shell{mesh.vertices[t[0]], {}}).first->second;
+        const geom::Vec3 a = mesh.vertices[t[0]] - s.origin, b = mesh.vertices[t[1]] - s.origin,
+                         c = mesh.vertices[t[2]] - s.origin;
+        const geom::Vec3 doubled = cross(b - a, c - a);
+        s.sum = s.sum + doubled;
+        s.area += norm(doubled);
+        s.volume += dot(a, cross(b, c)) / 6;
+    }
+    Note turned = note(NoteCode::shell_turned);
+    turned.count = 0;
+    const auto inwards = [](const Shell& s) { return s.volume < 0 && norm(s.sum) <= kOpen * s.area; };
+    for (const auto& [number, s] : shells)
+        if (inwards(s)) {
+            ++turned.count;
+            turned.amount -= s.volume;
+        }
+    if (turned.count == 0) return;
+    for (std::size_t i = 0; i < part.size(); ++i)
+        if (inwards(shells.at(part[i]))) std::swap(mesh.triangles[from + i][1], mesh.triangles[from + i][2]);
+    notes.push_back(std::move(turned));
 }
 
 void tell_bodies(File& to) {

@@ -41,6 +41,10 @@ std::vector<double> heights_to_lose(std::span<const geom::Box3> boxes, Notes& no
 // If the item in `box` reaches below the bed (z = 0), adds a negative body that cuts that part away, as slicers do.
 void cut_below_bed(const geom::Box3& box, std::uint32_t item, File& to);
 
+// Turns closed parts that face inwards outwards, as slicers do when they read a project: each of its parts is a solid
+// by itself. `part` tells the parts of the triangles from number `from` on apart.
+void face_outwards(Mesh& mesh, std::size_t from, std::span<const std::size_t> part, Notes& notes);
+
 // Adds notes on the bodies that change settings, and on those for supports.
 void tell_bodies(File& to);
 

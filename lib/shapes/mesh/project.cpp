@@ -112,6 +112,15 @@ std::size_t Project::of_triangle(const std::string& object, std::size_t i) const
     return at == found->second.end() ? kNone : at->body;
 }
 
+std::size_t Project::part_of_triangle(const std::string& object, std::size_t i, std::size_t hint) const {
+    const auto holds = [&](const Part& p) {
+        return p.object == object && p.component.empty() && p.first <= i && i <= p.last;
+    };
+    if (hint < parts.size() && holds(parts[hint])) return hint;
+    const auto at = std::ranges::find_if(parts, holds);
+    return at == parts.end() ? kNone : static_cast<std::size_t>(at - parts.begin());
+}
+
 const Project::Component* Project::component(const std::string& object, const std::string& id,
                                              std::size_t index) const {
     const auto found = components.find(object);

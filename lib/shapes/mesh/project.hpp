@@ -67,6 +67,8 @@ struct Project {
         SlicerSettings settings{};
     };
     std::vector<Part> parts;
+    // The part whose range holds triangle `i` of the object, or kNone; looks at `hint` first.
+    [[nodiscard]] std::size_t part_of_triangle(const std::string& object, std::size_t i, std::size_t hint) const;
     SlicerSettings shared; // settings that all parts of the plate have; they hold for the whole job
 
     // Divides the settings of the parts on a plate: what all of them have goes to `shared`, and parts that differ in

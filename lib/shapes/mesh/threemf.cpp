@@ -282,7 +282,8 @@ class Archive {
             vertices.push_back(placed.unit * placed.place({number(v, "x"), number(v, "y"), number(v, "z")}));
             item_of_vertex_.push_back(placed.item);
         }
-        const std::size_t count = vertices.size() - first;
+        const std::size_t count = vertices.size() - first, before = to_.mesh.triangles.size();
+        std::vector<std::size_t> part; // of the project, per printed triangle
         const bool turn = placed.place.mirrors();
         std::size_t number_of = 0;
         for (const auto& t : child(placed.mesh, "triangles").children()) {
@@ -301,9 +302,11 @@ class Archive {
             if (body != Project::kNone) triangles_[body][placed.item].push_back(tri);
             if (!project_.printed(body)) continue;
             to_.mesh.triangles.push_back(tri);
+            part.push_back(project_.part_of_triangle(placed.object, number_of - 1, part.empty() ? 0 : part.back()));
             item_of_.push_back(placed.item);
             to_.materials.push_back(material);
         }
+        if (project_.found) face_outwards(to_.mesh, before, part, to_.notes);
     }
 
     // Reads the paint of a triangle for supports and seams, as PrusaSlicer, OrcaSlicer and Bambu Studio write it.
