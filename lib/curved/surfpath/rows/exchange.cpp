@@ -48,8 +48,8 @@ class LineExchanger {
   public:
     LineExchanger(const Surface& s, const std::vector<Line>& lines, std::span<const char> keep,
                   const ExchangeOptions& o)
-        : s_(s), given_(lines), d_(o.spacing), ends_(o.ends), lanes_(s, closed(lines), o.spacing), linked_(lanes_),
-          normals_(surface::curve::vertex_normals(s)), anchored_(lines.size(), 0),
+        : s_(s), given_(lines), d_(o.spacing), ends_(o.ends), radius_(o.radius), lanes_(s, closed(lines), o.spacing),
+          linked_(lanes_), normals_(surface::curve::vertex_normals(s)), anchored_(lines.size(), 0),
           swath_(o.spacing, kSwathHalf * o.spacing), rest_(swath_), beads_(s, lines, lanes_) {
         for (std::uint32_t l = 0; l < lines.size(); ++l) {
             anchored_[l] = keep[l] != 0 || !lines[l].closed ? 1 : 0;
@@ -228,15 +228,37 @@ class LineExchanger {
                (bead.line != e.b || beads_.off(e.b, bead.arc, e.at_b) > e.cut_b);
     }
 
-    // Additional void and overlap, mm2. Overlap is the area of beads less the covered area.
+    // mm of the polyline that turn tighter than the radius: its angles, as turns of half a spacing.
+    [[nodiscard]] double tight(std::span<const Vec2> line) const {
+        double out = 0;
+        for (std::size_t i = 2; i < line.size(); ++i) {
+            const Vec2 u = line[i - 1] - line[i - 2], v = line[i] - line[i - 1];
+            const double angle = std::abs(std::atan2(cross(u, v), dot(u, v)));
+            if (angle * radius_ > (norm(u) + norm(v)) / 2) out += angle * d_ / 2;
+        }
+        return out;
+    }
+
+    // Additional void, overlap and tight turns, mm2. Overlap is the area of beads less the covered area.
     [[nodiscard]] double waste(const Surroundings& view, const LineExchange& e) {
         const TurnPair t = turn_pair(view.chart, e);
         swath_ = rest_;
-        for (const auto& bead : view.beads)
-            if ((bead.line == e.a || bead.line == e.b) && kept(bead, e)) swath_.add(bead.p);
+        double turns = tight(t.there) + tight(t.back);
+        std::vector<Vec2> cut;
+        for (const auto& bead : view.beads) {
+            if (bead.line != e.a && bead.line != e.b) continue;
+            if (kept(bead, e)) {
+                turns -= tight(cut);
+                cut.clear();
+                swath_.add(bead.p);
+            } else {
+                cut.push_back(bead.p);
+            }
+        }
+        turns -= tight(cut);
         for (const auto* line : {&t.there, &t.back})
             for (const Vec2& p : *line) swath_.add(p);
-        return d_ * longer(e, t) + 2 * (covered_ - swath_.covered());
+        return d_ * (longer(e, t) + turns) + 2 * (covered_ - swath_.covered());
     }
 
     // Whether a turn crosses another line or the other turn.
@@ -297,7 +319,7 @@ class LineExchanger {
 
     const Surface& s_;
     const std::vector<Line>& given_;
-    double d_, ends_;
+    double d_, ends_, radius_;
     lanes::Lanes lanes_;
     lanes::LinkedLanes linked_;
     std::vector<Vec3> normals_;

@@ -17,11 +17,13 @@ inline constexpr double kCrossingWastes = 2;
 struct ExchangeOptions {
     double spacing = 1; // mm
     double ends = 0;    // mm: least distance from the ends of open lines
+    // mm: what turns tighter than this counts as waste, too, a spacing wide; 0: nothing does
+    double radius = 0;
 };
 
 struct ExchangeResult {
     std::size_t count = 0;
-    double waste = 0; // mm2: additional void and overlap; may be negative where tips disappear
+    double waste = 0; // mm2: additional void, overlap and tight turns; may be negative where tips disappear
 };
 
 // An exchange cuts two lines side by side open and connects the ends that face each other by turns, which makes one

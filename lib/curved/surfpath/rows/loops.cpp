@@ -186,12 +186,16 @@ LoopJoins join(const Surface& s, std::vector<Line>& lines, const std::vector<cha
         const auto more = splice_loops(s, lines, keep, o.spacing, radius);
         out.crossed.insert(out.crossed.end(), more.begin(), more.end());
     };
-    if (!o.tight) cross(o.radius);
-    for (ExchangeResult more{1, 0}; more.count > 0;) { // a line that was in the way may now be one to join
-        more = exchange_loops(s, lines, keep, {o.spacing, ends});
-        out.exchanged += more.count;
-        out.waste += more.waste;
-    }
+    const auto exchange = [&](double radius) {
+        for (ExchangeResult more{1, 0}; more.count > 0;) { // a line that was in the way may now be one to join
+            more = exchange_loops(s, lines, keep, {o.spacing, ends, radius});
+            out.exchanged += more.count;
+            out.waste += more.waste;
+        }
+    };
+    if (o.tight && o.nearest < 1) exchange(o.radius);
+    if (!o.tight || o.nearest < 1) cross(o.radius);
+    exchange(0);
     for (const double share : rules::kRadiusShares) cross(share * o.radius);
     out.waste += kCrossingWastes * o.spacing * o.spacing * static_cast<double>(out.crossed.size());
     return out;

@@ -25,7 +25,9 @@ struct LoopJoins {
 // each other: they continue along that ring. Such rows shorter than two radii that are alone on their ring are
 // dropped.
 // Then joins closed rows to the rows beside them: by shifts that keep the radius (splice.hpp), then by exchanges
-// (exchange.hpp), then by tighter shifts; if `tight`, exchanges come first. Long chains of closed rows, and chains
+// (exchange.hpp), then by tighter shifts; if `tight`, exchanges come first. If `tight` and beads may change width
+// (`nearest` below 1), those exchanges come first that cost less than a pair of shifts when tight turns count, then
+// shifts that keep the radius, then all other exchanges. Long chains of closed rows, and chains
 // that are all there is, become spirals instead (winding.hpp).
 LoopJoins join_loops(const Surface& s, Rows& rows, const LoopOptions& options);
 

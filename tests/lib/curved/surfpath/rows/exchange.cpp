@@ -128,6 +128,33 @@ TEST(Exchange, TipsAreOpenedFirst) {
     EXPECT_TRUE(tips[0].closed);
 }
 
+// Where tight turns count, two half turns cost more than a pair of crossing shifts, which keep the radius; and tips
+// that point at each other, whose half turns vanish, gain more.
+TEST(Exchange, TightTurnsCountAsWaste) {
+    const Surface s = sheet_to_join_on();
+    std::mt19937 random(11);
+    const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
+    for (int trial = 0; trial < trials(10); ++trial) {
+        const double r = 4 + 8 * unit();
+        const geom::Vec2 middle{15 + 10 * unit(), 15 + 10 * unit()};
+        const std::vector<Line> rings{circle(s, middle, r), circle(s, middle, r - 1)};
+        auto lines = rings;
+        EXPECT_EQ(exchange_loops(s, lines, std::vector<char>{0, 0}, {1, 4, 2.4}).count, 0U) << r;
+        EXPECT_EQ(exchange_loops(s, lines, std::vector<char>{0, 0}, {1, 4}).count, 1U) << r;
+        const double heading = 2 * std::numbers::pi * unit(), length = 4 + 4 * unit();
+        const geom::Vec2 along{std::cos(heading), std::sin(heading)};
+        const std::vector<Line> pills{pill(s, middle, length, heading),
+                                      pill(s, middle - (length + 2) * along, length, heading)};
+        auto counted = pills, not_counted = pills;
+        const ExchangeResult with = exchange_loops(s, counted, std::vector<char>{0, 0}, {1, 4, 2.4}),
+                             without = exchange_loops(s, not_counted, std::vector<char>{0, 0}, {1, 4});
+        EXPECT_EQ(with.count, 1U);
+        EXPECT_EQ(without.count, 1U);
+        EXPECT_LT(with.waste, without.waste - 2) << heading;
+        EXPECT_EQ(crossings(counted), 0U);
+    }
+}
+
 // What is to be kept takes in others, but is not taken in; two open lines stay two.
 TEST(Exchange, WhatIsKeptStaysApart) {
     const Surface s = sheet_to_join_on();
