@@ -40,16 +40,43 @@ std::vector<double> areas(const Surface& s) {
     return out;
 }
 
-// Transfers points and values from one surface to others with the same triangles.
+// Where the vertices of the finer surface are on the base.
+std::vector<Place> vertex_places(const filum::surface::FinerSurface& finer) {
+    std::vector<Place> out(finer.surface.vertices.size());
+    for (std::uint32_t t = 0; t < finer.parent.size(); ++t)
+        for (const std::uint32_t v : finer.surface.triangles[t]) out[v] = {finer.parent[t], finer.surface.vertices[v]};
+    return out;
+}
+
+// The middles of the points' areas on the base, which extend by `half` mm: those of vertices on a rim lie so far
+// inside.
+std::vector<Place> area_middles(const Surface& base, const filum::surface::FinerSurface& finer, double half) {
+    std::vector<Place> out = vertex_places(finer);
+    if (!std::isfinite(half)) return out; // there are no beads
+    const Surface& s = finer.surface;
+    const Locator locator(base);
+    const auto inwards = [&](std::uint32_t h) { // from a side of a rim
+        return geom::unit(cross(filum::surface::normal(s, h / 3), s.vertices[s.head(h)] - s.vertices[s.tail(h)]), {});
+    };
+    for (const auto& rim : s.rims)
+        for (std::size_t i = 0; i < rim.sides.size(); ++i) {
+            const std::uint32_t h = rim.sides[i], before = rim.sides[i > 0 ? i - 1 : rim.sides.size() - 1];
+            const Vec3 in = inwards(before), on = inwards(h);
+            // `half` mm from both sides; at a sharp corner not as far as that takes
+            const Vec3 p = s.vertices[s.tail(h)] + half / std::max(0.5, 1 + dot(in, on)) * (in + on);
+            const Place found = locator.nearest(p, filum::surface::normal(s, h / 3));
+            if (found.triangle != filum::surface::kNone) out[s.tail(h)] = found;
+        }
+    return out;
+}
+
+// Transfers points and values from the base to surfaces with the same triangles.
 class PointTransfer {
   public:
-    PointTransfer(const Surface& base, const filum::surface::FinerSurface& finer) : at_(finer.surface.vertices.size()) {
-        for (std::uint32_t t = 0; t < finer.parent.size(); ++t)
-            for (const std::uint32_t v : finer.surface.triangles[t]) {
-                const Place place{finer.parent[t], finer.surface.vertices[v]};
-                at_[v] = {place.triangle, base.triangles[place.triangle],
-                          filum::surface::curve::barycentric(base, place)};
-            }
+    PointTransfer(const Surface& base, const std::vector<Place>& places) {
+        for (const Place& place : places)
+            at_.push_back(
+                {place.triangle, base.triangles[place.triangle], filum::surface::curve::barycentric(base, place)});
     }
     [[nodiscard]] Vec3 point(const Surface& to, std::size_t v) const {
         const auto& [triangle, c, w] = at_[v];
@@ -144,18 +171,20 @@ double passes(std::vector<BeadPass>& found, double width) {
     return sum;
 }
 
-// Sets passes, clearance and deviation at one point of a ply.
-void look(const std::vector<Bead>& beads, const geom::Bvh& tree, const Vec3& p, const Vec3& n, double widest,
-          std::size_t v, PlyMap& out) {
+// Sets passes, clearance and deviation at point p of a ply, whose area has the middle m.
+void look(const std::vector<Bead>& beads, const geom::Bvh& tree, const Vec3& p, const Vec3& m, const Vec3& n,
+          double widest, std::size_t v, PlyMap& out) {
     std::vector<BeadPass> found;
     double least = out.clearance[v];
     tree.visit(geom::grown({p, p}, 1.5 * widest), [&](std::uint32_t i) {
         const Bead& l = beads[i];
         if (!(dot(n, l.normal) > 0)) return;
-        const double t = geom::nearest_parameter(l.a, l.b, p), d = distance(p, l.a + t * (l.b - l.a));
+        const auto nearest = [&](const Vec3& q) { return geom::nearest_parameter(l.a, l.b, q); };
+        const auto off = [&](const Vec3& q, double t) { return distance(q, l.a + t * (l.b - l.a)); };
         // a point's area extends halfway to its neighbours
-        const double share = (l.width / 2 - d) / (kPart * l.width) + 0.5;
+        const double t = nearest(m), share = (l.width / 2 - off(m, t)) / (kPart * l.width) + 0.5;
         if (share > 0) found.push_back({l.way + t * distance(l.a, l.b), std::min(1.0, share)});
+        const double d = off(p, nearest(p));
         if (!(d - l.width / 2 < least)) return;
         least = d - l.width / 2;
         out.deviation[v] = l.off;
@@ -164,7 +193,14 @@ void look(const std::vector<Bead>& beads, const geom::Bvh& tree, const Vec3& p, 
     out.passes[v] = passes(found, out.width);
 }
 
-PlyMap map_of(const Fibres& fibres, const Bed& bed, const PointTransfer& transfer, std::size_t points, int threads) {
+// The points of all maps, and the middles of their areas.
+struct MapPoints {
+    PointTransfer points, middles;
+    std::size_t count = 0;
+};
+
+PlyMap map_of(const Fibres& fibres, const Bed& bed, const MapPoints& all, int threads) {
+    const std::size_t points = all.count;
     auto beads = beads_of(fibres, bed.layer);
     PlyMap out;
     judge(bed, beads, out.off, threads);
@@ -189,11 +225,11 @@ PlyMap map_of(const Fibres& fibres, const Bed& bed, const PointTransfer& transfe
     parallel::for_chunks(points, kPoints, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
             if (!bed.edge.empty()) {
-                out.edge[v] = transfer.value(bed.edge, v);
+                out.edge[v] = all.points.value(bed.edge, v);
                 out.inside[v] = std::clamp(0.5 - out.edge[v] / (kPart * out.width), 0.0, 1.0);
             }
-            look(beads, tree, transfer.point(bed.ground, v), filum::surface::normal(bed.ground, transfer.triangle(v)),
-                 widest, v, out);
+            look(beads, tree, all.points.point(bed.ground, v), all.middles.point(bed.ground, v),
+                 filum::surface::normal(bed.ground, all.points.triangle(v)), widest, v, out);
         }
     });
     return out;
@@ -235,9 +271,10 @@ Map map(const Surface& base, const Fibres& fibres, std::span<const Bed> beds, in
     out.nominal.assign(n, 0);
     out.thickness.assign(n, 0);
     out.even.assign(n, 0);
-    const PointTransfer transfer(base, out.ground);
+    const MapPoints points{PointTransfer(base, vertex_places(out.ground)),
+                           PointTransfer(base, area_middles(base, out.ground, kPart * narrowest / 2)), n};
     for (const Bed& bed : beds) {
-        PlyMap& now = out.plies.emplace_back(map_of(fibres, bed, transfer, n, threads));
+        PlyMap& now = out.plies.emplace_back(map_of(fibres, bed, points, threads));
         now.amount = averaged(s, out.area, now.passes, now.width, threads);
         for (std::size_t v = 0; v < n; ++v) {
             out.nominal[v] += now.height * now.inside[v];
