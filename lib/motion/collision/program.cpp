@@ -195,6 +195,7 @@ class Reader {
         if (other == LineMeaning::home) lose_place();
         if (moves && (other == LineMeaning::none || says_so)) {
             if (*words_.fault != 0) fail(words_.fault);
+            if (words_.cut) fail("holds a number with two points");
             return go(to, extruder);
         }
         if (other == LineMeaning::none && extruder) pushed(*extruder);

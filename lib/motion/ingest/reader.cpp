@@ -158,6 +158,9 @@ class Reader {
         for (const double g : line.g) moves = g_code(g, line, moves, in_machine);
         if (!moves || !(line.moves() || line.names() || says_motion(line))) return void(++out_.ignored);
         if (*words_.fault != 0) fail(words_.fault);
+        // Marlin reads such a number up to the second point.  Beads before the first layer are dropped, with a note.
+        const bool drops = !layers_.begun() && !o_.start_code;
+        if (words_.cut && !(traits_.marlin && drops)) fail("holds a number with two points");
         if (condition_.holds()) fail("moves only if a condition of the firmware is true, which is not followed");
         if (line.foreign_axis != 0)
             fail(std::string("moves the axis ") + line.foreign_axis +

@@ -3,6 +3,7 @@
 #include "base/number.hpp"
 #include "geom/angle.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -82,6 +83,7 @@ std::size_t number_at(std::string_view text, Word& to) {
 
 void split(std::string_view code, Words& to) {
     to.words.clear();
+    to.cut = false;
     to.fault = "";
     to.own = begins_with_name(code);
     if (to.own) return;
@@ -96,7 +98,11 @@ void split(std::string_view code, Words& to) {
         }
         Word word;
         word.letter = upper(code[i++]);
-        if (word.letter == '.' && !to.words.empty()) return fault("holds a number with two points");
+        if (word.letter == '.' && !to.words.empty() && !to.words.back().flag) {
+            to.cut = true;
+            i = std::min(code.find_first_not_of("0123456789.", i), code.size());
+            continue;
+        }
         if (word.letter < 'A' || word.letter > 'Z') return fault("holds what is no word");
         const std::size_t length = number_at(code.substr(i), word);
         word.flag = length == 0;

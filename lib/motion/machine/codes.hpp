@@ -41,6 +41,7 @@ struct Word {
 struct Words {
     std::vector<Word> words;
     bool own = false;       // a command with a name, such as Klipper's: it has no words
+    bool cut = false;       // a number has a second point; what stands behind it does not count, as in Marlin
     const char* fault = ""; // why the line cannot move anything: "holds a word without a proper number"
 };
 

@@ -34,6 +34,25 @@ TEST(Ingest, PlacesRelativeMeanTheExtruderUntilItIsTold) {
     EXPECT_NEAR(ingested::volume(read("M83\nG90\nG1 Z0.2\nG1 X5 E1\nG1 X9 E1\n").spans), 2 * kUnit, 1e-9);
 }
 
+// Start codes such as Z0.3[first_layer_height] write numbers with two points: Marlin reads them up to the second one.
+// In the part itself they are refused.
+TEST(Ingest, NumbersWithTwoPointsCountInPurgeLinesOnly) {
+    std::mt19937 random(2);
+    for (int trial = 0; trial < 60; ++trial) {
+        const std::string x = std::to_string(1 + random() % 90) + "." + std::to_string(random() % 90);
+        const std::string cut = x + "." + std::to_string(random() % 50) + (random() % 2 == 0 ? ".7" : "");
+        const auto program = [](const std::string& start, const std::string& part, const char* flavour) {
+            return std::string("; gcode_flavor = ") + flavour + "\nM83\nG1 Z0.2\nG1 X" + start +
+                   " Y3 E1 F900\n;LAYER_CHANGE\nG1 X" + part + " Y9 E2\n";
+        };
+        const auto whole = read(program(x, "99", "marlin")), two = read(program(cut, "99", "marlin"));
+        EXPECT_EQ(ingested::length(two.spans), ingested::length(whole.spans)) << cut;
+        EXPECT_EQ(two.found.notes.size(), whole.found.notes.size());
+        EXPECT_THROW(read(program(cut, "99", "klipper")), Error);
+        EXPECT_THROW(read(program(x, cut, "marlin")), Error);
+    }
+}
+
 TEST(Ingest, InchesAreMillimetres) {
     const auto r = read("G20\nM83\nG1 Z0.01\nG1 X1 E0.1\n");
     EXPECT_NEAR(ingested::length(r.spans), 25.4, 1e-9);
