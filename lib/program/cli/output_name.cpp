@@ -28,6 +28,7 @@ constexpr Format kFormats[] = {
     {" .html .htm ", "a page", "filum print --report x.html makes one, and so does render -o x.html"},
     {" .vtp .vtu .vtk ", "a data file of VTK", "render -o x.vtp writes one"},
     {" .stl .obj .ply .off .3mf .amf .step .stp .iges .igs .gltf .glb .dxf ", "a model", "Filum writes no models"},
+    {" .layers .regions .paths .toolpath .surface ", "a stream of Filum", "the stages write streams: see filum list"},
     {" .doc .docx .odt .xls .xlsx .ods .zip .gz .xz .7z ", "a document or archive", "choose another ending"}};
 
 std::string lower(std::string text) {
@@ -46,6 +47,7 @@ std::string ending_of(const std::string& name) {
 bool writes(const std::string& what, const Format& format, const std::string& ending) {
     const std::string text = lower(what);
     if (format.name == "machine code" && text.find("machine code") != std::string::npos) return true;
+    if (format.name == "a stream of Filum" && text.find("stream") != std::string::npos) return true;
     return text.find(ending.substr(1)) != std::string::npos;
 }
 
