@@ -1,6 +1,5 @@
 #include "app/filum/cura_file.hpp"
 
-#include "app/filum/cura_words.hpp"
 #include "app/filum/slicer_table.hpp"
 #include "app/filum/slicer_text.hpp"
 #include "archive/zip.hpp"
@@ -72,7 +71,7 @@ std::optional<SlicerFile> joined_profiles(std::vector<CuraProfile> profiles) {
             left += values->second.size();
             continue;
         }
-        for (const auto& [key, value] : values->second) put_setting(out.settings, {key, without_python(value)});
+        for (const SlicerSetting& s : values->second) put_setting(out.settings, {s.key, without_python(s.value)});
     }
     if (left > 0)
         out.remarks.push_back(std::to_string(left) +
@@ -120,6 +119,13 @@ std::optional<SlicerFile> cura_program(const std::string& text) {
     return out;
 }
 
+// What definitions say of a setting.
+struct Property {
+    std::string plain, formula; // default_value, value; "" for none
+    bool sets = false;          // it is a setting of the file, not only one that formulas may refer to
+};
+using Properties = std::map<std::string, Property>;
+
 // A definition, as the paths and values of its JSON.
 class Definition {
   public:
@@ -139,37 +145,23 @@ class Definition {
     [[nodiscard]] std::string first_extruder() const { return value("metadata/machine_extruder_trains/0"); }
     [[nodiscard]] const fs::path& file() const { return file_; }
 
-    // Puts its settings over those of its parents; of the root only those of the printer, unless `whole`.
-    void apply(bool whole, SlicerFile& to, std::string& replaced) const {
-        std::map<std::string, std::pair<std::string, std::string>> own; // by key: plain default, value
+    // Puts what it says of settings over what its parents say.  As in Cura, a plain default leaves a parent's formula.
+    // Of the root only the settings of the printer count, unless `whole`.
+    void apply(bool whole, Properties& to) const {
         for (const auto& [path, value] : values_) {
             const auto slash = path.rfind('/');
             if (slash == std::string::npos || !(path.starts_with("overrides/") || path.starts_with("settings/")))
                 continue;
+            const std::string name = path.substr(slash + 1);
+            if ((name != "default_value" && name != "value") || value.empty()) continue;
             const std::string key = path.substr(path.rfind('/', slash - 1) + 1, slash - path.rfind('/', slash - 1) - 1);
-            if (path.substr(slash + 1) == "default_value") own[key].first = value;
-            if (path.substr(slash + 1) == "value") own[key].second = value;
-        }
-        for (const auto& [key, values] : own) {
-            if (!whole && parent().empty() && row_of(key, Slicer::cura).reading != "machine") continue;
-            if (values.first.empty() && values.second.empty()) continue;
-            const std::string value = calculated(values.second);
-            if (is_formula(value) && !values.first.empty()) replaced += (replaced.empty() ? "" : ", ") + key;
-            const bool plain = values.second.empty() || (is_formula(value) && !values.first.empty());
-            put_setting(to.settings, {key, plain ? values.first : value});
+            Property& of = to[key];
+            (name == "value" ? of.formula : of.plain) = name == "value" ? trimmed(value) : value;
+            of.sets = of.sets || whole || !parent().empty() || row_of(key, Slicer::cura).reading == "machine";
         }
     }
 
   private:
-    // The value of a formula that is a number, a text in quotes, True or False; "=" and the formula for another one.
-    static std::string calculated(const std::string& formula) {
-        const std::string text = trimmed(formula);
-        if (without_python(text) != text) return without_python(text);
-        if (text.size() >= 2 && (text[0] == '\'' || text[0] == '"') && text.find(text[0], 1) == text.size() - 1)
-            return text.substr(1, text.size() - 2);
-        return plain_number(text) || text.empty() || text[0] == '[' ? text : "=" + text;
-    }
-
     std::map<std::string, std::string> values_;
     fs::path file_;
 };
@@ -201,41 +193,26 @@ std::optional<SlicerFile> cura_definition(const std::string& text, const std::st
     Definition own(text, fs::absolute(file));
     if (!own.any()) return std::nullopt;
     SlicerFile out{.slicer = Slicer::cura, .settings = {}, .remarks = {}};
-    std::string replaced;
+    Properties all;
     const std::vector<Definition> chain = ancestry(std::move(own), out);
-    for (auto at = chain.rbegin(); at != chain.rend(); ++at) at->apply(chain.size() == 1, out, replaced);
+    for (auto at = chain.rbegin(); at != chain.rend(); ++at) at->apply(chain.size() == 1, all);
     const auto train = std::ranges::find_if(chain, [](const Definition& d) { return !d.first_extruder().empty(); });
     const std::string name = train == chain.end() ? "" : train->first_extruder();
     if (!name.empty() && name != "fdmextruder") {
         const fs::path there = train->file().parent_path() / ".." / "extruders" / (name + ".def.json");
         std::error_code none;
         if (fs::is_regular_file(there, none))
-            Definition(content_of(there.string()), there).apply(false, out, replaced);
+            Definition(content_of(there.string()), there).apply(false, all);
         else
             out.remarks.push_back("the definition of its extruder, '" + name +
                                   "', was not found in '../extruders': nozzle and filament are those that Cura has "
                                   "without it, but filament is 1.75 mm");
     }
-    if (!replaced.empty()) out.remarks.push_back("plain values instead of formulas of Cura: " + replaced);
+    for (const auto& [key, of] : all)
+        (of.sets ? out.settings : out.beneath)
+            .push_back(of.formula.empty() ? SlicerSetting{key, of.plain}
+                                          : SlicerSetting{key, "=" + of.formula, of.plain});
     return out;
-}
-
-// Adds the speeds that Cura makes of those in the file.  A speed that the file gives as a formula stays unknown.
-void add_speeds(SlicerFile& file) {
-    std::string added;
-    for (const preset::SettingRow& row : preset::setting_rows()) {
-        const bool speed = row.reading == "speed" || row.reading == "first_speed" || row.reading == "base";
-        if (row.slicers != "cura" || !speed || !row.key.starts_with("s") || row.of.empty() || file.has(row.key))
-            continue;
-        if (!file.has(row.of)) continue;
-        auto mm_s = cura_number(file, row.key);
-        if (!mm_s) continue;
-        mm_s = std::round(*mm_s * 100) / 100; // two thirds of another speed, and the like
-        put_setting(file.settings, {std::string(row.key), shortest_text(*mm_s)});
-        if (row.reading != "base")
-            added += (added.empty() ? "" : ", ") + std::string(row.key) + " = " + shortest_text(*mm_s);
-    }
-    if (!added.empty()) file.remarks.push_back("speeds by Cura's usual formulas: " + added + " mm/s");
 }
 
 } // namespace
@@ -252,7 +229,6 @@ std::optional<SlicerFile> cura_file(const std::string& bytes, const std::string&
         out = cura_program(bytes);
     else if (bytes.find("[general]") != std::string::npos && bytes.find("[metadata]") != std::string::npos)
         out = joined_profiles({CuraProfile(bytes)});
-    if (out) add_speeds(*out);
     return out;
 }
 

@@ -17,10 +17,8 @@ bool is_formula(const std::string& value);
 //   - the definition of a printer (.def.json), with those that it inherits from and that of its first extruder, which
 //     are sought in the same folder and in "extruders" beside it
 //   - a G-code file, at whose end Cura writes the profile in lines ";SETTING_3 ..."
-// True and False become 1 and 0.  A formula keeps its '='; where the same file has a plain value for the key, that one
-// is taken, with a remark.  Where the file has a speed, those speeds that Cura makes of it are added, with a remark.
-// Of the definition from which all others inherit, only the settings of the printer count, since most others are
-// formulas.
+// True and False become 1 and 0.  A formula keeps its '=' until calculate_formulas().  Of the definition from which all
+// others inherit, only the settings of the printer are the file's; the others are SlicerFile::beneath.
 // Throws Error: io for a file that cannot be read; bad_input for a damaged archive, and for a definition that inherits
 // from itself.
 std::optional<SlicerFile> cura_file(const std::string& bytes, const std::string& file);

@@ -1,7 +1,6 @@
 #include "app/filum/cura_printer.hpp"
 
-#include "app/filum/cura_file.hpp"
-#include "app/filum/cura_words.hpp"
+#include "app/filum/cura_stack.hpp"
 #include "app/filum/slicer_table.hpp"
 #include "app/filum/slicer_text.hpp"
 #include "base/error.hpp"
@@ -122,17 +121,10 @@ class CuraCode {
     const SlicerFile& settings_;
 };
 
-std::string cura_text(const SlicerFile& file, std::string_view key) {
-    const SlicerSetting* own = find_setting(file.settings, key);
-    if (own != nullptr && !is_formula(own->value)) return own->value;
-    const SettingRow row = row_of(key, Slicer::cura);
-    return row.usual.ends_with('%') ? "" : std::string(row.usual);
-}
+double number_or_zero(const CuraStack& cura, const std::string& key) { return cura.number(key).value_or(0); }
 
-double cura_number_or_zero(const SlicerFile& file, std::string_view key) { return cura_number(file, key).value_or(0); }
-
-std::string cura_flavour(const SlicerFile& file) {
-    const std::string name = trimmed(cura_text(file, "machine_gcode_flavor"));
+std::string cura_flavour(const CuraStack& cura) {
+    const std::string name = trimmed(cura.text("machine_gcode_flavor"));
     constexpr std::pair<std::string_view, const char*> kFlavours[] = {{"RepRap (Marlin/Sprinter)", "marlin"},
                                                                       {"Marlin", "marlin"},
                                                                       {"Cheetah", "marlin"},
@@ -158,9 +150,9 @@ std::string cura_heating(const std::string& start, bool bed) {
     return out;
 }
 
-std::string cura_corners(const SlicerFile& file) {
-    const double width = cura_number_or_zero(file, "machine_width"), depth = cura_number_or_zero(file, "machine_depth");
-    const bool centre = cura_text(file, "machine_center_is_zero") == "1";
+std::string cura_corners(const CuraStack& cura) {
+    const double width = number_or_zero(cura, "machine_width"), depth = number_or_zero(cura, "machine_depth");
+    const bool centre = cura.text("machine_center_is_zero") == "1";
     const double x = centre ? -width / 2 : 0, y = centre ? -depth / 2 : 0;
     const auto corner = [&](double dx, double dy) { return shortest_text(x + dx) + "x" + shortest_text(y + dy); };
     return corner(0, 0) + "," + corner(width, 0) + "," + corner(width, depth) + "," + corner(0, depth);
@@ -182,36 +174,33 @@ constexpr std::pair<const char*, const char*> kNumbers[] = {
 SlicerFile cura_printer(const SlicerFile& file) {
     SlicerFile out{.slicer = Slicer::cura, .settings = {}, .remarks = {}};
     if (!file.has("machine_start_gcode") && !file.has("machine_width")) return out;
+    const CuraStack cura(file);
     const auto put = [&](const char* key, std::string value) { out.settings.push_back({key, std::move(value)}); };
-    const auto number = [&](const char* key, const char* of) {
-        put(key, shortest_text(cura_number_or_zero(file, of)));
-    };
+    const auto number = [&](const char* key, const char* of) { put(key, shortest_text(number_or_zero(cura, of))); };
     for (const preset::SettingRow& row : preset::setting_rows()) { // names for macros
         if (row.slicers != "cura" || row.key.ends_with("gcode") || preset::key_of(row.key) != nullptr) continue;
-        const auto value = row.reading == "machine" || !row.usual.ends_with('%') ? std::optional<double>{}
-                                                                                 : cura_number(file, row.key);
-        const std::string text = value ? shortest_text(*value) : cura_text(file, row.key);
+        const std::string text = cura.text(std::string(row.key));
         if (!text.empty()) out.settings.push_back({std::string(row.key), as_one_line(text)});
     }
-    const std::string start = cura_text(file, "machine_start_gcode"), end = cura_text(file, "machine_end_gcode");
-    const std::string heat = cura_heating(start, cura_text(file, "machine_heated_bed") == "1");
+    const std::string start = cura.text("machine_start_gcode"), end = cura.text("machine_end_gcode");
+    const std::string heat = cura_heating(start, cura.text("machine_heated_bed") == "1");
     const SlicerFile known = out;
     const CuraCode code(known);
     put("start_gcode", as_one_line(heat + code.macros(start)));
     put("end_gcode", as_one_line(code.macros(end)));
-    put("printer_model", as_one_line(cura_text(file, "machine_name")));
-    put("bed_shape", cura_corners(file));
-    put("gcode_flavor", cura_flavour(file));
-    put("use_relative_e_distances", cura_text(file, "relative_extrusion") == "1" ? "1" : "0");
-    put("use_volumetric_e", trimmed(cura_text(file, "machine_gcode_flavor")) == "RepRap (Volumetric)" ? "1" : "0");
-    put("use_firmware_retraction", cura_text(file, "machine_firmware_retract") == "1" ? "1" : "0");
+    put("printer_model", as_one_line(cura.text("machine_name")));
+    put("bed_shape", cura_corners(cura));
+    put("gcode_flavor", cura_flavour(cura));
+    put("use_relative_e_distances", cura.text("relative_extrusion") == "1" ? "1" : "0");
+    put("use_volumetric_e", trimmed(cura.text("machine_gcode_flavor")) == "RepRap (Volumetric)" ? "1" : "0");
+    put("use_firmware_retraction", cura.text("machine_firmware_retract") == "1" ? "1" : "0");
     put("machine_limits_usage", "time_estimate_only");
     for (const auto& [ours, theirs] : kNumbers) number(ours, theirs);
     if (file.has("material_diameter")) number("filament_diameter", "material_diameter");
     for (const char* axis : {"x", "y", "z"}) {
         const std::string key = std::string("machine_max_feedrate_") + axis;
         // Cura has the speed of light for no limit.
-        if (const double mm_s = cura_number_or_zero(file, key); mm_s > 0 && mm_s < kFastest)
+        if (const double mm_s = number_or_zero(cura, key); mm_s > 0 && mm_s < kFastest)
             put(key.c_str(), shortest_text(mm_s));
     }
     return out;

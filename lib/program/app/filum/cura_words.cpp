@@ -1,6 +1,5 @@
 #include "app/filum/cura_words.hpp"
 
-#include "app/filum/cura_file.hpp"
 #include "app/filum/slicer_text.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -15,26 +14,24 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr int kDeepestFormula = 8; // most usual formulas that refer to each other
-
 std::string option_word(const std::string& name, double value) { return "--" + name + "=" + shortest_text(value); }
 std::string key_word(const std::string& key, double value) { return "--set=" + key + "=" + shortest_text(value); }
 double in_um(double mm) { return std::round(mm * 1e3) / 1e3; }
 
-// Numbers by key, with Cura's usual formula where the file has none.
+// Makes the words of settings from the values of all.
 class CuraNumbers {
   public:
-    CuraNumbers(const SlicerValues& values, Words& remarks) : values_(values), remarks_(remarks) {}
+    CuraNumbers(const CuraStack& cura, Words& remarks) : cura_(cura), remarks_(remarks) {}
 
-    [[nodiscard]] bool has(const std::string& key) const { return !values_.text(key).empty(); }
+    [[nodiscard]] bool has(const std::string& key) const { return cura_.has(key); }
     [[nodiscard]] bool on(const std::string& key) const { return number(key) != 0; }
-    [[nodiscard]] double number(const std::string& key, int depth = 0) const {
-        if (has(key)) return values_.number(key);
-        const SettingRow row = row_of(key, Slicer::cura);
-        if (row.usual.empty() || depth > kDeepestFormula) return 0;
-        if (!row.usual.ends_with('%')) return parse_number(row.usual, key);
-        return parse_number(row.usual.substr(0, row.usual.size() - 1), key) / 100 *
-               number(std::string(row.of), depth + 1);
+    // The number; 0 where the file lacks the key and Cura has no usual value.  Throws Error(usage).
+    [[nodiscard]] double number(const std::string& key) const {
+        const CuraValue value = cura_.value(key);
+        if (value.known()) return parse_number(text_of(value), key);
+        if (cura_.in_file(key) || !row_of(key, Slicer::cura).usual.empty())
+            throw Error(Exit::usage, "'" + key + "' is unknown: " + std::get<Uncalculated>(value.as).why);
+        return 0;
     }
     // Whether `key` is the first of the keys that the file has.
     [[nodiscard]] bool first(const std::string& key, std::initializer_list<const char*> keys) const {
@@ -42,9 +39,7 @@ class CuraNumbers {
             if (has(k)) return key == k;
         return false;
     }
-    [[nodiscard]] std::string word(const std::string& key) const {
-        return has(key) ? values_.text(key) : std::string(row_of(key, Slicer::cura).usual);
-    }
+    [[nodiscard]] std::string word(const std::string& key) const { return unquoted(cura_.text(key)); }
 
     [[nodiscard]] Words widths(const std::string& key) const;
     [[nodiscard]] Words walls() const;
@@ -63,7 +58,7 @@ class CuraNumbers {
   private:
     [[nodiscard]] double full_layer() const;
     void remark(const std::string& text) const { remarks_.push_back(text); }
-    const SlicerValues& values_;
+    const CuraStack& cura_;
     Words& remarks_;
 };
 
@@ -223,25 +218,8 @@ Words CuraNumbers::adhesion(const std::string& key) const {
 
 } // namespace
 
-std::optional<double> cura_number(const SlicerFile& file, std::string_view key) {
-    double factor = 1;
-    for (int depth = 0; depth <= kDeepestFormula; ++depth) {
-        const SlicerSetting* own = find_setting(file.settings, key);
-        const SettingRow row = row_of(key, Slicer::cura);
-        const bool share = own == nullptr && row.usual.ends_with('%');
-        const std::string_view text = own != nullptr ? std::string_view(own->value) : row.usual;
-        const auto value = plain_number(share ? text.substr(0, text.size() - 1) : text);
-        if (!value) return std::nullopt; // a formula, a word, or no value at all
-        factor *= *value;
-        if (!share) return factor;
-        factor /= 100;
-        key = row.of;
-    }
-    return std::nullopt;
-}
-
-Words cura_words(const SlicerValues& values, const std::string& key, const SettingRow& row, Words& remarks) {
-    const CuraNumbers cura(values, remarks);
+Words cura_words(const CuraStack& stack, const std::string& key, const SettingRow& row, Words& remarks) {
+    const CuraNumbers cura(stack, remarks);
     const std::string target(row.target);
     if (target == "width") return cura.widths(key);
     if (target == "walls") return cura.walls();

@@ -29,7 +29,7 @@ std::string line(const ReadSetting& s) {
 }
 
 std::string report(const std::string& file) {
-    const SlicerFile read = slicer_file(file);
+    const SlicerFile read = merged({slicer_file(file)}).front();
     const SlicerWishes all = wishes(read, [](std::string_view) { return true; });
     std::string out = printable(file) + ": " + std::to_string(all.settings.size()) + " settings, written by " +
                       name_of(read.slicer) + "\n";

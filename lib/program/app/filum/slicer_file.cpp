@@ -1,6 +1,7 @@
 #include "app/filum/slicer_file.hpp"
 
 #include "app/filum/cura_file.hpp"
+#include "app/filum/cura_stack.hpp"
 #include "app/filum/slicer_presets.hpp"
 #include "app/filum/slicer_project.hpp"
 #include "app/filum/slicer_values.hpp"
@@ -100,7 +101,7 @@ void put_setting(std::vector<SlicerSetting>& all, const SlicerSetting& setting) 
     if (at == all.end())
         all.push_back(setting);
     else
-        at->value = setting.value;
+        *at = setting;
 }
 
 const char* name_of(Slicer slicer) {
@@ -148,6 +149,16 @@ SlicerFile slicer_file(const std::string& word, int plate) {
                                      "profile of Cura (.curaprofile), or a G-code file of theirs");
 }
 
+void put_over(SlicerFile& into, SlicerFile file) {
+    if (file.slicer != Slicer::unknown) into.slicer = file.slicer;
+    for (SlicerSetting& s : file.settings) {
+        std::erase_if(into.settings, [&](const SlicerSetting& before) { return before.key == s.key; });
+        into.settings.push_back(std::move(s));
+    }
+    for (const SlicerSetting& s : file.beneath) put_setting(into.beneath, s);
+    std::ranges::move(file.remarks, std::back_inserter(into.remarks));
+}
+
 std::vector<SlicerFile> merged(std::vector<SlicerFile> files) {
     std::vector<SlicerFile> out;
     for (SlicerFile& file : files) {
@@ -155,14 +166,10 @@ std::vector<SlicerFile> merged(std::vector<SlicerFile> files) {
             out.push_back(std::move(file));
             continue;
         }
-        SlicerFile& into = out.back();
-        if (into.slicer == Slicer::unknown) into.slicer = file.slicer;
-        for (SlicerSetting& s : file.settings) {
-            std::erase_if(into.settings, [&](const SlicerSetting& before) { return before.key == s.key; });
-            into.settings.push_back(std::move(s));
-        }
-        std::ranges::move(file.remarks, std::back_inserter(into.remarks));
+        put_over(out.back(), std::move(file));
     }
+    for (SlicerFile& file : out)
+        if (file.slicer == Slicer::cura) calculate_formulas(file);
     return out;
 }
 

@@ -15,6 +15,7 @@ const char* name_of(Slicer slicer);
 
 struct SlicerSetting {
     std::string key, value; // as in the file; the items of a list have commas between them
+    std::string plain{};    // of a formula of Cura: the value that counts if the formula cannot be calculated
 };
 
 // The first setting with a key; null if there is none.
@@ -27,6 +28,8 @@ struct SlicerFile {
     Slicer slicer = Slicer::unknown; // the slicer that wrote the file
     std::vector<SlicerSetting> settings;
     std::vector<std::string> remarks{}; // presets that were not found, a sentence for each
+    // Settings of Cura's definition for all printers.  They count where others refer to them, and set nothing.
+    std::vector<SlicerSetting> beneath{};
 
     [[nodiscard]] bool has(std::string_view key) const { return find_setting(settings, key) != nullptr; }
 };
@@ -48,8 +51,11 @@ Slicer writer_of(const std::string& text, const std::vector<SlicerSetting>& sett
 // Of a project, settings that all parts of plate number `plate` have are settings of the file.
 SlicerFile slicer_file(const std::string& word, int plate = 1);
 
+// Puts the settings of `file` over those of `into`.
+void put_over(SlicerFile& into, SlicerFile file);
+
 // Joins consecutive files of the same slicer to one, such as a printer, a print and a filament.  A file of an unknown
-// slicer joins any other.  Where several files have a key, the last one counts.
+// slicer joins any other.  Where several files have a key, the last one counts.  Formulas of Cura are calculated then.
 std::vector<SlicerFile> merged(std::vector<SlicerFile> files);
 
 } // namespace filum::app::filum

@@ -1,6 +1,7 @@
 #include "app/filum/slicer_machine.hpp"
 
 #include "app/filum/cura_printer.hpp"
+#include "app/filum/cura_stack.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/shell.hpp"
@@ -191,10 +192,8 @@ std::string machine_of(const SlicerFile& all, const std::string& input) {
 
 SlicerMachine::SlicerMachine(std::vector<SlicerFile> files, std::vector<std::string> sources)
     : sources_(std::move(sources)) {
-    for (const SlicerFile& file : files) {
-        if (file.slicer != Slicer::unknown) file_.slicer = file.slicer;
-        for (const SlicerSetting& s : file.settings) put_setting(file_.settings, s);
-    }
+    for (SlicerFile& file : files) put_over(file_, std::move(file));
+    if (file_.slicer == Slicer::cura) calculate_formulas(file_);
     text_ = machine_of(file_, "");
     if (text_.empty()) return;
     path_ = folder_.file("slicer-machine.toml");

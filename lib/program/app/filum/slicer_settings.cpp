@@ -32,7 +32,8 @@ constexpr double kNoFlowLimit = 1e5; // mm3/s: more than any hot end melts
 // has no meaning in Filum.
 class Reader {
   public:
-    Reader(const SlicerValues& values, Words& remarks) : values_(values), remarks_(remarks) {}
+    Reader(const SlicerFile& file, const SlicerValues& values, Words& remarks)
+        : cura_(file.slicer == Slicer::cura ? file : SlicerFile{}), values_(values), remarks_(remarks) {}
 
     Words words(const std::string& key, const SettingRow& row) {
         const std::string value = values_.text(key);
@@ -146,7 +147,7 @@ class Reader {
 
     // Settings that depend on several keys.  The first of these keys that is set makes the words, the others make none.
     Words special(const std::string& key, const SettingRow& row) {
-        if (values_.slicer() == Slicer::cura) return cura_words(values_, key, row, remarks_);
+        if (values_.slicer() == Slicer::cura) return cura_words(cura_, key, row, remarks_);
         if (row.target.ends_with("width")) return width(key);
         if (row.target == "brim") return key == "brim_width" ? brim() : Words{};
         if (row.target == "cooling")
@@ -355,6 +356,7 @@ class Reader {
         return {};
     }
 
+    CuraStack cura_; // of other slicers' files it is empty
     const SlicerValues& values_;
     Words& remarks_;
 };
@@ -365,7 +367,7 @@ SlicerWishes wishes(const SlicerFile& file, const std::function<bool(std::string
     SlicerWishes out;
     out.remarks = file.remarks;
     const SlicerValues values(file);
-    Reader reader(values, out.remarks);
+    Reader reader(file, values, out.remarks);
     out.supports = reader.supports();
     out.supports_by_hand = reader.supports_by_hand();
     for (const SlicerSetting& s : file.settings) {
@@ -374,7 +376,9 @@ SlicerWishes wishes(const SlicerFile& file, const std::function<bool(std::string
         if (row.use != Use::used) continue;
         if (file.slicer == Slicer::cura && is_formula(s.value)) {
             read.use = Use::later;
-            read.why = "its value is a formula of Cura, which Filum does not calculate; write the number instead";
+            const CuraValue value = CuraStack(file).value(s.key);
+            const std::string why = value.known() ? "it was not calculated" : std::get<Uncalculated>(value.as).why;
+            read.why = "its value is a formula of Cura: " + why + "; write the value instead";
             continue;
         }
         try {

@@ -1,7 +1,7 @@
 #include "../files.hpp"
 #include "app/filum/cura_file.hpp"
 #include "app/filum/cura_printer.hpp"
-#include "app/filum/cura_words.hpp"
+#include "app/filum/cura_stack.hpp"
 #include "app/filum/slicer_settings.hpp"
 #include "app/filum/slicer_text.hpp"
 #include "archive/zip.hpp"
@@ -23,9 +23,9 @@ std::string profile(const std::string& values, const std::string& position = "")
 }
 
 SlicerFile read(const std::string& bytes, const std::string& name = "x") {
-    const auto out = cura_file(bytes, name);
+    auto out = cura_file(bytes, name);
     EXPECT_TRUE(out.has_value()) << bytes.substr(0, 200);
-    return out.value_or(SlicerFile{});
+    return out ? merged({*std::move(out)}).front() : SlicerFile{};
 }
 
 std::string value(const SlicerFile& file, const std::string& key) {
@@ -82,8 +82,8 @@ TEST(Cura, ValuesHaveItsUnitsAndDefaults) {
           "--brim=8", "--xy-compensation=-0.1", "--set=cooling.most=127.5", "--set=cooling.full_layer=5",
           "--set=cooling.off_layers=1", "--set=feeds.solid=30", "--set=feeds.infill=60", "--interlace=random"})
         EXPECT_TRUE(all.contains(word)) << word;
-    for (const std::string& word : all)
-        EXPECT_FALSE(word.starts_with("--set=feeds.outer_wall") || word.starts_with("--bottom=4")) << word;
+    EXPECT_TRUE(all.contains("--set=feeds.outer_wall=30"));
+    EXPECT_FALSE(all.contains("--bottom=4"));
     EXPECT_TRUE(words("retraction_enable = False\nretraction_amount = 5\n").contains("--set=travel.retract=0"));
     EXPECT_TRUE(words("acceleration_print = 800\n").empty()) << "acceleration_enabled is off by default";
     EXPECT_TRUE(
@@ -91,13 +91,46 @@ TEST(Cura, ValuesHaveItsUnitsAndDefaults) {
     EXPECT_TRUE(words("magic_spiralize = True\n").contains("--vase"));
 }
 
-TEST(Cura, FormulasAreNamedAndNotCalculated) {
-    const SlicerWishes all = wishes(read(profile("wall_thickness = =line_width * 3\nlayer_height = 0.1\n")),
-                                    [](std::string_view) { return true; });
-    const auto at = std::ranges::find(all.settings, "wall_thickness", &ReadSetting::key);
-    ASSERT_NE(at, all.settings.end());
-    EXPECT_EQ(at->use, Use::later);
-    EXPECT_NE(at->why.find("formula"), std::string::npos);
+TEST(Cura, WhatCannotBeCalculatedIsNamed) {
+    const SlicerWishes all =
+        wishes(read(profile("wall_thickness = =hash(3)\nline_width = 0.4\nwall_line_width_0 = =magic * 2\n")),
+               [](std::string_view) { return true; });
+    const auto at = [&](const char* key) { return *std::ranges::find(all.settings, key, &ReadSetting::key); };
+    EXPECT_EQ(at("wall_thickness").use, Use::later);
+    EXPECT_NE(at("wall_thickness").why.find("formula of Cura: it calls hash()"), std::string::npos);
+    EXPECT_NE(at("wall_line_width_0").why.find("no file has 'magic'"), std::string::npos);
+    EXPECT_EQ(at("line_width").use, Use::later); // the width of outer walls is unknown, and so are all
+    EXPECT_NE(at("line_width").why.find("'wall_line_width_0' is unknown"), std::string::npos);
+}
+
+// The root's formulas win over a printer's plain default, as in Cura, and set nothing by themselves.
+TEST(Cura, TheRootLiesBeneathThePrinter) {
+    const test::Folder folder;
+    (void)folder.write("fdmprinter.def.json", R"({"metadata": {"visible": true}, "settings": {"speed": {"children": {
+        "speed_print": {"default_value": 60}, "speed_topbottom": {"value": "speed_print / 3", "default_value": 1},
+        "top_thickness": {"value": "layer_height * 5"}, "odd": {"value": "missing", "default_value": 7},
+        "layer_height": {"default_value": 0.15}}}, "machine": {"children": {"machine_width": {"default_value": 100}}}}})");
+    (void)folder.write("x.def.json", R"({"metadata": {"visible": true}, "inherits": "fdmprinter", "overrides": {
+        "speed_topbottom": {"default_value": 5}, "wall_thickness": {"value": "layer_height * 4"},
+        "bottom_thickness": {"value": "odd"}}})");
+    const std::string path = folder("x.def.json");
+    const SlicerFile file = read(content_of(path), path);
+    EXPECT_EQ(value(file, "speed_topbottom"), "20");
+    EXPECT_EQ(value(file, "wall_thickness"), "0.6");
+    EXPECT_EQ(value(file, "bottom_thickness"), "=odd"); // no plain default stands in without a word
+    EXPECT_EQ(value(file, "machine_width"), "100");
+    for (const char* key : {"speed_print", "top_thickness", "layer_height"}) EXPECT_EQ(value(file, key), "-") << key;
+}
+
+TEST(Cura, FormulasReferToAllFiles) {
+    auto printer = cura_file(R"({"metadata": {"visible": true}, "inherits": "fdmprinter", "overrides": {
+        "line_width": {"value": "machine_nozzle_size * 1.1"}, "machine_nozzle_size": {"default_value": 0.6},
+        "wall_thickness": {"value": "line_width * 2 if adhesion_type == 'brim' else 9"}}})",
+                             "x.def.json");
+    ASSERT_TRUE(printer.has_value());
+    const SlicerFile all = merged({*printer, *cura_file(profile("machine_nozzle_size = 0.8\n"), "y")}).front();
+    EXPECT_EQ(value(all, "line_width"), "0.88");
+    EXPECT_EQ(value(all, "wall_thickness"), "1.76");
 }
 
 std::string definition(const std::string& parent, const std::string& settings) {
@@ -120,14 +153,17 @@ TEST(Cura, APrinterInheritsAndHeatsBeforeItsStart) {
     put("definitions/x.def.json",
         definition("base", R"("machine_width": {"value": "210"}, "machine_center_is_zero": {"default_value": true},
         "z_seam_type": {"value": "'back'"}, "material_print_temperature": {"value": 222},
-        "wall_thickness": {"value": "line_width * 2", "default_value": 1})"));
+        "wall_thickness": {"value": "line_width * 2", "default_value": 1},
+        "top_thickness": {"value": "magic", "default_value": 1})"));
     const std::string path = folder("definitions/x.def.json");
     const SlicerFile file = read(content_of(path), path);
     EXPECT_EQ(value(file, "machine_width"), "210");
     EXPECT_EQ(value(file, "z_seam_type"), "back");
     EXPECT_EQ(value(file, "machine_nozzle_size"), "0.6");
-    EXPECT_EQ(value(file, "wall_thickness"), "1"); // the plain default instead of the formula, with a remark
-    EXPECT_EQ(value(file, "speed_print"), "-");    // the root counts for the printer only
+    EXPECT_EQ(value(file, "wall_thickness"), "1.2"); // the line has the nozzle's width
+    EXPECT_EQ(value(file, "top_thickness"), "1");    // the plain default instead of the formula, with a remark
+    EXPECT_EQ(file.remarks.back(), "plain values instead of formulas of Cura: top_thickness");
+    EXPECT_EQ(value(file, "speed_print"), "-"); // the root counts for the printer only
     const SlicerFile printer = cura_printer(file);
     EXPECT_EQ(value(printer, "bed_shape"), "-105x-90,105x-90,105x90,-105x90");
     EXPECT_EQ(value(printer, "temperature"), "222");
@@ -158,14 +194,15 @@ TEST(Cura, StartCodesThatHeatAreLeftAlone) {
 TEST(Cura, WordsAndFormulasAreNoNumbers) {
     const SlicerFile file{.slicer = Slicer::cura,
                           .settings = {{"top_bottom_pattern", "lines"},
-                                       {"line_width", "=3"},
+                                       {"line_width", "=x"},
                                        {"speed_print", "50"},
                                        {"machine_start_gcode", "G1 F{speed_wall_x}"},
                                        {"machine_max_feedrate_x", "299792458000"}},
                           .remarks = {}};
-    EXPECT_FALSE(cura_number(file, "top_bottom_pattern_0"));
-    EXPECT_FALSE(cura_number(file, "infill_line_width"));
-    EXPECT_EQ(cura_number(file, "speed_wall_x"), 50); // twice the half
+    const CuraStack cura(file);
+    EXPECT_FALSE(cura.number("top_bottom_pattern_0"));
+    EXPECT_FALSE(cura.number("infill_line_width"));
+    EXPECT_EQ(cura.number("speed_wall_x"), 50); // twice the half
     const SlicerFile printer = cura_printer(file);
     EXPECT_EQ(value(printer, "speed_wall_x"), "50");
     EXPECT_EQ(value(printer, "machine_max_feedrate_x"), "-") << "the speed of light is no limit";
@@ -189,9 +226,10 @@ TEST(Cura, DamagedFilesAreReadOrRefused) {
             for (int n = 0; n < 3; ++n) bytes[random() % bytes.size()] = static_cast<char>(random());
             bytes.resize(bytes.size() - random() % 2 * (random() % bytes.size()));
             try {
-                if (const auto file = cura_file(bytes, "x")) {
-                    (void)wishes(*file, [](std::string_view) { return true; });
-                    (void)cura_printer(*file);
+                if (auto file = cura_file(bytes, "x")) {
+                    const SlicerFile all = merged({*std::move(file)}).front();
+                    (void)wishes(all, [](std::string_view) { return true; });
+                    (void)cura_printer(all);
                 }
             } catch (const Error&) { // it is refused
             }
