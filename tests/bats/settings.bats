@@ -100,7 +100,7 @@ cm3() { sed -n 's/^; filament used \[cm3\] = //p' "$1"; }
 }
 
 @test "endings mean what they say" {
-    for name in x.pdf x.jpg x.3mf x.png; do
+    for name in x.pdf x.jpg x.3mf x.png x.toolpath x.regions; do
         run filum print cube.obj -o "$name"
         [ "$status" -eq 2 ]
         [ ! -e "$name" ]
@@ -114,9 +114,10 @@ cm3() { sed -n 's/^; filament used \[cm3\] = //p' "$1"; }
 
 @test "files of Cura: a profile, a program, and a printer with its start" {
     printf '%s\n' '[general]' 'version = 4' 'name = mine' 'definition = custom' '' '[metadata]' 'type = quality_changes' '' \
-        '[values]' 'infill_sparse_density = 15' 'wall_line_count = 3' 'wall_line_width_0 = =line_width' 'speed_print = 50' > mine.inst.cfg
+        '[values]' 'infill_sparse_density = 15' 'wall_line_count = 3' 'wall_line_width_0 = =line_width + 0.05' \
+        'xy_offset = =magic(3)' 'speed_print = 50' > mine.inst.cfg
     run filum settings mine.inst.cfg
-    [[ "$status" -eq 0 && "$output" == *"written by Cura"*"used ("*"--walls=3"*"not used yet (1)"*"formula"* ]]
+    [[ "$status" -eq 0 && "$output" == *"written by Cura"*"used ("*"--walls=3"*"--bead-width=0.45"*"not used yet (1)"*"it calls magic()"* ]]
     zip -q mine.curaprofile mine.inst.cfg 2> /dev/null || python3 -c "
 import zipfile
 zipfile.ZipFile('mine.curaprofile', 'w').write('mine.inst.cfg')"
