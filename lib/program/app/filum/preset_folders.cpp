@@ -1,5 +1,7 @@
 #include "app/filum/preset_folders.hpp"
 
+#include "app/filum/slicer_text.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
@@ -12,7 +14,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kMostEntries = 100'000; // most entries of folders that are scanned; OrcaSlicer has 20,000 presets
-constexpr int kDeepestFolder = 6;             // most levels of folders that are scanned below a folder of presets
+constexpr const char* kLibrary = "OrcaFilamentLibrary"; // OrcaSlicer's folder of filaments for all vendors
+constexpr int kDeepestFolder = 6; // most levels of folders that are scanned below a folder of presets
 
 std::string from_environment(const char* name) {
     const char* value = std::getenv(name);
@@ -24,7 +27,8 @@ std::vector<fs::path> kept_folders() {
     std::vector<fs::path> out;
     std::istringstream own(from_environment("FILUM_PRESETS"));
     for (std::string folder; std::getline(own, folder, ':');)
-        if (!folder.empty()) out.emplace_back(folder);
+        if (!folder.empty())
+            out.push_back((fs::path(folder) / "x").lexically_normal().parent_path()); // no '/' at its end
     const fs::path home = from_environment("HOME");
     const std::string config = from_environment("XDG_CONFIG_HOME");
     constexpr std::pair<const char*, const char*> kSlicers[] = {{"PrusaSlicer", "com.prusa3d.PrusaSlicer"},
@@ -50,6 +54,13 @@ std::vector<fs::path> kept_folders() {
 std::size_t shared_folders(const fs::path& a, const fs::path& b) {
     const auto end = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
     return static_cast<std::size_t>(std::distance(a.begin(), end));
+}
+
+// The folder of a preset's vendor: the one above the folder of its kind; "" if there is none.
+fs::path vendor_folder(const fs::path& file) {
+    for (fs::path at = file.parent_path(); at.has_filename(); at = at.parent_path())
+        if (kind_of(at.filename().string())) return at.parent_path();
+    return {};
 }
 
 } // namespace
@@ -114,16 +125,47 @@ void PresetFolders::scan() {
     for (const fs::path& folder : kept_folders()) scan_folder(folder, true);
 }
 
-std::optional<std::string> PresetFolders::find(PresetKind kind, const std::string& name) {
-    scan();
-    const fs::path own = beside_.empty() ? fs::path() : fs::absolute(beside_).lexically_normal();
+const PresetFolders::Place* PresetFolders::nearest(const std::vector<const Place*>& places, PresetKind kind,
+                                                   const fs::path& from) {
     const Place* best = nullptr;
-    const auto [from, to] = places_.equal_range(name);
-    for (auto at = from; at != to; ++at) {
-        const Place& place = at->second;
-        if ((place.kind && *place.kind != kind) || place.file == own) continue;
-        if (best == nullptr || shared_folders(place.file, own) > shared_folders(best->file, own)) best = &place;
+    for (const Place* place : places) {
+        if ((place->kind && *place->kind != kind) || place->file == from) continue;
+        if (best == nullptr || shared_folders(place->file, from) > shared_folders(best->file, from)) best = place;
     }
+    return best;
+}
+
+std::vector<const PresetFolders::Place*> PresetFolders::in_vendor(const fs::path& vendor, const std::string& name) {
+    std::vector<const Place*> out;
+    const auto [begin, end] = places_.equal_range(name);
+    for (auto at = begin; at != end; ++at)
+        if (vendor_folder(at->second.file) == vendor) out.push_back(&at->second);
+    if (!out.empty()) return out;
+    const auto [names, fresh] = names_.try_emplace(vendor);
+    if (fresh)
+        for (const auto& [stem, place] : places_) {
+            if (place.file.extension() != ".json" || vendor_folder(place.file) != vendor) continue;
+            const auto settings = json_settings(content_of(place.file.string()));
+            if (const SlicerSetting* own = find_setting(settings, "name"); own != nullptr)
+                names->second.emplace(own->value, &place);
+        }
+    const auto [first, last] = names->second.equal_range(name);
+    for (auto at = first; at != last; ++at) out.push_back(at->second);
+    return out;
+}
+
+std::optional<std::string> PresetFolders::find(PresetKind kind, const std::string& name, const std::string& from) {
+    scan();
+    const std::string& file = from.empty() ? beside_ : from;
+    const fs::path own = file.empty() ? fs::path() : fs::absolute(file).lexically_normal();
+    const Place* best = nullptr;
+    if (const fs::path vendor = vendor_folder(own); !vendor.empty())
+        for (const fs::path& folder : {vendor, vendor.parent_path() / kLibrary})
+            if (best == nullptr) best = nearest(in_vendor(folder, name), kind, own);
+    std::vector<const Place*> all;
+    const auto [begin, end] = places_.equal_range(name);
+    for (auto at = begin; at != end; ++at) all.push_back(&at->second);
+    if (best == nullptr) best = nearest(all, kind, own);
     if (best == nullptr) return std::nullopt;
     return best->file.string();
 }

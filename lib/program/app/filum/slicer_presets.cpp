@@ -120,9 +120,9 @@ const PresetShelf::PresetBundle& PresetShelf::vendors() {
     return *vendors_;
 }
 
-std::optional<Preset> PresetShelf::find(PresetKind kind, const std::string& name) {
+std::optional<Preset> PresetShelf::find(PresetKind kind, const std::string& name, const std::string& from) {
     if (const Preset* found = in(own_, {kind, name})) return *found;
-    if (const auto file = folders_.find(kind, name)) {
+    if (const auto file = folders_.find(kind, name, from)) {
         Preset out = preset_of(content_of(*file), *file);
         out.kind = kind;
         out.name = name;
@@ -157,6 +157,35 @@ std::vector<KnownPreset> PresetShelf::known(PresetKind kind) {
     return out;
 }
 
+std::vector<std::string> PresetShelf::printers_of(const Preset& preset) {
+    if (!preset.file.ends_with(".json")) return {};
+    std::vector<std::string> missing;
+    const auto all = whole(preset, missing);
+    const SlicerSetting* printers = find_setting(all, "compatible_printers");
+    if (printers == nullptr) return {};
+    return names_in(printers->value, printers->value.find(';') != std::string::npos ? ';' : ',');
+}
+
+std::string PresetShelf::selected(PresetKind kind, const std::string& usual, const std::string& printer) {
+    const auto holds = [&](const std::vector<std::string>& names) {
+        return std::ranges::find(names, printer) != names.end();
+    };
+    const auto found = find(kind, usual);
+    if (found) {
+        const auto printers = printers_of(*found);
+        if (printers.empty() || holds(printers)) return usual;
+    }
+    for (const std::string& file : folders_.files(kind)) {
+        const std::string text = content_of(file);
+        if (!file.ends_with(".json") || text.find('"' + printer + '"') == std::string::npos) continue;
+        const Preset preset = preset_of(text, file);
+        const SlicerSetting* shown = find_setting(preset.settings, "instantiation");
+        if (shown != nullptr && shown->value == "true" && holds(printers_of(preset)))
+            return std::filesystem::path(file).stem().string();
+    }
+    return found ? usual : "";
+}
+
 // Parents come first, so that a preset's own values replace theirs.
 void PresetShelf::gather(const Preset& preset, std::vector<std::string>& path, std::vector<SlicerSetting>& out,
                          std::vector<std::string>& missing) {
@@ -166,7 +195,7 @@ void PresetShelf::gather(const Preset& preset, std::vector<std::string>& path, s
                                          "' inherits from itself; remove that line");
     path.push_back(id);
     for (const std::string& name : parents_of(preset)) {
-        if (const auto parent = find(preset.kind, name)) {
+        if (const auto parent = find(preset.kind, name, preset.file)) {
             gather(*parent, path, out, missing);
             continue;
         }
@@ -240,11 +269,12 @@ SlicerFile settings_of_presets(PresetShelf& shelf, PresetNames names, const std:
             if (!name.empty() || usual == nullptr) continue;
             const auto all = names_in(usual->value, preset.file.ends_with(".json") ? ',' : ';');
             if (all.empty()) continue;
-            if (shelf.find(other, all.front()))
-                name = all.front();
-            else
-                out.remarks.push_back(std::string("the printer's default ") + name_of(other) + " '" + all.front() +
-                                      "' was not found: none is used");
+            name = shelf.selected(other, all.front(), preset.name);
+            if (name != all.front())
+                out.remarks.push_back(
+                    std::string("the printer's default ") + name_of(other) + " '" + all.front() +
+                    "' was not found, or is for other printers: " +
+                    (name.empty() ? "none is used" : "'" + name + "' is used, which is for this one"));
         }
     }
     return out;

@@ -48,13 +48,17 @@ class PresetShelf {
     // Adds the presets of a bundle.  find() returns them before all others.
     void add_bundle(const std::string& text, const std::string& file);
     // The preset `name`: first of added bundles, then of files (see PresetFolders), then of bundles in slicers'
-    // folders. A name that a bundle has renamed finds the preset of today's name.
-    [[nodiscard]] std::optional<Preset> find(PresetKind kind, const std::string& name);
+    // folders. A name that a bundle has renamed finds the preset of today's name.  `from`: the file that inherits from
+    // it.
+    [[nodiscard]] std::optional<Preset> find(PresetKind kind, const std::string& name, const std::string& from = "");
     // The names of presets in added bundles that a user can choose, in the order of the bundle.
     [[nodiscard]] std::vector<std::string> names(PresetKind kind) const;
     // All presets that a user can choose: first those in bundles, then those in files of their own.  Presets that only
     // serve as bases for others are left out.
     [[nodiscard]] std::vector<KnownPreset> known(PresetKind kind);
+    // The name of the preset that OrcaSlicer and Bambu Studio select with a printer: `usual`, unless it is missing or
+    // made for other printers; then the first one by name that is made for this printer.  "": there is none.
+    std::string selected(PresetKind kind, const std::string& usual, const std::string& printer);
     // The settings of a preset with all inherited ones.  `missing` gets a sentence for each parent that is not found.
     // Throws Error(bad_input) for a preset that inherits from itself.
     std::vector<SlicerSetting> whole(const Preset& preset, std::vector<std::string>& missing);
@@ -72,6 +76,8 @@ class PresetShelf {
                 std::vector<std::string>& missing);
 
     const PresetBundle& vendors();
+    // The printers that a preset in JSON is made for; empty: for all.
+    std::vector<std::string> printers_of(const Preset& preset);
 
     PresetFolders folders_;
     PresetBundle own_;                    // from add_bundle()

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 
 namespace filum::app::filum {
 namespace {
@@ -50,6 +51,34 @@ TEST_F(Printers, FilamentsAreThoseOfPresetsAndFourCommonOnes) {
     EXPECT_EQ(value_in(chosen_printer({"Maker One", "", "PETG"}), "temperature"), "240");
     EXPECT_EQ(value_in(chosen_printer({"", "", "abs"}), "first_layer_bed_temperature"), "100");
     EXPECT_THROW(chosen_printer({"", "", "wood"}), Error);
+}
+
+// As OrcaSlicer selects them: a default that is missing or for other nozzles gives way to the first one for the
+// printer.
+TEST_F(Printers, ADefaultForOtherPrintersIsReplaced) {
+    for (const char* folder : {"V/machine", "V/process", "V/filament"})
+        std::filesystem::create_directories(at_(folder));
+    const auto put = [&](const std::string& name, const std::string& json) {
+        static_cast<void>(at_.write(name, json));
+    };
+    const auto process = [&](const std::string& name, const std::string& printer, const char* loops) {
+        put("V/process/" + name + ".json", R"({"type": "process", "name": ")" + name +
+                                               R"(", "instantiation": "true", "wall_loops": ")" + loops +
+                                               R"(", "compatible_printers": [")" + printer + R"("]})");
+    };
+    process("a coarse", "Vee 0.8", "7");
+    process("b fine", "Vee 0.4", "5");
+    process("c fine", "Vee 0.4", "6");
+    for (const char* usual : {"a coarse", "no such", "b fine", "c fine"}) {
+        put("V/machine/Vee 0.4.json", R"({"type": "machine", "name": "Vee 0.4", "instantiation": "true",
+            "printable_area": ["0x0", "9x0", "9x9", "0x9"], "nozzle_diameter": ["0.4"],
+            "default_print_profile": ")" + std::string(usual) +
+                                          R"("})");
+        const ChosenPrinter chosen = chosen_printer({"Vee 0.4", "", ""});
+        const bool own = std::string(usual).ends_with("fine");
+        EXPECT_EQ(value_in(chosen, "wall_loops"), std::string(usual) == "c fine" ? "6" : "5") << usual;
+        EXPECT_EQ(chosen.settings.at(0).remarks.empty(), own) << usual;
+    }
 }
 
 TEST_F(Printers, AProfileOfFilumIsAMachine) {

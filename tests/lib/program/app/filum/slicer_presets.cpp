@@ -149,6 +149,37 @@ TEST(SlicerPresets, ParentsOfJsonAreFoundWhereSlicersKeepThem) {
     ::unsetenv("FILUM_PRESETS");
 }
 
+// Random trees of vendors and of the library that all share, whose presets have equal names: a parent is that of the
+// file that inherits, then that of its vendor, then that of the library.  Files may have other names than their
+// presets.
+TEST(SlicerPresets, ParentsAreThoseOfTheFileThatInherits) {
+    std::mt19937 random(11);
+    for (int trial = 0; trial < many(40); ++trial) {
+        const test::Folder at;
+        const auto put = [&](const std::string& folder, const std::string& name, const std::string& more) {
+            std::filesystem::create_directories(at(folder));
+            const std::string file = random() % 2 == 0 ? name : "file of " + name; // its name is in the JSON
+            return at.write(folder + "/" + file + ".json",
+                            R"({"type": "filament", "name": ")" + name + R"(", )" + more + "}");
+        };
+        const std::string library = "OrcaFilamentLibrary/filament";
+        const bool own_base = random() % 2 == 0, own_material = random() % 2 == 0;
+        for (const char* vendor : {"Alpha", "Zeta"}) // neighbours, which never count
+            for (const char* name : {"base", "material"})
+                static_cast<void>(put(std::string(vendor) + "/filament", name, R"("filament_cost": ["99"])"));
+        static_cast<void>(put(library + "/base", "base", R"("filament_cost": ["1"])"));
+        static_cast<void>(put(library, "material", R"("inherits": "base", "filament_density": ["1.1"])"));
+        if (own_base) static_cast<void>(put("Mid/filament", "base", R"("filament_cost": ["2"])"));
+        if (own_material)
+            static_cast<void>(put("Mid/filament", "material", R"("inherits": "base", "filament_density": ["1.2"])"));
+        const std::string chosen = put("Mid/filament/deep", "chosen", R"("inherits": "material")");
+        const SlicerFile file = slicer_file(chosen);
+        EXPECT_TRUE(file.remarks.empty());
+        EXPECT_EQ(value_of(file, "filament_density"), own_material ? "1.2" : "1.1") << trial;
+        EXPECT_EQ(value_of(file, "filament_cost"), own_material && own_base ? "2" : "1") << trial;
+    }
+}
+
 TEST(SlicerPresets, FilesOfOneSlicerAreReadAsOne) {
     SlicerFile machine{Slicer::orca, {{"nozzle_diameter", "0.6"}, {"travel_speed", "1"}}},
         process{Slicer::orca, {{"line_width", "110%"}, {"travel_speed", "2"}}},
