@@ -57,8 +57,8 @@ Arc arc_reach(const Line& line, std::uint32_t from, std::uint32_t least, std::ui
               double& off);
 
 // Moves that cross each other or one of `others` after their ends were rounded to whole multiples of `grid` mm (0: no
-// rounding), although the line did not cross there, as segments [first, last] of `line`. `begins`: for each move the
-// point of the line where it begins, ascending.
+// rounding), although the line did not cross there, as segments [first, last] of `line`. Moves that are segments of the
+// line are not compared with each other. `begins`: for each move the point of the line where it begins, ascending.
 struct Tangle {
     std::uint32_t first = 0, last = 0;
 };
