@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "surface/directions/pull.hpp"
 #include "surfpath/field/rings.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,6 @@ constexpr double kLeastShare = 1e-4; // weights below this share of the prescrib
 constexpr int kRounds = 40;          // most rounds of lowering weights
 constexpr int kPatience = 3;         // rounds without improvement before the search ends
 constexpr double kAround = 0.25;     // least radii around a place that bends too much in which weights are lowered, too
-constexpr double kUnknown = 1e-6;    // |z|: a smaller vector has no direction
 // Sine of the angle between normal and reference direction below which the surroundings decide: the weight is its
 // square, so smoothing over a fifth of a spacing reaches a fifth of a spacing over the sine, which is a whole spacing.
 constexpr double kUpright = 0.2;
@@ -96,11 +96,11 @@ double bend(const Surface& s, const Cells& cells, std::span<const Complex> z, st
     Complex sum{};
     for (std::size_t k = 0; k < 3; ++k) {
         u[k] = z[c[k]] * transport(cells.normal[c[k]], n);
-        if (!(std::abs(u[k]) > kUnknown)) return 0;
+        if (!(std::abs(u[k]) > rules::kTiny)) return 0;
         u[k] /= std::abs(u[k]);
         sum += u[k];
     }
-    if (!(std::abs(sum) > kUnknown)) return std::numeric_limits<double>::infinity();
+    if (!(std::abs(sum) > rules::kTiny)) return std::numeric_limits<double>::infinity();
     const Vec3 d = direction(sum, n);
     Vec3 slope;
     const double twice_area = 2 * surface::area(s, t);
@@ -130,7 +130,7 @@ PrescribedDirections prescribed(const surface::Sheet& sheet, const Cells& cells,
         out.weight[v] = std::min(1.0, much);
         if (much > 0) out.z[v] /= much;
     }
-    if (std::none_of(out.weight.begin(), out.weight.end(), [](double w) { return w > kUnknown; }))
+    if (std::none_of(out.weight.begin(), out.weight.end(), [](double w) { return w > rules::kTiny; }))
         throw Error(Exit::bad_input, "cannot follow a direction: none is defined on the surface; see --follow "
                                      "and --reference");
     return out;
@@ -198,7 +198,7 @@ Directions smooth(const Surface& s, const Cells& cells, const PrescribedDirectio
         for (std::size_t v = 0; v < n; ++v) {
             if (where[v]) share[v] = share[v] * kFall > kLeastShare ? share[v] * kFall : 0;
             weight[v] = prescribed.weight[v] * share[v];
-            if (share[v] > 0 || !(std::abs(z[v]) > kUnknown)) continue;
+            if (share[v] > 0 || !(std::abs(z[v]) > rules::kTiny)) continue;
             // nothing is prescribed any more: the direction of the last round, made of size 1, diffuses
             weight[v] = let_go;
             given[v] = 1 / std::abs(z[v]) * z[v];

@@ -1,5 +1,6 @@
 #include "geom/disjoint_sets.hpp"
 #include "surfpath/field/stripes.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +13,6 @@ namespace filum::surfpath::field {
 namespace {
 
 using surface::kNone;
-
-constexpr double kInside = 1e-6; // share of an edge: crossings come no nearer to its ends
 
 // A crossing of a line with an edge. Crossings of an edge are in the order of the half-edge from its vertex of lower
 // number.
@@ -57,7 +56,8 @@ class Tracer {
         const double low = std::min(from, to), high = std::max(from, to);
         const auto begin = found_.size();
         for (double k = std::ceil(low / std::numbers::pi - 0.5); (k + 0.5) * std::numbers::pi < high; ++k) {
-            const double share = std::clamp(((k + 0.5) * std::numbers::pi - from) / grown, kInside, 1 - kInside);
+            const double share =
+                std::clamp(((k + 0.5) * std::numbers::pi - from) / grown, rules::kTiny, 1 - rules::kTiny);
             found_.push_back({h, s_.vertices[a] + share * (s_.vertices[b] - s_.vertices[a]), {kNone, kNone}, {}});
         }
         if (ahead != (grown > 0)) std::reverse(found_.begin() + static_cast<std::ptrdiff_t>(begin), found_.end());

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "sparse/factor.hpp"
 #include "surfpath/field/frequencies.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <array>
@@ -28,7 +29,6 @@ constexpr double kDear = 4;          // factor of the cost of slopes at a place 
 constexpr double kShortest = 0.25;   // spacings squared: shortest time of diffusion
 constexpr double kTimesFall = 16;    // ratio of consecutive times; the longest diffuses over the whole surface
 constexpr int kDiffusions = 12;      // diffusions for every time
-constexpr double kOffLine = 1e-6;    // rad: far above rounding, far below what can be printed
 constexpr double kRimParallel = 0.9; // cosine of the largest angle to a rim at which that attracts lines
 constexpr double kRimPull = 4;       // strength of the attraction, per mm of rim and spacing
 
@@ -118,9 +118,9 @@ void scale(Vector& psi) {
     }
 }
 
-// The phase, moved to at least kOffLine from a line, so that rounding does not decide on which side a vertex lies.
+// The phase, moved to at least rules::kTiny from a line, so that rounding does not decide on which side a vertex lies.
 Complex beside_lines(const Complex& phase) {
-    return std::abs(phase.real()) < kOffLine ? Complex{kOffLine, phase.imag() < 0 ? -1.0 : 1.0} : phase;
+    return std::abs(phase.real()) < rules::kTiny ? Complex{rules::kTiny, phase.imag() < 0 ? -1.0 : 1.0} : phase;
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "surfpath/plan/widths.hpp"
 
+#include "surface/curve/turns.hpp"
 #include "surface/curve/walk.hpp"
 #include "surfpath/plan/path_segments.hpp"
 #include "surfpath/rules/rules.hpp"
@@ -13,8 +14,7 @@ namespace {
 
 namespace curve = surface::curve;
 
-constexpr double kSameWidth = 0.02; // spacings: smaller differences of widths do not count, as ripples do not (kRipple)
-constexpr double kOnSide = 0.5;     // sine of the least angle between a line and the way to what lies beside it
+constexpr double kOnSide = 0.5; // sine of the least angle between a line and the way to what lies beside it
 
 class WidthFitter {
   public:
@@ -76,7 +76,7 @@ class WidthFitter {
         rim_.near(p.point, n, most, [&](const PathSegment& l, double) { look(l, 1); });
         const double least = (1 - o_.change) * o_.spacing;
         const double wide = std::max(least, room[0] + room[1]);
-        return kSameWidth * o_.spacing * std::round(wide / (kSameWidth * o_.spacing));
+        return curve::kRipple * o_.spacing * std::round(wide / (curve::kRipple * o_.spacing));
     }
 
     // Leaves out places that were added where the width does not change.
@@ -86,8 +86,8 @@ class WidthFitter {
         section.widths.clear();
         for (std::size_t i = 0; i < line.size(); ++i) {
             const bool needed = given[i] != 0 || i + 1 == line.size() ||
-                                std::abs(widths[i] - section.widths.back()) > kSameWidth / 2 * o_.spacing ||
-                                std::abs(widths[i] - widths[i + 1]) > kSameWidth / 2 * o_.spacing;
+                                std::abs(widths[i] - section.widths.back()) > curve::kRipple / 2 * o_.spacing ||
+                                std::abs(widths[i] - widths[i + 1]) > curve::kRipple / 2 * o_.spacing;
             if (!needed) continue;
             section.line.places.push_back(line.places[i]);
             section.widths.push_back(widths[i]);

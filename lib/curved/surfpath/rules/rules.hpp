@@ -68,6 +68,9 @@ inline constexpr double kRounding = 1e-9;
 // mm: points nearer to each other than this are one point, and costs that differ by less are equal. Positions are
 // computed to about 1e-9 mm.
 inline constexpr double kSamePoint = 1e-6;
+// Smaller angles, vectors in place of unit ones, and shares of an edge do not count: they are far above rounding, and
+// far below what can be printed.
+inline constexpr double kTiny = 1e-6;
 // Spacings from the sources to the farthest place: more lines than this are refused.
 inline constexpr double kMostLines = 10'000;
 inline constexpr double kUnreached = std::numeric_limits<double>::infinity();
