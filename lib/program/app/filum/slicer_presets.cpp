@@ -269,7 +269,11 @@ SlicerFile settings_of_presets(PresetShelf& shelf, PresetNames names, const std:
             if (!name.empty() || usual == nullptr) continue;
             const auto all = names_in(usual->value, preset.file.ends_with(".json") ? ',' : ';');
             if (all.empty()) continue;
-            name = shelf.selected(other, all.front(), preset.name);
+            // Another process fits the nozzle; another filament may be another material, so the named one counts.
+            if (other == PresetKind::print)
+                name = shelf.selected(other, all.front(), preset.name);
+            else if (shelf.find(other, all.front()))
+                name = all.front();
             if (name != all.front())
                 out.remarks.push_back(
                     std::string("the printer's default ") + name_of(other) + " '" + all.front() +
