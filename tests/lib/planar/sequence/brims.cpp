@@ -72,9 +72,9 @@ TEST(Brims, TheHeadHasRoomOverThem) {
     }
 }
 
-// An island that begins in the air beside a brim waits for the brim, and so for the region of that brim, which may stand
-// far away from it. With a head or without, and whatever else waits for what: the order keeps every precedence (or
-// sequence() throws), and each brim is printed just before its region.
+// An island that begins in the air beside a brim waits for the brim, and so for the region of that brim, which may
+// stand far away from it. With a head or without, and whatever else waits for what: the order keeps every precedence
+// (or sequence() throws), and each brim is printed just before its region.
 TEST(Brims, StayBeforeTheirRegionsBesideHangingIslands) {
     Random random(6);
     for (int trial = 0; trial < 200; ++trial) {
