@@ -4,7 +4,9 @@ if(NOT CMAKE_BUILD_TYPE)
 endif()
 # -Wno-restrict: g++ 12 sees overlap in every std::string operator+ (its bug 105651).
 set(FILUM_WARNINGS -Wall -Wextra)
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # the compiler that counts; clang builds what sanitizers look at
+# Warnings are errors for g++ 12, with which CI builds. Newer ones find other things, some of them falsely (g++ 14: array
+# bounds, where it inlines std::vector), and a warning must not keep anybody from building.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     list(APPEND FILUM_WARNINGS -Werror -Wno-restrict)
 endif()
 # -ffp-contract=off: the same bytes whether or not the compiler finds a fused multiply-add.

@@ -8,22 +8,18 @@
 #include "machine/template.hpp"
 #include "machine/toml_text.hpp"
 
-#include <toml.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 namespace filum::machine {
 
 namespace {
 
-// Tables are sorted by key, so that nothing depends on a hash.
-using Node = toml::basic_value<toml::discard_comments, std::map>;
-using Table = Node::table_type;
+using Node = TomlValue;
+using Table = TomlValue::Table;
 
 } // namespace
 
@@ -48,36 +44,13 @@ Node* find(Table& root, std::string_view key) {
         if (at == table->end()) return nullptr;
         if (dot == std::string_view::npos) return &at->second;
         if (!at->second.is_table()) return nullptr;
-        table = &at->second.as_table();
+        table = &at->second.table();
         key.remove_prefix(dot + 1);
     }
 }
 
-// The line on which a value of the file begins, counted from 1.  A text of several lines whose first line is empty
-// begins on the line after its quotes.
-std::size_t line_of(const Node& node) {
-    const toml::source_location at = node.location();
-    std::string_view text = at.line_str();
-    while (text.ends_with('\r')) text.remove_suffix(1);
-    const bool below = node.is_string() && (text.ends_with("\"\"\"") || text.ends_with("'''"));
-    return at.line() + (below ? 1 : 0);
-}
-
 Table parsed(std::string_view text, const std::string& file, const std::string& kind) {
-    const std::string failed = "cannot read " + kind + " '" + file + "'";
-    check_toml(text, failed);
-    try {
-        std::istringstream in{std::string(text)};
-        return toml::parse<toml::discard_comments, std::map>(in, file).as_table();
-    } catch (const toml::exception& e) {
-        std::string why = e.what();
-        why = why.substr(0, why.find('\n'));
-        if (why.starts_with("[error] ")) why = why.substr(8);
-        if (why.starts_with("toml::")) why = why.substr(std::min(why.find(": "), why.size() - 2) + 2);
-        throw Error(Exit::bad_input, failed + ", line " + std::to_string(e.location().line()) + ": " + shown(why));
-    } catch (const std::exception&) { // out of a number's range, or no UTF-8
-        throw Error(Exit::bad_input, failed + ": it is no TOML");
-    }
+    return read_toml(text, file, "cannot read " + kind + " '" + file + "'");
 }
 
 } // namespace
@@ -101,17 +74,17 @@ void assign(Table& to, const std::string& key, const std::string& value) {
         return;
     }
     if (value == "true" || value == "false") {
-        to[key] = value == "true";
+        to[key] = {value == "true"};
         return;
     }
     try {
         const double v = parse_number(value, key);
         if (v == std::floor(v) && std::abs(v) < 1e15)
-            to[key] = static_cast<std::int64_t>(v);
+            to[key] = {static_cast<std::int64_t>(v)};
         else
-            to[key] = v;
+            to[key] = {v};
     } catch (const Error&) {
-        to[key] = value;
+        to[key] = {value};
     }
 }
 
@@ -128,9 +101,9 @@ Document::Document(std::string_view text, const std::string& file, const std::st
         for (auto dot = name.find('.'); dot != std::string::npos; dot = name.find('.')) {
             const std::string section = name.substr(0, dot);
             name.erase(0, dot + 1);
-            Node& inner = table->try_emplace(section, Table{}).first->second;
+            Node& inner = table->try_emplace(section, Node{Table{}}).first->second;
             if (!inner.is_table()) cannot_change(key, "'" + section + "' has no keys");
-            table = &inner.as_table();
+            table = &inner.table();
         }
         assign(*table, name, value);
         state_->set.insert(key);
@@ -144,7 +117,7 @@ namespace {
 void add_missing(const Table& from, Table& to) {
     for (const auto& [name, node] : from) {
         Node& own = to.try_emplace(name, node).first->second;
-        if (own.is_table() && node.is_table()) add_missing(node.as_table(), own.as_table());
+        if (own.is_table() && node.is_table()) add_missing(node.table(), own.table());
     }
 }
 
@@ -169,8 +142,10 @@ namespace {
 
 // Reads the number in `node`; returns its fault, or "" if there is none.
 std::string number_in(const Node& node, const Document::Range& range, double& out) {
-    if (!node.is_integer() && !node.is_floating()) return "it must be a number";
-    const double v = node.is_integer() ? static_cast<double>(node.as_integer()) : node.as_floating();
+    const auto* whole = std::get_if<std::int64_t>(&node.value);
+    const auto* floating = std::get_if<double>(&node.value);
+    if (whole == nullptr && floating == nullptr) return "it must be a number";
+    const double v = whole != nullptr ? static_cast<double>(*whole) : *floating;
     if (!(v >= range.min && v <= range.max) || (range.open && v == range.min)) { // nan fails, too
         std::string why = "it must be " + std::string(range.open ? "above " : "at least ") + shortest_text(range.min);
         if (std::isfinite(range.max)) why += " and at most " + shortest_text(range.max);
@@ -191,23 +166,25 @@ void Document::number(const std::string& key, double& out, Range range) {
 void Document::whole(const std::string& key, int& out, int min, int max) {
     const auto* node = state_->asked_for(key);
     if (node == nullptr) return;
-    if (!node->is_integer() || node->as_integer() < min || node->as_integer() > max)
+    const auto* value = std::get_if<std::int64_t>(&node->value);
+    if (value == nullptr || *value < min || *value > max)
         fail(key, "it must be a whole number from " + std::to_string(min) + " to " + std::to_string(max));
-    out = static_cast<int>(node->as_integer());
+    out = static_cast<int>(*value);
 }
 
 void Document::flag(const std::string& key, bool& out) {
     const auto* node = state_->asked_for(key);
     if (node == nullptr) return;
-    if (!node->is_boolean()) fail(key, "it must be true or false");
-    out = node->as_boolean();
+    const bool* value = std::get_if<bool>(&node->value);
+    if (value == nullptr) fail(key, "it must be true or false");
+    out = *value;
 }
 
 void Document::text(const std::string& key, std::string& out) {
     const auto* node = state_->asked_for(key);
     if (node == nullptr) return;
-    if (!node->is_string()) fail(key, "it must be a text in quotes");
-    out = node->as_string().str;
+    if (!node->is_text()) fail(key, "it must be a text in quotes");
+    out = node->text();
     for (const char c : out)
         if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f)
             fail(key, "it holds a control character");
@@ -232,10 +209,10 @@ void Document::pair(const std::string& key, double& a, double& b, Range range) {
 bool Document::list(const std::string& key, std::span<double> out, Range range) {
     const auto* node = state_->asked_for(key);
     if (node == nullptr) return false;
-    if (!node->is_array() || node->as_array().size() != out.size())
+    if (!node->is_list() || node->list().size() != out.size())
         fail(key, "it must be " + (out.size() == 2 ? "two" : std::to_string(out.size())) + " numbers in brackets");
     for (std::size_t k = 0; k < out.size(); ++k)
-        if (const auto why = number_in(node->as_array()[k], range, out[k]); !why.empty()) fail(key, why);
+        if (const auto why = number_in(node->list()[k], range, out[k]); !why.empty()) fail(key, why);
     return true;
 }
 
@@ -244,7 +221,7 @@ std::vector<std::string> Document::tables(const std::string& section) const {
     const auto* node = find(state_->root, section);
     if (node == nullptr) return out;
     if (!node->is_table()) fail(section, "it must be a section");
-    for (const auto& [name, value] : node->as_table()) {
+    for (const auto& [name, value] : node->table()) {
         if (!value.is_table()) fail(section + "." + name, "it must be a section");
         out.push_back(name);
     }
@@ -256,7 +233,7 @@ void Document::numbers(const std::string& section, std::map<std::string, double>
     if (node == nullptr) return;
     if (!node->is_table()) fail(section, "it must be a table");
     state_->named.insert(section);
-    for (const auto& [name, value] : node->as_table()) {
+    for (const auto& [name, value] : node->table()) {
         const std::string key = section + "." + name;
         double v = 0;
         if (const auto why = number_in(value, {}, v); !why.empty()) fail(key, why);
@@ -268,18 +245,18 @@ void Document::texts(const std::string& section, std::map<std::string, std::vect
     const auto* node = state_->asked_for(section);
     if (node == nullptr) return;
     if (!node->is_table()) fail(section, "it must be a table");
-    for (const auto& [name, value] : node->as_table()) {
+    for (const auto& [name, value] : node->table()) {
         const std::string key = section + "." + name;
         std::vector<std::string>& to = out[name];
         const auto add = [&](const Node& item) {
-            if (!item.is_string()) fail(key, "it must be a text in quotes, or a list of such texts");
-            to.push_back(item.as_string().str);
+            if (!item.is_text()) fail(key, "it must be a text in quotes, or a list of such texts");
+            to.push_back(item.text());
         };
-        if (!value.is_array()) {
+        if (!value.is_list()) {
             add(value);
             continue;
         }
-        for (const Node& item : value.as_array()) add(item);
+        for (const Node& item : value.list()) add(item);
     }
 }
 
@@ -290,7 +267,7 @@ void Document::check_names() const {
     for (const std::string& section : state_->named) {
         std::vector<std::string> used;
         std::vector<std::string> idle;
-        for (const auto& [key, node] : find(state_->root, section)->as_table())
+        for (const auto& [key, node] : find(state_->root, section)->table())
             (named.contains(key) ? used : idle).push_back(key);
         // A template from --set need not name the values that the profile's own template named.
         const bool replaced = std::any_of(state_->set.begin(), state_->set.end(),
@@ -327,9 +304,9 @@ void unread(const Table& table, const std::string& above, const std::set<std::st
         const auto inside = asked.lower_bound(key + ".");
         const bool section = inside != asked.end() && inside->starts_with(key + ".");
         if (section && node.is_table())
-            unread(node.as_table(), key + ".", asked, out);
+            unread(node.table(), key + ".", asked, out);
         else
-            out.push_back({key, line_of(node)});
+            out.push_back({key, node.line});
     }
 }
 
@@ -358,9 +335,9 @@ void Document::fail_in_text(const std::string& name, const std::string& why, std
     if (state_->set.count(key) != 0) cannot_change(key, why);
     const Node* node = find(state_->root, key);
     // A key of a base stands in the base's file.
-    const bool placed = node != nullptr && node->location().line() > 0;
-    std::string where = "'" + (placed ? node->location().file_name() : state_->file) + "'";
-    if (node != nullptr) where += ", line " + std::to_string(line_of(*node) + line);
+    const bool placed = node != nullptr && node->line > 0;
+    std::string where = "'" + (placed ? node->file : state_->file) + "'";
+    if (node != nullptr) where += ", line " + std::to_string(node->line + line);
     const std::string question = node == nullptr ? meant_for(state_->root, key, state_->asked) : "";
     throw Error(Exit::bad_input,
                 "cannot use " + state_->kind + " " + where + ", key '" + shown(key) + "': " + why + question);

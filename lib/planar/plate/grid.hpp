@@ -3,6 +3,7 @@
 
 #include "geom/vec.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
