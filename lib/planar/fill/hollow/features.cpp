@@ -1,6 +1,5 @@
 #include "fill/hollow/features.hpp"
 
-#include "base/none.hpp"
 #include "geom/segment_grid.hpp"
 #include "polygon/inside_test.hpp"
 #include "polygon/segments.hpp"
@@ -12,9 +11,6 @@ namespace filum::fill::hollow {
 namespace {
 
 using geom::Vec2;
-using polygon::Area;
-using polygon::AreaKind;
-using polygon::Loops;
 using polygon::Region;
 using toolpath::Feature;
 
@@ -24,8 +20,8 @@ constexpr double kSame = 0.01; // mm: distances that differ by less count as the
 class TopSkin {
   public:
     explicit TopSkin(const Region& r) {
-        for (const Area& a : r.areas)
-            if (a.kind == AreaKind::skin_top) inside_.emplace_back(a.loops);
+        for (const polygon::Area& a : r.areas)
+            if (a.kind == polygon::AreaKind::skin_top) inside_.emplace_back(a.loops);
     }
     [[nodiscard]] bool holds(Vec2 p) const {
         return std::any_of(inside_.begin(), inside_.end(), [&](const auto& inside) { return inside(p); });
@@ -41,7 +37,7 @@ Feature feature_beside(const Region& r, const TopSkin& top, Vec2 p) {
     return top.holds(p) ? Feature::interface : Feature::support;
 }
 
-// Finds the loop nearest to a point. Fast where points follow a loop.
+// Finds the loop nearest to a point.
 class NearestLoop {
   public:
     struct Hit {
@@ -51,58 +47,30 @@ class NearestLoop {
 
     // `w`: mm; loops farther away do not count.
     NearestLoop(const LooseCurves& from, double w)
-        : from_(&from), w_(w), segments_(polygon::segments(Loops{from.rings.points, from.rings.start})),
+        : from_(&from), w_(w), segments_(polygon::segments(polygon::Loops{from.rings.points, from.rings.start})),
           grid_(segments_, geom::cell_for(segments_, 1.5 * w)) {
         for (std::uint32_t l = 0; l < from.rings.size(); ++l) loop_of_.resize(from.rings.start[l + 1], l);
     }
     // Distances are exact where one is less than kSame more than the other; else `same` may be larger.
-    [[nodiscard]] Hit operator()(Vec2 p, Feature wanted) {
+    [[nodiscard]] Hit operator()(Vec2 p, Feature wanted) const {
         const double few = w_ / 4; // curves lie on their loops except at corners and links
         const Hit hit = within(p, few, wanted);
         return hit.best + kSame <= few ? hit : within(p, w_, wanted);
     }
-    // Whether p lies on a loop with the requested feature, beside where the last search or call found one: then `same`
-    // is less than kSame more than `best`.
-    [[nodiscard]] bool follows(Vec2 p, Feature wanted) {
-        constexpr std::uint32_t kAhead = 8; // segments of a loop; curves have fewer, longer ones
-        if (last_ == kNone || from_->feature[loop_of_[last_]] != wanted) return false;
-        for (int turn = 0; turn < 2; ++turn, forward_ = !forward_) {
-            std::uint32_t k = last_;
-            for (std::uint32_t n = 0; n < kAhead; ++n, k = beside(k, forward_)) {
-                if (geom::point_segment_distance(segments_[k].a, segments_[k].b, p) >= kSame) continue;
-                last_ = k;
-                return true;
-            }
-        }
-        return false;
-    }
 
   private:
-    [[nodiscard]] Hit within(Vec2 p, double reach, Feature wanted) {
+    [[nodiscard]] Hit within(Vec2 p, double reach, Feature wanted) const {
         Hit out{Feature::solid, 2 * w_, 2 * w_};
-        std::uint32_t nearest = kNone, same = kNone;
         grid_.near(p - Vec2{reach, reach}, p + Vec2{reach, reach}, [&](std::uint32_t k) {
             const double d = geom::point_segment_distance(segments_[k].a, segments_[k].b, p);
             const Feature feature = from_->feature[loop_of_[k]];
-            if (feature == wanted && d < out.same) {
-                out.same = d;
-                same = k;
-            }
+            if (feature == wanted) out.same = std::min(out.same, d);
             if (d < out.best) {
                 out.best = d;
                 out.feature = feature;
-                nearest = k;
             }
         });
-        last_ = out.same - out.best < kSame ? same : nearest;
         return out;
-    }
-
-    // The segment of a loop after or before segment k.
-    [[nodiscard]] std::uint32_t beside(std::uint32_t k, bool after) const {
-        const std::uint32_t first = from_->rings.start[loop_of_[k]], end = from_->rings.start[loop_of_[k] + 1];
-        if (after) return k + 1 == end ? first : k + 1;
-        return (k == first ? end : k) - 1;
     }
 
     const LooseCurves* from_;
@@ -110,14 +78,12 @@ class NearestLoop {
     std::vector<geom::Segment> segments_;
     std::vector<std::uint32_t> loop_of_;
     geom::SegmentGrid grid_;
-    std::uint32_t last_ = kNone; // the segment found last
-    bool forward_ = true;        // along its loop from there
 };
 
 } // namespace
 
 void tell_features(const Region& r, const LooseCurves& from, double w, std::vector<toolpath::Curve>& curves) {
-    NearestLoop nearest(from, w);
+    const NearestLoop nearest(from, w);
     const TopSkin top(r);
     for (auto& c : curves) {
         Feature last = Feature::solid; // of the loop of the segment before
@@ -131,12 +97,9 @@ void tell_features(const Region& r, const LooseCurves& from, double w, std::vect
                 c.feature.push_back(c.feature.back()); // a link ends in a piece as short as this
                 continue;
             }
-            if (i == 0 || !nearest.follows(p, last)) {
-                const NearestLoop::Hit hit = nearest(p, last);
-                if (i == 0 || hit.same - hit.best >= kSame) last = hit.feature; // else halfway on a link
-            }
-            const Feature feature = last;
-            c.feature.push_back(feature == Feature::solid && top.holds(p) ? Feature::top : feature);
+            const NearestLoop::Hit hit = nearest(p, last);
+            if (i == 0 || hit.same - hit.best >= kSame) last = hit.feature; // else halfway on a link
+            c.feature.push_back(last == Feature::solid && top.holds(p) ? Feature::top : last);
         }
     }
 }
