@@ -2,7 +2,9 @@
 
 #include "app/filum/slicer_text.hpp"
 
+#include <algorithm>
 #include <cctype>
+#include <initializer_list>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -13,7 +15,7 @@ namespace {
 
 using List = CuraValue::List;
 
-constexpr int kDeepestBrackets = 60; // most brackets, signs and conditions within each other
+constexpr int kDeepestBrackets = 60; // most brackets, signs, powers and conditions within each other
 
 // The syntax of a formula is none that Filum reads.
 struct SyntaxFault {
@@ -54,23 +56,34 @@ class Formula {
         at_ = end;
         return true;
     }
+    // Takes the first of the signs that is there; "" if none is.
+    std::string_view take_one(std::initializer_list<std::string_view> signs) {
+        const auto* const at = std::ranges::find_if(signs, [&](std::string_view sign) { return take(sign); });
+        return at == signs.end() ? "" : *at;
+    }
     void need(std::string_view sign) {
         if (!take(sign)) fault();
     }
 
-    CuraValue choice() {
+    // What `read` reads, one level deeper.
+    CuraValue deeper(CuraValue (Formula::*read)()) {
         if (++depth_ > kDeepestBrackets) throw SyntaxFault{"it is nested too deep"};
-        CuraValue out = either();
+        CuraValue out = (this->*read)();
+        --depth_;
+        return out;
+    }
+
+    CuraValue choice() {
+        CuraValue out = deeper(&Formula::either);
         if (take("if")) {
             const CuraValue condition = either();
             need("else");
-            CuraValue otherwise = choice();
+            CuraValue otherwise = deeper(&Formula::choice);
             if (!condition.known())
                 out = condition;
             else if (!condition.truth())
                 out = std::move(otherwise);
         }
-        --depth_;
         return out;
     }
     CuraValue either() {
@@ -91,9 +104,7 @@ class Formula {
     }
     CuraValue inverse() {
         if (!take("not")) return comparison();
-        if (++depth_ > kDeepestBrackets) throw SyntaxFault{"it is nested too deep"};
-        CuraValue out = inverse();
-        --depth_;
+        CuraValue out = deeper(&Formula::inverse);
         return out.known() ? CuraValue{!out.truth()} : out;
     }
 
@@ -111,8 +122,7 @@ class Formula {
         }
     }
     std::string_view comparing() {
-        for (const std::string_view sign : {"==", "!=", "<=", ">=", "<", ">", "in"})
-            if (take(sign)) return sign;
+        if (const auto sign = take_one({"==", "!=", "<=", ">=", "<", ">", "in"}); !sign.empty()) return sign;
         const std::size_t before = at_;
         if (take("not") && take("in")) return "not in";
         at_ = before;
@@ -120,41 +130,24 @@ class Formula {
     }
     CuraValue sum() {
         CuraValue out = product();
-        for (;;) {
-            if (take("+"))
-                out = arithmetic("+", out, product());
-            else if (take("-"))
-                out = arithmetic("-", out, product());
-            else
-                return out;
-        }
+        for (auto with = take_one({"+", "-"}); !with.empty(); with = take_one({"+", "-"}))
+            out = arithmetic(with, out, product());
+        return out;
     }
     CuraValue product() {
         CuraValue out = sign();
-        for (;;) {
-            if (take("*"))
-                out = arithmetic("*", out, sign());
-            else if (take("//"))
-                out = arithmetic("//", out, sign());
-            else if (take("/"))
-                out = arithmetic("/", out, sign());
-            else if (take("%"))
-                out = arithmetic("%", out, sign());
-            else
-                return out;
-        }
+        const auto next_sign = [&] { return take_one({"*", "//", "/", "%"}); };
+        for (auto with = next_sign(); !with.empty(); with = next_sign()) out = arithmetic(with, out, sign());
+        return out;
     }
     CuraValue sign() {
-        const bool minus = take("-");
-        if (!minus && !take("+")) return power();
-        if (++depth_ > kDeepestBrackets) throw SyntaxFault{"it is nested too deep"};
-        const CuraValue out = sign();
-        --depth_;
-        return arithmetic(minus ? "-" : "+", CuraValue{0.0}, out);
+        const std::string_view leading = take_one({"-", "+"});
+        if (leading.empty()) return power();
+        return arithmetic(leading, CuraValue{0.0}, deeper(&Formula::sign));
     }
     CuraValue power() {
         CuraValue base = primary();
-        return take("**") ? arithmetic("**", base, sign()) : base;
+        return take("**") ? arithmetic("**", base, deeper(&Formula::sign)) : base;
     }
 
     CuraValue primary() {
@@ -172,10 +165,13 @@ class Formula {
 
     List values_up_to(std::string_view end) {
         List out;
+        std::size_t size = 0;
         while (!take(end)) {
             if (!out.empty()) need(",");
             if (take(end)) break; // behind a last comma
             out.push_back(choice());
+            size += size_of(out.back());
+            if (size > kLargestValue) throw SyntaxFault{"a list is too long"};
         }
         return out;
     }

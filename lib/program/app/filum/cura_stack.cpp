@@ -12,7 +12,7 @@ namespace filum::app::filum {
 
 namespace {
 
-constexpr std::size_t kDeepestName = 64; // most formulas that refer to each other
+constexpr std::size_t kDeepestName = 20; // most formulas that refer to each other; each may be nested as deep as it can
 
 std::map<std::string, SlicerSetting> by_key(const std::vector<SlicerSetting>& all) {
     std::map<std::string, SlicerSetting> out;

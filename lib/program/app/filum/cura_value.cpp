@@ -42,6 +42,7 @@ const CuraValue* first_unknown(const List& values) {
 }
 
 CuraValue sum_of(const CuraValue& a, const CuraValue& b) {
+    if (size_of(a) + size_of(b) > kLargestValue) return unknown("a text or a list is too long");
     const auto* one = std::get_if<std::string>(&a.as);
     const auto* other = std::get_if<std::string>(&b.as);
     if (one != nullptr && other != nullptr) return {*one + *other};
@@ -102,6 +103,15 @@ std::optional<double> CuraValue::number() const {
     if (const auto* flag = std::get_if<bool>(&as)) return *flag ? 1 : 0;
     const auto* value = std::get_if<double>(&as);
     return value == nullptr ? std::nullopt : std::optional(*value);
+}
+
+std::size_t size_of(const CuraValue& value) {
+    if (const auto* text = std::get_if<std::string>(&value.as)) return text->size();
+    const auto* list = std::get_if<List>(&value.as);
+    std::size_t out = 1;
+    if (list != nullptr)
+        for (const CuraValue& item : *list) out += size_of(item);
+    return out;
 }
 
 bool CuraValue::truth() const {

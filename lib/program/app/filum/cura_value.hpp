@@ -1,6 +1,7 @@
 // Values of Cura's formulas, and Python's operations on them.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,11 @@ struct CuraValue {
     [[nodiscard]] bool truth() const;                   // whether Python takes the value as true
 };
 
+// Characters of a text, and the sum over all items of a list, also of lists in lists; 1 for everything else.
+std::size_t size_of(const CuraValue& value);
+// The largest size of a value. Formulas that double a text or a list, one on top of the other, would fill the memory.
+inline constexpr std::size_t kLargestValue = 10'000;
+
 // The value as settings of a file have it: "0.4", "1" and "0" for true and false, a text without quotes, "[0, 90]".
 // Numbers have at most nine decimals.  Precondition: the value is known.
 std::string text_of(const CuraValue& value);
@@ -32,7 +38,7 @@ std::string text_of(const CuraValue& value);
 CuraValue value_of(std::string_view text);
 
 // The value of `a` and `b` with a sign + - * / // % ** between them.  Uncalculated: one of them is, it is no number or
-// text, the sign divides by zero, the result is beyond all bounds.
+// text, the sign divides by zero, the result is beyond all bounds or larger than kLargestValue.
 CuraValue arithmetic(std::string_view sign, const CuraValue& a, const CuraValue& b);
 // True or false for a sign == != < > <= >= in, or "not in".
 CuraValue compared(std::string_view sign, const CuraValue& a, const CuraValue& b);

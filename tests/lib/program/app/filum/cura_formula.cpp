@@ -114,10 +114,23 @@ TEST(CuraFormula, AnyTextIsReadOrRefused) {
         const CuraValue value = calculated(text, setting);
         EXPECT_TRUE(value.known() || !std::get<Uncalculated>(value.as).why.empty()) << text;
     }
-    for (const char* deep : {"(", "[", "-", "not ", "1 if 1 else ", "max("}) {
+    for (const char* deep : {"(", "[", "-", "not ", "1 if 1 else ", "max(", "2 ** ", "2 ** -"}) {
         std::string text;
         for (int i = 0; i < 100000; ++i) text += deep;
         EXPECT_FALSE(calculated(text, setting).known());
+    }
+}
+
+// Settings that double a text or a list, one on top of the other, do not fill the memory.
+TEST(CuraFormula, ValuesThatDoubleEnd) {
+    for (const char* formula :
+         {"last + last", "[last, last]", "[last] + [last]", "max([last, last]) + last", "[str(last), str(last)]"}) {
+        CuraValue last{std::string("word")};
+        int steps = 0;
+        while (last.known() && steps < 60)
+            last = calculated(formula, [&](const std::string&) { return last; }), ++steps;
+        EXPECT_FALSE(last.known()) << formula;
+        EXPECT_LT(steps, 20) << formula;
     }
 }
 
