@@ -50,7 +50,9 @@ cli::Spec spec(render::Options& o) {
              Option{"title", &o.title, "TEXT", "title of a report; default: the name of the file"}.not_a_setting(),
              Option{"beside", &o.beside, "FILE", "second stream, shown side by side in a report"}.not_a_setting(),
              Option{"size", &o.size, "W,H", "size of the picture in pixels"}.numbers(2).at_least(16).at_most(8192),
-             Option{"samples", &o.samples, "N", "rays per pixel; more, a calmer picture"}.within(1, 4096),
+             Option{"samples", &o.samples, "N",
+                    "rays per pixel, 16 where beads are thinner than a pixel; more, a calmer picture"}
+                 .within(1, 4096),
              Option{"machine", &o.machine, "NAME|FILE", "machine profile for the speeds of --color speed or a report"}
                  .not_a_setting(),
              Option{"travels", &o.travels, "", "draws moves without material in perspective, too"}

@@ -247,8 +247,11 @@ void draw_marks(Canvas& page, const FlatLayer& layer, const Frame& f) {
         for (const Mark& m : layer.marks) {
             if (m.kind != kind) continue;
             const Vec2 p = f.to_pixel(m.at);
-            page.line(p, p, {size + std::max(2.0, 0.35 * size), {1, 1, 1}});
-            page.line(p, p, {size, mark_colour(kind)});
+            const double rim = std::max(2.0, 0.35 * size);
+            // A lift ends where a stroke begins, so it shows as a ring around that dot.
+            const double wide = kind == Mark::Kind::lift ? size + 2 * rim : size;
+            page.line(p, p, {wide + rim, {1, 1, 1}});
+            page.line(p, p, {wide, mark_colour(kind)});
         }
     }
 }

@@ -83,14 +83,17 @@ float table_light(const Studio& s, Vec3 d) {
     return t > 0 ? s.table.at(s.camera.eye.x + t * d.x, s.camera.eye.y + t * d.y) : 1.0F;
 }
 
+// Enough rays towards the sky for a pixel: the share of them that is free is off by at most an eighth (standard error).
+constexpr int kEnough = 16;
+
 // Samples a pixel, four rays at a time. With fewer than 16 rays per pixel, only one hit in four is tested for light,
 // and the result is smoothed later.
-Pixel sample(const Studio& s, int x, int y, Rgb back) {
+Pixel sample(const Studio& s, int x, int y, Rgb back, int rays) {
     Pixel out;
     const auto seed = hash(static_cast<std::uint32_t>(y) * 65536U + static_cast<std::uint32_t>(x));
     // Pixels of a tile of 4 x 4 share one even set of directions, so smoothing over a tile uses the whole set.
     const auto tile = kTile[static_cast<std::size_t>(4 * (y & 3) + (x & 3))];
-    const auto samples = static_cast<std::uint32_t>(s.view.samples), stride = samples < 16 ? 4U : 1U;
+    const auto samples = static_cast<std::uint32_t>(rays), stride = rays < kEnough ? 4U : 1U;
     for (std::uint32_t k = 0; k < samples; k += 4) {
         std::array<Vec3, 4> d;
         for (std::uint32_t j = 0; j < 4; ++j) {
@@ -125,6 +128,7 @@ struct Strip {
 
 struct FreeShares {
     float sky = 0, lamp = 0;
+    float rays = 0; // how many rays of equal weight give a mean as steady as that of the sky
 };
 
 // The free shares of sky and lamp at pixel (x, y), averaged over pixels around it that show the same surface.
@@ -136,7 +140,7 @@ FreeShares smoothed(const Studio& s, const Strip& strip, int x, int y, int reach
     const Pixel& p = strip.at(x, y);
     const Vec3 n = unit({p.nx, p.ny, p.nz}), here = place(p, x, y);
     const double thin = 0.35 * s.tubes.thickness();
-    float sky = 0, sky_weight = 0, lamp = 0, lamp_weight = 0;
+    float sky = 0, sky_weight = 0, squares = 0, lamp = 0, lamp_weight = 0;
     for (int j = std::max(0, y - reach); j <= std::min(h - 1, y + reach); ++j) {
         for (int i = std::max(0, x - reach); i <= std::min(w - 1, x + reach); ++i) {
             const Pixel& q = strip.at(i, j);
@@ -147,11 +151,13 @@ FreeShares smoothed(const Studio& s, const Strip& strip, int x, int y, int reach
                 static_cast<float>(alike > 0 ? alike * alike * alike * alike / (1 + off * off * off * off) : 1e-6);
             sky += weight * q.sky;
             sky_weight += weight * q.sky_rays;
+            squares += weight * weight * q.sky_rays;
             lamp += weight * q.lamp;
             lamp_weight += weight * q.lamp_rays;
         }
     }
-    return {sky_weight > 0 ? sky / sky_weight : 1, lamp_weight > 0 ? lamp / lamp_weight : 1};
+    return {sky_weight > 0 ? sky / sky_weight : 1, lamp_weight > 0 ? lamp / lamp_weight : 1,
+            squares > 0 ? sky_weight * sky_weight / squares : 0};
 }
 
 // Compresses bright colours towards white, so that they are not clipped.
@@ -169,9 +175,27 @@ void expose(const Studio& s, int threads, Strip& strip) {
                 const Rgb back = backdrop(static_cast<double>(y) / s.height);
                 for (int x = 0; x < strip.width; ++x)
                     strip.pixel[row * static_cast<std::size_t>(strip.width) + static_cast<std::size_t>(x)] =
-                        sample(s, x, y, back);
+                        sample(s, x, y, back, s.view.samples);
             }
         });
+}
+
+Rgb lit(const Pixel& p, FreeShares f, int rays) {
+    Rgb c = p.other;
+    if (p.hits > 0) c = c + p.hits * tone((1 / p.hits) * (f.sky * p.under_sky + f.lamp * p.under_lamp));
+    return (1.0F / static_cast<float>(rays)) * c;
+}
+
+// The colour of pixel (x, y). Where the pixels around it show other surfaces, such as beads that are thinner than a
+// pixel, their light does not count for it; it is sampled again, with enough rays of its own.
+Rgb lit(const Studio& s, const Strip& strip, int x, int y, int reach) {
+    const Pixel& p = strip.at(x, y);
+    if (p.hits == 0) return lit(p, {}, s.view.samples);
+    const FreeShares around = smoothed(s, strip, x, y, reach);
+    if (around.rays >= kEnough || s.view.samples >= kEnough) return lit(p, around, s.view.samples);
+    const Pixel own = sample(s, x, y, backdrop(static_cast<double>(y) / s.height), kEnough);
+    return lit(own, {own.sky_rays > 0 ? own.sky / own.sky_rays : 1, own.lamp_rays > 0 ? own.lamp / own.lamp_rays : 1},
+               kEnough);
 }
 
 Image develop(const Studio& s, int threads) {
@@ -182,20 +206,14 @@ Image develop(const Studio& s, int threads) {
         const int bottom = std::min(s.height, top + kStrip);
         Strip strip{std::max(0, top - reach), std::min(s.height, bottom + reach), s.width, {}};
         expose(s, threads, strip);
-        parallel::for_chunks(
-            static_cast<std::size_t>(bottom - top), 8, threads, [&](std::size_t begin, std::size_t end) {
-                for (int y = top + static_cast<int>(begin); y < top + static_cast<int>(end); ++y) {
-                    for (int x = 0; x < s.width; ++x) {
-                        const Pixel& p = strip.at(x, y);
-                        Rgb c = p.other;
-                        if (p.hits > 0) {
-                            const FreeShares f = smoothed(s, strip, x, y, reach);
-                            c = c + p.hits * tone((1 / p.hits) * (f.sky * p.under_sky + f.lamp * p.under_lamp));
-                        }
-                        out.set(x, y, (1.0F / static_cast<float>(v.samples)) * c);
-                    }
-                }
-            });
+        parallel::for_chunks(static_cast<std::size_t>(bottom - top), 8, threads,
+                             [&](std::size_t begin, std::size_t end) {
+                                 for (int y = top + static_cast<int>(begin); y < top + static_cast<int>(end); ++y) {
+                                     for (int x = 0; x < s.width; ++x) {
+                                         out.set(x, y, lit(s, strip, x, y, reach));
+                                     }
+                                 }
+                             });
     }
     return out;
 }

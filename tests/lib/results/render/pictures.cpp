@@ -211,6 +211,35 @@ TEST(Perspective, ShowsASlabFromAbove) {
     EXPECT_FALSE(colourful(d.at(3, 3)));
 }
 
+// A wall of beads that are thinner than a pixel, seen from its side.
+Scene fine_wall(int layers) {
+    Scene s;
+    for (int k = 0; k < layers; ++k)
+        s.spans.push_back(
+            line({0, 0.2 * (k % 2), 0.2 * k}, {40, 0.2 * (k % 2), 0.2 * k}, static_cast<std::uint32_t>(k)));
+    return s;
+}
+
+// The mean difference of two pictures of one size, of 255.
+double difference(const Decoded& a, const Decoded& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(a.rgb[i] - b.rgb[i]);
+    return sum / static_cast<double>(a.rgb.size());
+}
+
+TEST(Perspective, BeadsThinnerThanPixelsAreCalm) {
+    for (const int layers : {100, 200, 400}) {
+        const Scene s = fine_wall(layers);
+        Options o;
+        o.view = "0.3,-1,0.2";
+        o.size = {120, 120};
+        o.samples = 64;
+        const Decoded right = decode(draw(s, o, "layer", 1));
+        o.samples = 4;
+        EXPECT_LT(difference(decode(draw(s, o, "layer", 1)), right), 10) << layers << " layers";
+    }
+}
+
 TEST(Perspective, IsTheSameForAnyThreads) {
     Options o;
     o.size = {200, 150};
