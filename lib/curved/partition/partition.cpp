@@ -111,7 +111,7 @@ class PieceMerger {
 };
 
 // The total of what is left out for one reason.
-struct LeftOut {
+struct DroppedArea {
     NoteCode code;
     double area = 0;
     std::size_t count = 0;
@@ -142,7 +142,7 @@ void leave_unloaded(Sheet& sheet, const Options& o, double detail, double least_
     const Parts parts = split(sheet, c, above(p.load, level, c, detail));
     PieceMerger pieces(parts);
     pieces.join_small(least_area);
-    LeftOut left{NoteCode::unloaded_dropped};
+    DroppedArea left{NoteCode::unloaded_dropped};
     std::vector<std::uint32_t> kept;
     for (const auto& piece : pieces.take()) {
         if (piece.patch == 0)
@@ -160,7 +160,7 @@ void leave_unloaded(Sheet& sheet, const Options& o, double detail, double least_
 std::vector<Sheet> gathered(const Parts& parts, double least_area, Notes& notes) {
     PieceMerger pieces(parts);
     pieces.join_small(least_area);
-    LeftOut left{NoteCode::face_too_small};
+    DroppedArea left{NoteCode::face_too_small};
     auto all = pieces.take();
     std::erase_if(all, [&](const PieceMerger::MergedPiece& p) {
         if (p.area < least_area) left.add(parts.sheet.surface, p);

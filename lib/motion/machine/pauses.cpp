@@ -28,7 +28,7 @@ Pauses parse_pauses(const std::string& text) {
         Pause pause;
         std::string number = word;
         if (number.ends_with(colour)) {
-            pause.what = Pause::What::colour;
+            pause.what = Pause::Kind::colour;
             number.resize(number.size() - colour.size());
         }
         pause.by_height = number.ends_with("mm");

@@ -9,8 +9,8 @@
 namespace filum::machine {
 
 struct Pause {
-    enum class What : std::uint8_t { wait, colour };
-    What what = What::wait;
+    enum class Kind : std::uint8_t { wait, colour };
+    Kind what = Kind::wait;
     bool by_height = false;
     // The number of the layer before which it is, counted from 0. By height, mm: it is before the first layer whose
     // middle is above.

@@ -13,34 +13,34 @@ namespace {
 
 using Kind = Expression::Kind;
 
-struct Named {
+struct FunctionName {
     std::string_view name;
     Function function;
     std::size_t least, most; // least and largest number of arguments
 };
 constexpr std::size_t kAny = 10'000;
 constexpr std::array kFunctions{
-    Named{"min", Function::min, 2, 2},
-    Named{"max", Function::max, 2, 2},
-    Named{"random", Function::random, 2, 2},
-    Named{"digits", Function::digits, 2, 3},
-    Named{"zdigits", Function::zdigits, 2, 3},
-    Named{"int", Function::integer, 1, 1},
-    Named{"round", Function::round, 1, 1},
-    Named{"floor", Function::floor, 1, 1},
-    Named{"ceil", Function::ceil, 1, 1},
-    Named{"abs", Function::absolute, 1, 1},
-    Named{"is_nil", Function::is_nil, 1, 1},
-    Named{"empty", Function::empty, 1, 1},
-    Named{"size", Function::size, 1, 1},
-    Named{"one_of", Function::one_of, 1, kAny},
-    Named{"interpolate_table", Function::interpolate, 2, kAny},
-    Named{"exists", Function::exists, 1, 1},
-    Named{"default_float", Function::otherwise, 2, 2},
-    Named{"default_double", Function::otherwise, 2, 2},
-    Named{"default_int", Function::otherwise, 2, 2},
-    Named{"default_bool", Function::otherwise, 2, 2},
-    Named{"default_string", Function::otherwise, 2, 2},
+    FunctionName{"min", Function::min, 2, 2},
+    FunctionName{"max", Function::max, 2, 2},
+    FunctionName{"random", Function::random, 2, 2},
+    FunctionName{"digits", Function::digits, 2, 3},
+    FunctionName{"zdigits", Function::zdigits, 2, 3},
+    FunctionName{"int", Function::integer, 1, 1},
+    FunctionName{"round", Function::round, 1, 1},
+    FunctionName{"floor", Function::floor, 1, 1},
+    FunctionName{"ceil", Function::ceil, 1, 1},
+    FunctionName{"abs", Function::absolute, 1, 1},
+    FunctionName{"is_nil", Function::is_nil, 1, 1},
+    FunctionName{"empty", Function::empty, 1, 1},
+    FunctionName{"size", Function::size, 1, 1},
+    FunctionName{"one_of", Function::one_of, 1, kAny},
+    FunctionName{"interpolate_table", Function::interpolate, 2, kAny},
+    FunctionName{"exists", Function::exists, 1, 1},
+    FunctionName{"default_float", Function::otherwise, 2, 2},
+    FunctionName{"default_double", Function::otherwise, 2, 2},
+    FunctionName{"default_int", Function::otherwise, 2, 2},
+    FunctionName{"default_bool", Function::otherwise, 2, 2},
+    FunctionName{"default_string", Function::otherwise, 2, 2},
 };
 
 Expression binary(Operator op, Expression left, Expression right, std::size_t at) {
@@ -268,7 +268,7 @@ class ExpressionReader {
         Expression out;
         out.at = in_.at();
         const std::string word = in_.peek_name();
-        for (const Named& f : kFunctions)
+        for (const FunctionName& f : kFunctions)
             if (f.name == word) {
                 in_.step(word.size());
                 return call(f, out.at);
@@ -284,7 +284,7 @@ class ExpressionReader {
         return out;
     }
 
-    Expression call(const Named& f, std::size_t at) {
+    Expression call(const FunctionName& f, std::size_t at) {
         Expression out;
         out.kind = Kind::call;
         out.function = f.function;
@@ -308,7 +308,7 @@ class ExpressionReader {
         return out;
     }
 
-    void argument(const Named& f, Expression& out) {
+    void argument(const FunctionName& f, Expression& out) {
         in_.blanks();
         if (in_.peek() == ')' && (f.function == Function::one_of || f.function == Function::interpolate))
             return; // after a last comma

@@ -44,7 +44,7 @@ void Program::wait(const Step& step) {
         waited_[i] = 1;
         if (preset_ == nullptr)
             code(profile_->templates.pause);
-        else if (all[i].what == machine::Pause::What::colour)
+        else if (all[i].what == machine::Pause::Kind::colour)
             preset_code(preset_->change_colour(step.layer, step.to.z));
         else
             preset_code(preset_->pause(step.layer, step.to.z));

@@ -68,9 +68,9 @@ void add_tangents(Vec2 centre, Vec2 right, Vec2 ahead, double radius, double ang
 
 // Rolls a disc along the inside of a loop. From edge to edge it passes a corner as it is, or it touches both edges at
 // once and leaves an arc. Edges that it does not reach in between are left out.
-class Rolling {
+class RollingDisc {
   public:
-    Rolling(std::span<const Vec2> loop, double radius) : edge_(edges_of(loop)), radius_(radius) {}
+    RollingDisc(std::span<const Vec2> loop, double radius) : edge_(edges_of(loop)), radius_(radius) {}
 
     // True if the disc can roll round the loop, and its centre never comes back to its line. Then the line that it
     // touches, with arcs, is the outline of the opening.
@@ -97,7 +97,7 @@ class Rolling {
     }
 
   private:
-    struct Kept {
+    struct EdgeContact {
         std::size_t edge;
         double begin; // mm along the edge
         Vec2 centre;  // of the disc where it comes to the edge, if it leaves an arc there
@@ -187,7 +187,7 @@ class Rolling {
 
     std::vector<Edge> edge_;
     double radius_;
-    std::vector<Kept> kept_; // the last one is the first one again
+    std::vector<EdgeContact> kept_; // the last one is the first one again
 };
 
 // The loops that are holes, or may have holes.
@@ -214,7 +214,7 @@ Loops opened_cells(const Loops& cells, double radius) {
     Loops out, others;
     const std::vector<char> holed = about_holes(cells);
     for (std::size_t l = 0; l < cells.size(); ++l) {
-        Rolling disc(cells[l], radius);
+        RollingDisc disc(cells[l], radius);
         if (holed[l] == 0 && disc.run())
             disc.add_to(out);
         else

@@ -92,7 +92,7 @@ Box2 all_bounds(const State& state) {
 // region counts only if `front`.
 bool misses_others(const State& state, Vec3 a, Vec3 b, bool front) {
     const double near = state.region().paths.height / 2;
-    return std::all_of(state.window.begin() + (front ? 0 : 1), state.window.end(), [&](const Waiting& w) {
+    return std::all_of(state.window.begin() + (front ? 0 : 1), state.window.end(), [&](const WaitingRegion& w) {
         return std::abs(w.paths.z - a.z) > near || is_free(w.index, a.xy(), b.xy(), kMargin, 0, 0);
     });
 }
@@ -102,7 +102,7 @@ bool misses_others(const State& state, Vec3 a, Vec3 b, bool front) {
 bool misses_later(const State& state, Vec3 a, Vec3 b) {
     const auto& head = state.options.head;
     const double high = std::max(a.z, b.z), near = state.region().paths.height / 2;
-    return std::ranges::all_of(state.window, [&](const Waiting& w) {
+    return std::ranges::all_of(state.window, [&](const WaitingRegion& w) {
         const double up = high - w.paths.z;
         if (up <= near) return true;
         if (!head.none && up > head.gantry_height) return false;

@@ -16,7 +16,7 @@ constexpr double kSeam = 0.9;               // of a turn; places farther apart t
 constexpr double kTurnStep = 5;             // bead widths between the points of a turn, at most
 
 // The region's curve from `entry` once around, in pieces of at most kTurnStep bead widths.
-HelixLap turn(const Waiting& r, const Entry& entry) {
+HelixLap turn(const WaitingRegion& r, const Entry& entry) {
     HelixLap out;
     const Bead b = cut(r.paths.curves[entry.place.curve], entry.place, false, 0);
     const double all = length(b.points);

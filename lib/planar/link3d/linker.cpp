@@ -112,7 +112,7 @@ void Linker::add(toolpath::RegionPaths region, const Emit& emit, Notes& notes) {
 }
 
 void Linker::print_front(const Emit& emit, Notes& notes) {
-    const Waiting& r = state_.region();
+    const WaitingRegion& r = state_.region();
     state_.front = {};
     state_.before.printed = state_.before.printed && !r.paths.curves.empty();
     if (!r.paths.curves.empty()) {

@@ -22,7 +22,7 @@ SeamPaint paint_of(const State& state) {
 }
 
 // The middle of the lines beside the region: the point of them that is nearest to their mean.
-std::optional<Vec2> middle(const Waiting& r, const std::vector<Segment>& lines) {
+std::optional<Vec2> middle(const WaitingRegion& r, const std::vector<Segment>& lines) {
     std::vector<Vec2> points;
     Vec2 sum;
     for (const Segment& s : lines) {
@@ -48,7 +48,7 @@ bool beside(Vec2 p, const std::vector<Segment>& lines, double distance) {
 
 Entry by_paint(State& state, const Entry& usual) {
     const SeamPaint paint = paint_of(state);
-    const Waiting& r = state.region();
+    const WaitingRegion& r = state.region();
     if (const auto p = middle(r, paint.wanted)) {
         ++state.counts.painted;
         return *nearest_entry(r, *p);

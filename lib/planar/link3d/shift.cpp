@@ -30,7 +30,7 @@ std::vector<std::vector<Vec2>> lines_in(std::span<const toolpath::Curve> curves,
 }
 
 // Whether beads lie on both sides of the place, so that a start there is hidden.
-bool hidden(const Waiting& r, const Place& place) {
+bool hidden(const WaitingRegion& r, const Place& place) {
     const auto& points = r.paths.curves[place.curve].points;
     const Vec2 d = points[(place.segment + 1) % points.size()] - points[place.segment];
     const double l = geom::norm(d);

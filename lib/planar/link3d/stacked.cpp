@@ -14,7 +14,7 @@ constexpr double kSameLength = 0.005; // mm; largest difference between a segmen
 
 } // namespace
 
-Stacked::Stacked(const std::vector<std::vector<Vec2>>& lines) : laid_(lines.size()) {
+StackedWalls::StackedWalls(const std::vector<std::vector<Vec2>>& lines) : laid_(lines.size()) {
     for (const auto& line : lines) {
         lines_.push_back({false, line, {1}});
         along_.push_back(geom::arc_lengths(line));
@@ -22,7 +22,7 @@ Stacked::Stacked(const std::vector<std::vector<Vec2>>& lines) : laid_(lines.size
     if (!lines.empty()) index_.emplace(lines_);
 }
 
-Stacked::Pass Stacked::pass(Vec2 a, Vec2 b) {
+StackedWalls::Pass StackedWalls::pass(Vec2 a, Vec2 b) {
     if (!index_) return Pass::plain;
     const auto p = index_->nearest(a, kOnLine), q = index_->nearest(b, kOnLine);
     if (!p || !q || p->curve != q->curve) return Pass::plain;
@@ -43,7 +43,7 @@ Stacked::Pass Stacked::pass(Vec2 a, Vec2 b) {
     return Pass::lower;
 }
 
-SpatialBead Stacked::lay(const Bead& bead, double z, double height, double ramp) {
+SpatialBead StackedWalls::lay(const Bead& bead, double z, double height, double ramp) {
     SpatialBead out;
     const auto push = [&](Vec2 p, double width, Pass pass) {
         const bool half = pass != Pass::plain;

@@ -12,9 +12,9 @@ using geom::Vec3;
 
 // The walls of one region that its curves pass twice along one line, and the stretches of them that are printed
 // already.
-class Stacked {
+class StackedWalls {
   public:
-    explicit Stacked(const std::vector<std::vector<Vec2>>& lines);
+    explicit StackedWalls(const std::vector<std::vector<Vec2>>& lines);
 
     // The bead in a layer that ends at `z` and is `height` mm thick. The first pass along a wall lies half a layer
     // lower than the rest, and the second pass lies on it. Both are half as thick and twice as wide as the bead says.

@@ -49,7 +49,7 @@ bool misses_strands(const State& state, Vec3 a, Vec3 b) {
     });
 }
 
-std::array<double, 2> reaches(const State& state, const Waiting& to) {
+std::array<double, 2> reaches(const State& state, const WaitingRegion& to) {
     const double reach = state.options.reach;
     if (to.paths.join == Join::beside) return {reach, reach};
     return {std::min(reach, 0.6), to.open ? reach : std::min(reach, 1.0)};

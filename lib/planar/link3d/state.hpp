@@ -34,13 +34,13 @@ enum class NextPlace : std::uint8_t { anywhere, above, outside };
 // The region that is being printed.
 struct Front {
     NextPlace next = NextPlace::anywhere;
-    Vec2 start;                         // where it was entered
-    Ramp ramp;                          // the ramp by which it was entered, until its first curve is printed
-    bool winds = false;                 // it is printed as a turn of a helix
-    std::vector<toolpath::Span> spans;  // printed so far; each begins where the one before it ended
-    std::vector<toolpath::Curve> joins; // lines of lifts and jogs on its layer
-    std::optional<Vec2> pin;            // where a jog leaves its curve; must become a point of the curve
-    std::optional<Stacked> stacked;     // its walls in two passes
+    Vec2 start;                          // where it was entered
+    Ramp ramp;                           // the ramp by which it was entered, until its first curve is printed
+    bool winds = false;                  // it is printed as a turn of a helix
+    std::vector<toolpath::Span> spans;   // printed so far; each begins where the one before it ended
+    std::vector<toolpath::Curve> joins;  // lines of lifts and jogs on its layer
+    std::optional<Vec2> pin;             // where a jog leaves its curve; must become a point of the curve
+    std::optional<StackedWalls> stacked; // its walls in two passes
 };
 
 // The region before.
@@ -64,8 +64,8 @@ struct State {
     explicit State(const Options& how) : options(how) {}
 
     Options options;
-    std::deque<Waiting> window; // the front one is printed next; at most look_ahead + 1
-    std::optional<Vec3> at;     // position of the nozzle
+    std::deque<WaitingRegion> window; // the front one is printed next; at most look_ahead + 1
+    std::optional<Vec3> at;           // position of the nozzle
     std::uint32_t stroke = 0;
     Front front;
     PreviousRegion before;
@@ -76,7 +76,7 @@ struct State {
     Counts counts;
     Notes notes;
 
-    [[nodiscard]] const Waiting& region() const { return window.front(); }
+    [[nodiscard]] const WaitingRegion& region() const { return window.front(); }
 };
 
 inline Vec3 at_height(Vec2 p, double z) { return {p.x, p.y, z}; }
@@ -106,7 +106,7 @@ bool misses_strands(const State& state, Vec3 a, Vec3 b);
 // region and cross its outer bead. That does not limit jogs to open curves, such as those of scaffolds, whose strands
 // span gaps anyway. From a brim, a jog leads over the outline from the middle of one bead to that of the
 // next; both lengths are the same.
-std::array<double, 2> reaches(const State& state, const Waiting& to);
+std::array<double, 2> reaches(const State& state, const WaitingRegion& to);
 
 // The curves of the front region as they are printed, with curve `c` as `bead`, and all joins and the lane beside them.
 std::vector<toolpath::Curve> as_printed(const State& state, std::uint32_t c, const Bead& bead,

@@ -23,7 +23,7 @@ double widest_bead(const toolpath::RegionPaths& r) {
 
 } // namespace
 
-Waiting waiting(toolpath::RegionPaths region) {
+WaitingRegion waiting(toolpath::RegionPaths region) {
     SegmentIndex index(region.curves);
     const double width = region_width(region), widest = widest_bead(region);
     bool closed = false, open = false;
@@ -41,7 +41,7 @@ Place at_corner(Place place, const toolpath::Curve& curve, Vec2 from) {
     return place;
 }
 
-std::optional<Entry> nearest_entry(const Waiting& r, Vec2 p, double limit, std::span<const char> done) {
+std::optional<Entry> nearest_entry(const WaitingRegion& r, Vec2 p, double limit, std::span<const char> done) {
     std::optional<Entry> best;
     if (r.closed) {
         std::vector<char> skip;

@@ -10,7 +10,7 @@
 
 namespace filum::link3d {
 
-struct Waiting {
+struct WaitingRegion {
     toolpath::RegionPaths paths;
     SegmentIndex index;
     double width;      // mm, mean of its curves
@@ -18,10 +18,10 @@ struct Waiting {
     bool closed, open; // whether it has curves of this kind
 };
 
-Waiting waiting(toolpath::RegionPaths region);
+WaitingRegion waiting(toolpath::RegionPaths region);
 
 // Whether the input asks for a join from the region before.
-inline bool goes_on(const Waiting& r) { return r.paths.join != Join::start; }
+inline bool goes_on(const WaitingRegion& r) { return r.paths.join != Join::start; }
 
 // The place where a curve is entered. An open curve is entered at its first point, or at its last one if `against`.
 struct Entry {
@@ -31,7 +31,8 @@ struct Entry {
 
 // The nearest place of a closed curve, or end of an open curve, that is at most `limit` mm from p. Curves with
 // done[curve] != 0 are left out; an empty `done` leaves out none. Tie: closed curves first, then the lowest index.
-std::optional<Entry> nearest_entry(const Waiting& r, Vec2 p, double limit = std::numeric_limits<double>::infinity(),
+std::optional<Entry> nearest_entry(const WaitingRegion& r, Vec2 p,
+                                   double limit = std::numeric_limits<double>::infinity(),
                                    std::span<const char> done = {});
 
 // The place, moved to a corner of the curve that is closer than kCorner. A shorter piece before a sharp corner would

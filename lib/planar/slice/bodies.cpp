@@ -40,10 +40,10 @@ bool neighbours(const Edge& e, const Edge& f) {
 // Finds the stretch of e along which f runs in the opposite direction within `width`. Distances are positive on the
 // right of e, which is outside; they may go down to -1 um, for rounding. Returns in `out` the parameters on e and the
 // distances at both ends; false if there is no such stretch.
-struct Facing {
+struct FacingStretch {
     double u[2], gap[2];
 };
-bool facing(const Edge& e, const Edge& f, double width, Facing& out) {
+bool facing(const Edge& e, const Edge& f, double width, FacingStretch& out) {
     const Vec2 d = e.b - e.a, g = f.b - f.a;
     const double l = norm(d);
     if (!(l > 0) || dot(d, g) > -0.9 * l * norm(g)) return false;
@@ -77,7 +77,7 @@ bool facing(const Edge& e, const Edge& f, double width, Facing& out) {
     return true;
 }
 
-void add_bridge(const Edge& e, const Facing& f, Loops& out) {
+void add_bridge(const Edge& e, const FacingStretch& f, Loops& out) {
     const Vec2 d = e.b - e.a;
     const Vec2 outwards = (-1 / norm(d)) * left_of(d);
     const Vec2 p0 = lerp(e.a, e.b, f.u[0]), p1 = lerp(e.a, e.b, f.u[1]);
@@ -149,7 +149,7 @@ Loops bridges(const Loops& loops, double width, double& gap_area, std::size_t& g
             for (std::size_t j = i + 1; j < in.size(); ++j) {
                 const auto &e = edges[in[i]], &f = edges[in[j]];
                 if (!near(e, f, width) || neighbours(e, f)) continue;
-                if (Facing facing_now; facing(e, f, width, facing_now))
+                if (FacingStretch facing_now; facing(e, f, width, facing_now))
                     pairs.push_back(std::uint64_t{in[i]} << 32 | in[j]);
             }
     }
@@ -157,7 +157,7 @@ Loops bridges(const Loops& loops, double width, double& gap_area, std::size_t& g
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     for (const std::uint64_t pair : pairs) {
         const auto &e = edges[pair >> 32], &f = edges[pair & 0xffffffff];
-        Facing between{};
+        FacingStretch between{};
         if (!facing(e, f, width, between)) continue;
         add_bridge(e, between, out);
         const double gap = std::max(0.0, (between.gap[0] + between.gap[1]) / 2);

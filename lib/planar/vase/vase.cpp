@@ -47,7 +47,7 @@ bool lie_over(const Region& a, const Loops& below, const Loops& above) {
 }
 
 // The material that is not printed, summed up for one note per kind.
-struct LeftOut {
+struct UnprintedMaterial {
     Note branch{NoteCode::vase_ends, 0, 0};   // material above a branch
     Note within{NoteCode::vase_within, 0, 0}; // bodies inside an outline
 
@@ -93,18 +93,18 @@ Region layer_of(const Region& of, Vase& grown, const Options& o) {
 }
 
 // The outlines of a layer that lie in no other one.  Bodies inside an outline are left out.
-std::vector<const Region*> outlines(std::span<const Region> layer, LeftOut& left) {
+std::vector<const Region*> outlines(std::span<const Region> layer, UnprintedMaterial& left) {
     std::vector<const Region*> out;
     for (const Region& r : layer)
         if (r.parent < 0)
             out.push_back(&r);
         else
-            LeftOut::add(left.within, r);
+            UnprintedMaterial::add(left.within, r);
     return out;
 }
 
 // Grows the vases by one layer, and drops those that end.  Appends the new regions to `to`.
-void grow(std::vector<Vase>& vases, std::span<const Region> layer, const Options& o, LeftOut& left,
+void grow(std::vector<Vase>& vases, std::span<const Region> layer, const Options& o, UnprintedMaterial& left,
           std::vector<Region>& to) {
     const auto tops = outlines(layer, left);
     std::vector<Loops> loops;
@@ -134,7 +134,7 @@ void grow(std::vector<Vase>& vases, std::span<const Region> layer, const Options
         if (used[k] != 0)
             to.push_back(std::move(made[k]));
         else
-            LeftOut::add(left.branch, *tops[k]);
+            UnprintedMaterial::add(left.branch, *tops[k]);
 }
 
 // Renumbers the regions, and recomputes which of them lie on each other.
@@ -189,7 +189,7 @@ void note_hanging(const std::vector<Region>& regions, const Options& o, Notes& n
 std::vector<Region> vase(const std::vector<Region>& part, const Options& o, Notes& notes, Facts& facts) {
     std::vector<Region> out;
     std::vector<Vase> vases;
-    LeftOut left;
+    UnprintedMaterial left;
     for (std::size_t i = 0; i < part.size();) {
         std::size_t end = i;
         while (end < part.size() && part[end].layer == part[i].layer) ++end;

@@ -64,8 +64,8 @@ struct Sink::State {
     std::string path;      // final name; "" if nothing is to be renamed
     std::string temporary; // name until commit(); "" while the file has none
     int fd = -1;
-    bool owned = false;                     // whether this object closes fd
-    std::unique_ptr<Unfinished> unfinished; // removes the temporary file on a signal
+    bool owned = false;                         // whether this object closes fd
+    std::unique_ptr<UnfinishedPath> unfinished; // removes the temporary file on a signal
     std::string buffer;
 
     State() = default;
@@ -115,7 +115,7 @@ struct Sink::State {
         for (int n = 0; n < kTries; ++n) {
             const std::string wanted =
                 folder_of(path) + "/filum-" + std::to_string(::getpid()) + "-" + std::to_string(n) + ".part";
-            auto watched = std::make_unique<Unfinished>(wanted);
+            auto watched = std::make_unique<UnfinishedPath>(wanted);
             if (make(wanted.c_str())) {
                 temporary = wanted;
                 unfinished = std::move(watched);

@@ -14,7 +14,7 @@ namespace filum::stream {
 namespace {
 
 struct Slot {
-    std::atomic<bool> taken = false;   // in use by an Unfinished
+    std::atomic<bool> taken = false;   // in use by an UnfinishedPath
     std::atomic<pid_t> watched_by = 0; // owner; a child between fork and exec must not remove files of its parent
     std::array<char, PATH_MAX> path{};
 };
@@ -58,7 +58,7 @@ void watch_signals() {
 
 } // namespace
 
-Unfinished::Unfinished(const std::string& path) : slot_(slots.size()) {
+UnfinishedPath::UnfinishedPath(const std::string& path) : slot_(slots.size()) {
     watch_signals();
     for (std::size_t i = 0; i < slots.size() && path.size() < PATH_MAX; ++i) {
         if (slots[i].taken.exchange(true)) continue;
@@ -69,7 +69,7 @@ Unfinished::Unfinished(const std::string& path) : slot_(slots.size()) {
     }
 }
 
-Unfinished::~Unfinished() {
+UnfinishedPath::~UnfinishedPath() {
     if (slot_ == slots.size()) return;
     slots[slot_].watched_by = 0;
     slots[slot_].taken = false;

@@ -38,7 +38,7 @@ double width_of(const toolpath::Span& s, std::size_t i, double thread) {
     return toolpath::extrudes(s.role) ? s.width_at(i) : thread;
 }
 
-using Kept = std::vector<std::uint32_t>;
+using PointIndices = std::vector<std::uint32_t>;
 
 // The median of v; `otherwise` if it is empty.
 double median(std::vector<double>& v, double otherwise) {
@@ -130,12 +130,12 @@ void Tubes::State::measure(const Scene& s, bool travels) {
 }
 
 void Tubes::State::fill(const Scene& s, const Tint& tint, bool travels) {
-    std::vector<Kept> kept;
+    std::vector<PointIndices> kept;
     std::vector<bool> shown; // per segment between kept points: whether it is drawn
     std::size_t points = 0, segments = 0;
     const HiddenBeads hidden(s, width, height);
     for (const auto& span : s.spans) {
-        kept.push_back(drawn(span, travels) ? visible_points(span, 0.04 * thickness) : Kept{});
+        kept.push_back(drawn(span, travels) ? visible_points(span, 0.04 * thickness) : PointIndices{});
         points += kept.back().size();
         for (std::size_t m = 0; m + 1 < kept.back().size(); ++m) {
             const bool bead = toolpath::extrudes(span.role);

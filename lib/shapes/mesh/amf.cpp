@@ -174,7 +174,7 @@ class Amf {
 
     // The body of a slicer's volume that is not printed, with its settings.
     [[nodiscard]] static std::optional<Body> unprinted(const pugi::xml_node& volume) {
-        std::optional<Body::What> what;
+        std::optional<Body::Purpose> what;
         Body out;
         for (const auto& data : volume.children("metadata")) {
             const std::string_view type(data.attribute("type").value()), value(data.child_value());
@@ -183,7 +183,7 @@ class Amf {
             if (key == "volume_type")
                 what = prusa_body(value);
             else if (key == "modifier" && value == "1" && !what)
-                what = Body::What::modifier;
+                what = Body::Purpose::modifier;
             else if (is_setting(key) ||
                      (key == "extruder" && value != "0" && value != "1")) // that of the part otherwise
                 out.settings.emplace_back(key, value);
@@ -206,7 +206,7 @@ class Amf {
         bool cut = false;
         for (auto& [body, triangles] : bodies_) {
             body.mesh = part_of(to_.mesh, triangles);
-            cut = cut || body.what == Body::What::negative;
+            cut = cut || body.what == Body::Purpose::negative;
             to_.bodies.push_back(std::move(body));
         }
         if (!cut) to_.items.clear();

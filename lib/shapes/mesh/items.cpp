@@ -114,7 +114,7 @@ void cut_below_bed(const geom::Box3& box, std::uint32_t item, File& to) {
     geom::Vec3 top = box.hi + beyond;
     top.z = 0;
     Body& body = to.bodies.emplace_back();
-    body.what = Body::What::negative;
+    body.what = Body::Purpose::negative;
     body.mesh = box_mesh(box.lo - beyond, top);
     body.item = item;
     to.notes.push_back(note(NoteCode::part_below_bed, -box.lo.z));
@@ -154,8 +154,8 @@ void tell_bodies(File& to) {
     const auto count = [&](const auto& fits) {
         return static_cast<std::size_t>(std::ranges::count_if(to.bodies, fits));
     };
-    tell(NoteCode::project_modifier, count([](const Body& b) { return b.what == Body::What::modifier && !b.printed; }),
-         to.notes);
+    tell(NoteCode::project_modifier,
+         count([](const Body& b) { return b.what == Body::Purpose::modifier && !b.printed; }), to.notes);
     tell(NoteCode::project_part_settings, count([](const Body& b) { return b.printed && changes_settings(b); }),
          to.notes);
     tell(NoteCode::project_support_body,

@@ -94,7 +94,7 @@ bool each_painted(std::string_view text, const Corners& corners,
 
 namespace {
 
-void add_faces(Body::What what, const std::vector<Corners>& faces, File& to) {
+void add_faces(Body::Purpose what, const std::vector<Corners>& faces, File& to) {
     if (faces.empty()) return;
     Body& body = to.bodies.emplace_back();
     body.what = what;
@@ -107,7 +107,7 @@ void add_faces(Body::What what, const std::vector<Corners>& faces, File& to) {
 
 } // namespace
 
-void add_painted(const std::vector<PaintedTriangle>& painted, Body::What wanted_kind, Body::What unwanted_kind,
+void add_painted(const std::vector<PaintedTriangle>& painted, Body::Purpose wanted_kind, Body::Purpose unwanted_kind,
                  File& to) {
     std::vector<Corners> wanted, unwanted;
     std::size_t unread = 0;

@@ -37,6 +37,6 @@ struct PaintedTriangle {
 
 // Adds the painted faces to `to` as bodies of the kinds `wanted` and `unwanted`, with a note on those whose paint
 // cannot be read.
-void add_painted(const std::vector<PaintedTriangle>& painted, Body::What wanted, Body::What unwanted, File& to);
+void add_painted(const std::vector<PaintedTriangle>& painted, Body::Purpose wanted, Body::Purpose unwanted, File& to);
 
 } // namespace filum::mesh

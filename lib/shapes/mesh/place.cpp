@@ -121,7 +121,7 @@ void move(Mesh& mesh, const Affine& map) {
         throw Error(Exit::bad_input, "cannot use the part: it reaches beyond 10000 m; check --unit and --scale");
 }
 
-Placed place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes) {
+PlacementMap place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes) {
     drop_unused_vertices(mesh);
     const double unit = unit_mm(placement.unit, longest_side(bounds(mesh)), in_mm, notes);
     const Affine map = placement_map(placement, unit);

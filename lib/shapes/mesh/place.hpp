@@ -31,7 +31,7 @@ Box3 bounds(const Mesh& mesh); // precondition: a vertex
 
 inline constexpr double kMaxCoordinate = 1e7; // mm
 
-struct Placed {
+struct PlacementMap {
     Affine map;      // from the file's coordinates
     double unit = 1; // mm per unit of the file
 };
@@ -39,7 +39,7 @@ struct Placed {
 // Moves `mesh` as `placement` says and returns the map. `in_mm`: the file states its unit itself, so only "auto" and
 // "mm" are allowed. If the map mirrors, the triangles are flipped, so that they still face outwards. Vertices without a
 // triangle are dropped. Throws Error: usage for invalid options, bad_input if a coordinate ends up beyond 1e7 mm.
-Placed place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes);
+PlacementMap place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes);
 
 // Applies `map` to `mesh`, and flips the triangles if it mirrors. Throws Error(bad_input) if a coordinate ends up
 // beyond 1e7 mm.

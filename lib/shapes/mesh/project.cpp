@@ -12,32 +12,32 @@ namespace filum::mesh {
 
 namespace {
 
-using What = Body::What;
+using Purpose = Body::Purpose;
 
 struct Word {
     std::string_view text;
-    What what;
+    Purpose what;
 };
-constexpr Word kPrusa[] = {{"ParameterModifier", What::modifier},
-                           {"SupportEnforcer", What::enforcer},
-                           {"SupportBlocker", What::blocker},
-                           {"NegativeVolume", What::negative}};
-constexpr Word kBambu[] = {{"modifier_part", What::modifier},
-                           {"support_enforcer", What::enforcer},
-                           {"support_blocker", What::blocker},
-                           {"negative_part", What::negative}};
+constexpr Word kPrusa[] = {{"ParameterModifier", Purpose::modifier},
+                           {"SupportEnforcer", Purpose::enforcer},
+                           {"SupportBlocker", Purpose::blocker},
+                           {"NegativeVolume", Purpose::negative}};
+constexpr Word kBambu[] = {{"modifier_part", Purpose::modifier},
+                           {"support_enforcer", Purpose::enforcer},
+                           {"support_blocker", Purpose::blocker},
+                           {"negative_part", Purpose::negative}};
 // Metadata of a body that are not settings.
 constexpr std::string_view kNoSetting[] = {"name", "volume_type", "modifier", "matrix", "extruder"};
 
 template <std::size_t N>
-std::optional<What> what_of(const Word (&words)[N], std::string_view text) {
+std::optional<Purpose> what_of(const Word (&words)[N], std::string_view text) {
     const auto found = std::ranges::find(words, text, &Word::text);
     return found == std::end(words) ? std::nullopt : std::optional(found->what);
 }
 
 } // namespace
 
-std::optional<What> prusa_body(std::string_view word) { return what_of(kPrusa, word); }
+std::optional<Purpose> prusa_body(std::string_view word) { return what_of(kPrusa, word); }
 
 bool is_setting(std::string_view key) {
     return !key.empty() && !key.starts_with("source_") && std::ranges::find(kNoSetting, key) == std::end(kNoSetting);
@@ -81,7 +81,7 @@ std::optional<std::uint32_t> extruder_of(const pugi::xml_node& element) {
 
 // Makes a body with the settings in the metadata of an element. Its extruder is a setting if it is not the one of the
 // object, which printed parts follow without any setting.
-Body body_of(What what, const pugi::xml_node& element, const pugi::xml_node& object) {
+Body body_of(Purpose what, const pugi::xml_node& element, const pugi::xml_node& object) {
     Body out;
     out.what = what;
     add_settings(element, out.settings);

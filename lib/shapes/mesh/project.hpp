@@ -78,7 +78,7 @@ struct Project {
 };
 
 // The kind of body that PrusaSlicer calls `word`, such as "SupportBlocker"; none for a part that is printed.
-std::optional<Body::What> prusa_body(std::string_view word);
+std::optional<Body::Purpose> prusa_body(std::string_view word);
 
 // Whether a key in the metadata of a body is the name of a setting.
 bool is_setting(std::string_view key);

@@ -12,16 +12,16 @@ namespace filum::mesh {
 namespace {
 
 // The kinds of codes by their numbers in the files of both families of slicers.
-HeightCode::What kind_of(int number) {
-    using What = HeightCode::What;
-    constexpr What kKinds[] = {What::colour, What::pause, What::tool};
-    return number >= 0 && number < 3 ? kKinds[number] : What::custom;
+HeightCode::Kind kind_of(int number) {
+    using Kind = HeightCode::Kind;
+    constexpr Kind kKinds[] = {Kind::colour, Kind::pause, Kind::tool};
+    return number >= 0 && number < 3 ? kKinds[number] : Kind::custom;
 }
 
 void add_codes(const pugi::xml_node& list, const char* name, const char* height, std::vector<HeightCode>& to) {
     for (const auto& code : list.children(name)) {
         const double z = std::strtod(code.attribute(height).value(), nullptr);
-        const HeightCode::What what = kind_of(code.attribute("type").as_int(-1));
+        const HeightCode::Kind what = kind_of(code.attribute("type").as_int(-1));
         if (z > 0) to.push_back({z, what, code.attribute("extra").value()});
     }
 }

@@ -11,9 +11,9 @@ namespace filum::mesh {
 
 // G-code that a project has at a height.
 struct HeightCode {
-    enum class What : std::uint8_t { colour, pause, tool, custom };
+    enum class Kind : std::uint8_t { colour, pause, tool, custom };
     double z = 0; // mm: the top of the layer before which it runs
-    What what = What::custom;
+    Kind what = Kind::custom;
     std::string code; // of `custom`, in the macro language of the slicer
 };
 

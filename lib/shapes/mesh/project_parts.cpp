@@ -42,15 +42,15 @@ std::string value_in(std::string_view text, const std::string& key) {
 } // namespace
 
 bool wants_supports(const Body& body, bool wanted) {
-    using What = Body::What;
-    if (body.what == (wanted ? What::enforcer : What::blocker)) return true;
+    using Purpose = Body::Purpose;
+    if (body.what == (wanted ? Purpose::enforcer : Purpose::blocker)) return true;
     return body.printed && std::ranges::any_of(body.settings, [&](const auto& s) {
                return of_supports(s.first) && is_on(s.second) == wanted;
            });
 }
 
 bool changes_settings(const Body& body) {
-    return body.what == Body::What::modifier &&
+    return body.what == Body::Purpose::modifier &&
            (!body.printed || !std::ranges::all_of(body.settings, of_supports, &SlicerSettings::value_type::first));
 }
 
@@ -98,7 +98,7 @@ void Project::divide_settings(int plate, const std::function<std::string(const s
         if (part->settings.empty()) continue;
         const auto [at, fresh] = made.try_emplace({part->object, part->settings}, bodies.size());
         if (fresh) {
-            bodies.push_back({Body::What::modifier, part->settings});
+            bodies.push_back({Body::Purpose::modifier, part->settings});
             bodies.back().printed = true;
         }
         // An object that holds its mesh itself has one part, with the object's own id.

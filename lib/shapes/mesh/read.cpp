@@ -177,7 +177,7 @@ Kind recognise(std::string_view bytes) {
 }
 
 void tell_uncut(const File& file, Notes& notes) {
-    const auto count = std::ranges::count(file.bodies, Body::What::negative, &Body::what);
+    const auto count = std::ranges::count(file.bodies, Body::Purpose::negative, &Body::what);
     if (count == 0) return;
     notes.push_back(note(NoteCode::project_negative));
     notes.back().count = static_cast<std::uint64_t>(count);

@@ -24,7 +24,7 @@ inline bool states_unit(Kind kind) { return kind == Kind::threemf || kind == Kin
 // A body of a slicer's project with a purpose or with settings of its own; in mm, at the position that the project
 // gives it.
 struct Body {
-    enum class What : std::uint8_t {
+    enum class Purpose : std::uint8_t {
         modifier,        // region with other settings
         enforcer,        // supports are wanted inside it
         blocker,         // no supports are wanted inside it
@@ -34,7 +34,7 @@ struct Body {
         painted_seam,    // painted faces on which strokes should begin
         painted_no_seam  // painted faces on which no stroke should begin
     };
-    What what = What::modifier;
+    Purpose what = Purpose::modifier;
     std::vector<std::pair<std::string, std::string>> settings{}; // names and values in the slicer's own terms
     Mesh mesh{};
     std::uint32_t item = 0; // the build item of the body; a negative body is cut away from that item.  See File::items

@@ -333,17 +333,17 @@ class Archive {
             std::vector<Triangle> all;
             for (auto& [item, triangles] : triangles_[b]) {
                 all.insert(all.end(), triangles.begin(), triangles.end());
-                if (body.what != Body::What::negative) continue;
+                if (body.what != Body::Purpose::negative) continue;
                 to_.bodies.push_back({body.what, body.settings, part_of(to_.mesh, std::exchange(all, {})), item});
             }
-            if (body.what != Body::What::negative)
+            if (body.what != Body::Purpose::negative)
                 to_.bodies.push_back({body.what, body.settings, part_of(to_.mesh, all), 0, body.printed});
         }
         std::ranges::move(of_items, std::back_inserter(to_.bodies));
-        if (std::ranges::any_of(to_.bodies, [](const Body& b) { return b.what == Body::What::negative; }))
+        if (std::ranges::any_of(to_.bodies, [](const Body& b) { return b.what == Body::Purpose::negative; }))
             to_.items = std::move(item_of_);
-        add_painted(paint_, Body::What::painted, Body::What::painted_blocker, to_);
-        add_painted(seam_paint_, Body::What::painted_seam, Body::What::painted_no_seam, to_);
+        add_painted(paint_, Body::Purpose::painted, Body::Purpose::painted_blocker, to_);
+        add_painted(seam_paint_, Body::Purpose::painted_seam, Body::Purpose::painted_no_seam, to_);
         tell_bodies(to_);
         for (const auto& [what, triangles] : other_paint_) {
             to_.notes.push_back(note(NoteCode::project_paint_unused, 0, what));

@@ -115,7 +115,7 @@ Loops offset_tile(const Loops& tile, double delta, double arc_tolerance) {
     return from_clipper(out);
 }
 
-struct Ordered {
+struct PartKey {
     Vec2 key;
     std::size_t part;
 };
@@ -189,9 +189,9 @@ Parts parts_of_any(const Loops& a) {
 
 // The parts, sorted by the lowest-left vertices of the outer loops.
 Parts ordered(Parts found) {
-    std::vector<Ordered> order;
+    std::vector<PartKey> order;
     for (std::size_t i = 0; i < found.part.size(); ++i) order.push_back({lowest_left(found.part[i][0]), i});
-    std::stable_sort(order.begin(), order.end(), [](const Ordered& l, const Ordered& r) {
+    std::stable_sort(order.begin(), order.end(), [](const PartKey& l, const PartKey& r) {
         return l.key.y < r.key.y || (l.key.y == r.key.y && l.key.x < r.key.x);
     });
     std::vector<int> place(found.part.size());

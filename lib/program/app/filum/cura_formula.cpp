@@ -241,7 +241,7 @@ CuraValue calculated(std::string_view formula, const std::function<CuraValue(con
     try {
         return Formula(formula, setting).all();
     } catch (const SyntaxFault& fault) {
-        return {Uncalculated{fault.why}};
+        return {MissingValue{fault.why}};
     }
 }
 

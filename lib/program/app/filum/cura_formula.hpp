@@ -14,7 +14,7 @@ namespace filum::app::filum {
 // ceil, floor, sqrt, sines, arcs and pi of `math`; and Cura's own resolveOrValue, extruderValue, extruderValues and
 // defaultExtruderPosition for a print with one extruder.  They have Python's meaning.
 // `setting` gives the value of a name.  A part that cannot be calculated matters only if the result depends on it.
-// Uncalculated: bad syntax, another function, a wrong type, a division by zero, a result beyond all bounds.
+// MissingValue: bad syntax, another function, a wrong type, a division by zero, a result beyond all bounds.
 CuraValue calculated(std::string_view formula, const std::function<CuraValue(const std::string&)>& setting);
 
 } // namespace filum::app::filum

@@ -50,8 +50,8 @@ bool CuraStack::has(const std::string& key) const {
 
 CuraValue CuraStack::value(const std::string& key) const {
     if (const auto at = known_.find(key); at != known_.end()) return at->second;
-    if (open_.contains(key)) return {Uncalculated{"'" + key + "' depends on itself"}};
-    if (open_.size() >= kDeepestName) return {Uncalculated{"too many formulas refer to each other"}};
+    if (open_.contains(key)) return {MissingValue{"'" + key + "' depends on itself"}};
+    if (open_.size() >= kDeepestName) return {MissingValue{"too many formulas refer to each other"}};
     open_.insert(key);
     CuraValue out = looked_up(key);
     open_.erase(key);
@@ -63,7 +63,7 @@ CuraValue CuraStack::looked_up(const std::string& key) const {
         if (const auto at = level->find(key); at != level->end() && !at->second.value.empty())
             return of_setting(at->second);
     const SettingRow row = row_of(key, Slicer::cura);
-    if (row.usual.empty()) return {Uncalculated{"no file has '" + key + "'"}};
+    if (row.usual.empty()) return {MissingValue{"no file has '" + key + "'"}};
     if (!row.usual.ends_with('%')) return value_of(row.usual);
     const double percent = parse_number(row.usual.substr(0, row.usual.size() - 1), key);
     CuraValue base = value(std::string(row.of));

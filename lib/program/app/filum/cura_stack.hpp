@@ -24,7 +24,7 @@ class CuraStack {
     [[nodiscard]] bool has(const std::string& key) const;
     // Whether the file has the key at all.
     [[nodiscard]] bool in_file(const std::string& key) const { return own_.contains(key) || beneath_.contains(key); }
-    // The value; Uncalculated if none is known, with the reason.
+    // The value; MissingValue if none is known, with the reason.
     [[nodiscard]] CuraValue value(const std::string& key) const;
     // The same as text; "" if it is not known.
     [[nodiscard]] std::string text(const std::string& key) const;

@@ -16,7 +16,7 @@ namespace {
 
 using List = CuraValue::List;
 
-CuraValue unknown(std::string why) { return {Uncalculated{std::move(why)}}; }
+CuraValue unknown(std::string why) { return {MissingValue{std::move(why)}}; }
 CuraValue finite(double value) {
     return std::isfinite(value) ? CuraValue{value} : unknown("a number is beyond all bounds");
 }

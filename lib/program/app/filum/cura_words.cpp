@@ -30,7 +30,7 @@ class CuraNumbers {
         const CuraValue value = cura_.value(key);
         if (value.known()) return parse_number(text_of(value), key);
         if (cura_.in_file(key) || !row_of(key, Slicer::cura).usual.empty())
-            throw Error(Exit::usage, "'" + key + "' is unknown: " + std::get<Uncalculated>(value.as).why);
+            throw Error(Exit::usage, "'" + key + "' is unknown: " + std::get<MissingValue>(value.as).why);
         return 0;
     }
     // Whether `key` is the first of the keys that the file has.

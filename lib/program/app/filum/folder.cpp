@@ -17,7 +17,7 @@ std::string Folder::file(const std::string& name) const {
             throw Error(Exit::io, "cannot make a folder in '" + std::filesystem::path(path).parent_path().string() +
                                       "': " + std::strerror(errno) + "; name another by TMPDIR");
         path_ = path;
-        unfinished_ = std::make_unique<stream::Unfinished>(path_);
+        unfinished_ = std::make_unique<stream::UnfinishedPath>(path_);
     }
     return path_ + "/" + name;
 }

@@ -21,7 +21,7 @@ class Folder {
 
   private:
     mutable std::string path_; // empty: not made yet
-    mutable std::unique_ptr<stream::Unfinished> unfinished_;
+    mutable std::unique_ptr<stream::UnfinishedPath> unfinished_;
 };
 
 } // namespace filum::app::filum

@@ -43,7 +43,7 @@ KeptStreams::KeptStreams(const Request& request, const std::vector<Stage>& stage
                                                 : names_.back() + "." + own);
         if (names_.back().empty()) continue;
         unfinished_.push_back(files_.back());
-        watched_.push_back(std::make_unique<stream::Unfinished>(files_.back()));
+        watched_.push_back(std::make_unique<stream::UnfinishedPath>(files_.back()));
     }
 }
 

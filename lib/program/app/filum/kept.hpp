@@ -40,7 +40,7 @@ class KeptStreams {
     bool scaffold_ = false; // --pattern=scaffold: the report measures its pores
     std::vector<std::string> files_, names_, payloads_;
     std::vector<std::string> unfinished_; // files that may be incomplete; commit() empties the list
-    std::vector<std::unique_ptr<stream::Unfinished>> watched_;
+    std::vector<std::unique_ptr<stream::UnfinishedPath>> watched_;
 };
 
 } // namespace filum::app::filum

@@ -39,12 +39,12 @@ ProjectBodies project_bodies(const std::string& file, int plate) {
     try {
         const mesh::Bytes bytes = mesh::load(file);
         if (!archive::Zip::begins(bytes.view())) return out;
-        using What = mesh::Body::What;
+        using Purpose = mesh::Body::Purpose;
         for (const mesh::Body& b : mesh::read(bytes.view(), mesh::spoken_name(file), plate).bodies) {
             out.modifiers = out.modifiers || mesh::changes_settings(b);
-            out.wanted = out.wanted || b.what == What::painted || mesh::wants_supports(b, true);
-            out.seams = out.seams || b.what == What::painted_seam || b.what == What::painted_no_seam;
-            out.unwanted = out.unwanted || b.what == What::painted_blocker || mesh::wants_supports(b, false);
+            out.wanted = out.wanted || b.what == Purpose::painted || mesh::wants_supports(b, true);
+            out.seams = out.seams || b.what == Purpose::painted_seam || b.what == Purpose::painted_no_seam;
+            out.unwanted = out.unwanted || b.what == Purpose::painted_blocker || mesh::wants_supports(b, false);
         }
     } catch (const Error&) { // the file holds settings only
     }
@@ -58,17 +58,17 @@ ProjectCodes project_codes(const std::string& file, int plate, double layer_heig
         if (!archive::Zip::begins(bytes.view())) return out;
         archive::Zip zip(bytes.view(), "'" + file + "'");
         for (const mesh::HeightCode& code : mesh::codes_by_height(zip, plate)) {
-            using What = mesh::HeightCode::What;
+            using Kind = mesh::HeightCode::Kind;
             const std::string at = shortest_text(code.z) + " mm";
             const double below = std::round((code.z - layer_height) * 1e6) / 1e6;
-            if (code.what == What::tool)
+            if (code.what == Kind::tool)
                 out.remarks.push_back("the project's change of tools at " + at +
                                       " is not followed; add a part with --body");
-            else if (code.what == What::custom)
+            else if (code.what == Kind::custom)
                 out.remarks.push_back("the project's G-code at " + at + " is not followed: " + code.code.substr(0, 60));
             else if (below > 0)
                 out.pauses += (out.pauses.empty() ? "" : ",") + shortest_text(below) +
-                              (code.what == What::colour ? "mm:colour" : "mm");
+                              (code.what == Kind::colour ? "mm:colour" : "mm");
         }
     } catch (const Error&) { // a damaged file is reported where the part is read
     }

@@ -377,7 +377,7 @@ SlicerWishes wishes(const SlicerFile& file, const std::function<bool(std::string
         if (file.slicer == Slicer::cura && is_formula(s.value)) {
             read.use = Use::later;
             const CuraValue value = CuraStack(file).value(s.key);
-            const std::string why = value.known() ? "it was not calculated" : std::get<Uncalculated>(value.as).why;
+            const std::string why = value.known() ? "it was not calculated" : std::get<MissingValue>(value.as).why;
             read.why = "its value is a formula of Cura: " + why + "; write the value instead";
             continue;
         }

@@ -187,13 +187,13 @@ Project modifiers(const std::string& path, const stream::Header& header, const s
 }
 
 SeamFaces seam_faces(const std::string& path, const stream::Header& header, Notes& notes) {
-    using What = mesh::Body::What;
+    using Purpose = mesh::Body::Purpose;
     PlacedFile placed = load(path, header, notes);
     SeamFaces out;
     for (mesh::Body& b : placed.file.bodies) {
-        if (b.what != What::painted_seam && b.what != What::painted_no_seam) continue;
+        if (b.what != Purpose::painted_seam && b.what != Purpose::painted_no_seam) continue;
         placed.move(b.mesh, path);
-        mesh::append(b.mesh, b.what == What::painted_seam ? out.wanted : out.unwanted);
+        mesh::append(b.mesh, b.what == Purpose::painted_seam ? out.wanted : out.unwanted);
     }
     if (!out.wanted.triangles.empty() || !out.unwanted.triangles.empty()) return out;
     throw Error(Exit::bad_input,
@@ -202,12 +202,12 @@ SeamFaces seam_faces(const std::string& path, const stream::Header& header, Note
 
 Places support_places(const std::string& path, bool wanted, const stream::Header& header,
                       const std::vector<polygon::Region>& regions, int threads, Notes& notes) {
-    using What = mesh::Body::What;
+    using Purpose = mesh::Body::Purpose;
     PlacedFile placed = load(path, header, notes);
     const Levels levels(regions);
-    const What paint = wanted ? What::painted : What::painted_blocker;
+    const Purpose paint = wanted ? Purpose::painted : Purpose::painted_blocker;
     const auto of_supports = [](const mesh::Body& b) {
-        return b.what == What::painted || b.what == What::painted_blocker || mesh::wants_supports(b, true) ||
+        return b.what == Purpose::painted || b.what == Purpose::painted_blocker || mesh::wants_supports(b, true) ||
                mesh::wants_supports(b, false);
     };
     Places out{{levels.none(), std::move(placed.crc32c)}, 0};

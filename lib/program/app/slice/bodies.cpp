@@ -142,7 +142,7 @@ std::vector<BodyItem> body_items(const std::string& text) {
     return out;
 }
 
-std::vector<OnBed> read_bodies(const Options& o, cli::Io& self) {
+std::vector<BedPart> read_bodies(const Options& o, cli::Io& self) {
     if (self.inputs.size() > 1)
         throw Error(Exit::usage, "cannot use --body with several parts: give each body of the part by --body");
     std::vector<BodyItem> items = body_items(o.body);
@@ -167,18 +167,18 @@ std::vector<OnBed> read_bodies(const Options& o, cli::Io& self) {
         placement.translate = {0, 0, o.place.translate[2]};
     }
     Notes placed_notes;
-    const mesh::Placed placed = mesh::place(whole, placement, states_unit, placed_notes);
+    const mesh::PlacementMap placed = mesh::place(whole, placement, states_unit, placed_notes);
     const bool unit_known = states_unit || o.place.unit != "mm" || o.place.scale != std::vector{1.0};
     const geom::Box3 box = mesh::bounds(whole);
     check_size(box, unit_known, placed_notes);
     check_bed(box, o);
     meshes.front().notes.insert(meshes.front().notes.end(), placed_notes.begin(), placed_notes.end());
     const std::size_t each = copies(o, 1);
-    std::vector<OnBed> out;
+    std::vector<BedPart> out;
     for (BodyMesh& b : meshes) {
         mesh::move(b.mesh, placed.map);
         mesh::drop_unused_vertices(b.mesh);
-        OnBed body;
+        BedPart body;
         body.name = label(b.item.file);
         body.tool = b.item.tool;
         body.width = b.item.width;
@@ -197,13 +197,13 @@ std::vector<OnBed> read_bodies(const Options& o, cli::Io& self) {
     return out;
 }
 
-OnBed joint(const std::vector<OnBed>& bodies) {
-    OnBed out;
+BedPart joint(const std::vector<BedPart>& bodies) {
+    BedPart out;
     out.name = bodies.front().name;
     out.placement = bodies.front().placement;
     out.at = bodies.front().at;
     std::vector<Vec2> flat;
-    for (const OnBed& b : bodies) {
+    for (const BedPart& b : bodies) {
         out.box.add(b.box.lo);
         out.box.add(b.box.hi);
         flat.insert(flat.end(), b.outline.begin(), b.outline.end());
@@ -230,7 +230,7 @@ void cut_by_later(std::vector<polygon::Loops>& contours, const std::vector<std::
     }
 }
 
-void tell_hidden(const std::vector<OnBed>& bodies, const std::vector<std::vector<double>>& kept,
+void tell_hidden(const std::vector<BedPart>& bodies, const std::vector<std::vector<double>>& kept,
                  std::span<const filum::slice::Level> levels, Notes& notes) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (std::any_of(kept[b].begin(), kept[b].end(), [](double area) { return area > 0; })) continue;

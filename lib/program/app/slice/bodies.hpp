@@ -23,10 +23,10 @@ std::vector<BodyItem> body_items(const std::string& text);
 // Reads the input, if there is one, as body 0 with tool 0, and the bodies of options.body after it.  Throws Error as
 // the readers, and Error(usage) for several inputs, for bodies of one tool with different widths or heights, for
 // heights that are no whole number of layers, and for negative bodies.
-std::vector<OnBed> read_bodies(const Options& options, cli::Io& self);
+std::vector<BedPart> read_bodies(const Options& options, cli::Io& self);
 
 // All bodies together as one thing on the bed.
-OnBed joint(const std::vector<OnBed>& bodies);
+BedPart joint(const std::vector<BedPart>& bodies);
 
 // Cuts the contours of later bodies from those of earlier ones with other tools.  `tools`: per body.  Adds a note with
 // the volume that this takes where they overlap by more than a `hairline` (mm).
@@ -34,7 +34,7 @@ void cut_by_later(std::vector<polygon::Loops>& contours, const std::vector<std::
                   double hairline, std::uint32_t layer, Notes& notes);
 
 // Adds a note for each body that later ones hide completely.  `kept`: mm2 that are left, per body and layer.
-void tell_hidden(const std::vector<OnBed>& bodies, const std::vector<std::vector<double>>& kept,
+void tell_hidden(const std::vector<BedPart>& bodies, const std::vector<std::vector<double>>& kept,
                  std::span<const filum::slice::Level> levels, Notes& notes);
 
 } // namespace filum::app::slice

@@ -98,7 +98,7 @@ CarvedPart carve(const mesh::File& file, double hairline, double step, int threa
     std::map<std::uint32_t, std::pair<mesh::Mesh, std::vector<mesh::Mesh>>> cut; // by item: it, its negative bodies
     std::uint64_t bodies = 0;
     for (const mesh::Body& body : file.bodies) {
-        if (body.what != mesh::Body::What::negative) continue;
+        if (body.what != mesh::Body::Purpose::negative) continue;
         cut[body.item].second.push_back(body.mesh);
         ++bodies;
     }

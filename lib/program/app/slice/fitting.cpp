@@ -19,14 +19,14 @@ constexpr double kShared = 0.01;                   // share of the smaller secti
 constexpr std::size_t kMostParts = 12;             // more parts than this are a plate, not a construct
 
 // The box of a part as its file places it.
-mesh::Box3 file_box(const OnBed& part) {
+mesh::Box3 file_box(const BedPart& part) {
     const auto& t = part.placement.map.t;
     const Vec3 moved{t[0], t[1], t[2]};
     return {part.box.lo - moved, part.box.hi - moved};
 }
 
 // The sections of a part at these heights of its file, in the coordinates of the file.
-std::vector<polygon::Loops> sections(const OnBed& part, const std::vector<double>& heights, int threads) {
+std::vector<polygon::Loops> sections(const BedPart& part, const std::vector<double>& heights, int threads) {
     const auto& t = part.placement.map.t;
     std::vector<Level> levels;
     levels.reserve(heights.size());
@@ -41,7 +41,7 @@ std::vector<polygon::Loops> sections(const OnBed& part, const std::vector<double
     return out;
 }
 
-bool fit(const OnBed& a, const OnBed& b, int threads) {
+bool fit(const BedPart& a, const BedPart& b, int threads) {
     const mesh::Box3 one = file_box(a), two = file_box(b);
     const Vec3 lo{std::max(one.lo.x, two.lo.x), std::max(one.lo.y, two.lo.y), std::max(one.lo.z, two.lo.z)};
     const Vec3 hi{std::min(one.hi.x, two.hi.x), std::min(one.hi.y, two.hi.y), std::min(one.hi.z, two.hi.z)};
@@ -68,7 +68,7 @@ bool fit(const OnBed& a, const OnBed& b, int threads) {
 
 } // namespace
 
-Notes fitting_parts(const std::vector<OnBed>& parts, int threads) {
+Notes fitting_parts(const std::vector<BedPart>& parts, int threads) {
     if (parts.size() < 2 || parts.size() > kMostParts) return {};
     std::set<std::size_t> fitting;
     for (std::size_t i = 0; i < parts.size(); ++i)

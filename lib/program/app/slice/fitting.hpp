@@ -9,6 +9,6 @@ namespace filum::app::slice {
 // material.  Such files are mostly bodies of one part, which --body prints together, and here they are put side by
 // side. Two parts fit if their boxes meet in the coordinates of their files, and their sections at five heights in
 // common overlap by less than a hundredth of the smaller ones.  `parts` must be different files.
-Notes fitting_parts(const std::vector<OnBed>& parts, int threads);
+Notes fitting_parts(const std::vector<BedPart>& parts, int threads);
 
 } // namespace filum::app::slice

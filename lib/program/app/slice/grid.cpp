@@ -63,12 +63,12 @@ std::size_t copies(const Options& o, std::size_t inputs) {
     return inputs == 1 ? places : 1;
 }
 
-std::vector<plate::Place> in_places(const std::vector<OnBed>& parts, const Options& o,
+std::vector<plate::Place> in_places(const std::vector<BedPart>& parts, const Options& o,
                                     std::vector<std::string>& names) {
     const plate::Grid grid = grid_of(o);
     const auto where = plate::wells_named(grid, o.in_wells);
     std::vector<plate::Place> out;
-    for (const OnBed& part : parts) {
+    for (const BedPart& part : parts) {
         const geom::Vec3 size = part.box.hi - part.box.lo;
         if ((grid.columns > 1 && size.x > grid.pitch.x) || (grid.rows > 1 && size.y > grid.pitch.y))
             throw Error(Exit::bad_input, "cannot place '" + part.name + "': it is " + size_text(size.xy()) +

@@ -19,7 +19,7 @@ std::size_t copies(const Options& options, std::size_t inputs);
 // The places of the parts in the grid.  The centre of each part's box is over the centre of its place.  `names`:
 // each becomes PART_PLACE, such as "part_A1".  Throws Error(bad_input) for a part that is larger than the pitch of the
 // grid.
-std::vector<plate::Place> in_places(const std::vector<OnBed>& parts, const Options& options,
+std::vector<plate::Place> in_places(const std::vector<BedPart>& parts, const Options& options,
                                     std::vector<std::string>& names);
 
 } // namespace filum::app::slice

@@ -32,7 +32,7 @@ struct Extent {
     std::size_t first = 0, end = 0;
 };
 
-Extent extent(const OnBed& body, std::span<const Level> levels, std::size_t bottom, std::size_t end) {
+Extent extent(const BedPart& body, std::span<const Level> levels, std::size_t bottom, std::size_t end) {
     Extent out{0, std::min(body.sweep.levels.size(), end)};
     if (body.sweep.levels.size() > 1)
         while (out.first < out.end && levels[out.first].plane + kLift <= body.box.lo.z) ++out.first;
@@ -58,7 +58,7 @@ bool share_height(const Cell& a, const Cell& b) { return a.first <= b.last && b.
 // Sections of a body at the middles of layers, with all copies.
 class Sections {
   public:
-    Sections(const OnBed& body, const Options& o, std::vector<Level> levels, int threads)
+    Sections(const BedPart& body, const Options& o, std::vector<Level> levels, int threads)
         : body_(body), options_(o), sweep_(filum::slice::sweep_over(*body.part, o.slice, std::move(levels), threads)) {
         cut_.resize(sweep_.levels.size());
         parallel::for_chunks(sweep_.chunks(), 1, threads, [&](std::size_t chunk, std::size_t) {
@@ -80,7 +80,7 @@ class Sections {
     }
 
   private:
-    const OnBed& body_;
+    const BedPart& body_;
     const Options& options_;
     filum::slice::Sweep sweep_;
     std::vector<Loops> cut_;
@@ -115,7 +115,7 @@ struct Cuts {
     Sections own;
     std::vector<Sections> later;
 
-    Cuts(const std::vector<OnBed>& bodies, std::size_t b, const Options& o, const std::vector<Level>& levels,
+    Cuts(const std::vector<BedPart>& bodies, std::size_t b, const Options& o, const std::vector<Level>& levels,
          int threads)
         : own(bodies[b], o, levels, threads) {
         for (std::size_t c = b + 1; c < bodies.size(); ++c)
@@ -172,7 +172,7 @@ struct ToolLayers {
 
 } // namespace
 
-HighLayers::HighLayers(const std::vector<OnBed>& bodies, std::span<const Level> levels, std::size_t bottom,
+HighLayers::HighLayers(const std::vector<BedPart>& bodies, std::span<const Level> levels, std::size_t bottom,
                        std::size_t end, const Options& o, int threads) {
     std::map<std::uint32_t, ToolLayers> tools;
     std::vector<Extent> extents;
@@ -224,7 +224,7 @@ const HighLayer* HighLayers::of(std::size_t body, std::size_t i) const {
     return &layers_[static_cast<std::size_t>(at_[body][i])];
 }
 
-void HighLayers::share(std::size_t i, const std::vector<OnBed>& bodies, std::vector<Loops>& contours) const {
+void HighLayers::share(std::size_t i, const std::vector<BedPart>& bodies, std::vector<Loops>& contours) const {
     if (!any()) return;
     Loops taken;
     for (std::size_t b = 0; b < bodies.size(); ++b)

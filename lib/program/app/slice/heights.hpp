@@ -29,7 +29,7 @@ class HighLayers {
   public:
     HighLayers() = default;
     // Cuts the bodies whose `layers` is above 1, from `bottom` (the layer at which --cut-below begins) to `end`.
-    HighLayers(const std::vector<OnBed>& bodies, std::span<const filum::slice::Level> levels, std::size_t bottom,
+    HighLayers(const std::vector<BedPart>& bodies, std::span<const filum::slice::Level> levels, std::size_t bottom,
                std::size_t end, const Options& options, int threads);
 
     [[nodiscard]] bool any() const { return !layers_.empty(); }
@@ -37,7 +37,7 @@ class HighLayers {
     [[nodiscard]] const HighLayer* of(std::size_t body, std::size_t i) const;
     // Gives layer i of the other bodies the border that the high layers leave them. `contours`: per body, the areas on
     // layer i, which do not overlap if their tools differ; those of bodies with high layers become empty.
-    void share(std::size_t i, const std::vector<OnBed>& bodies, std::vector<polygon::Loops>& contours) const;
+    void share(std::size_t i, const std::vector<BedPart>& bodies, std::vector<polygon::Loops>& contours) const;
 
   private:
     std::vector<HighLayer> layers_;

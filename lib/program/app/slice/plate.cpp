@@ -22,9 +22,9 @@ using filum::slice::kLift;
 using filum::slice::Level;
 
 // Cuts away the negative bodies of a placed file, and puts the rest on the bed.
-void cut_away(mesh::File& file, const Options& o, int threads, OnBed& part) {
+void cut_away(mesh::File& file, const Options& o, int threads, BedPart& part) {
     for (mesh::Body& b : file.bodies)
-        if (b.what == mesh::Body::What::negative) mesh::move(b.mesh, part.placement.map);
+        if (b.what == mesh::Body::Purpose::negative) mesh::move(b.mesh, part.placement.map);
     const double step = (o.slice.adaptive ? o.slice.min_layer_height : o.slice.layer_height) / 2;
     const auto carve_again = [&](Notes& notes) { part.carved = carve(file, o.slice.hairline, step, threads, notes); };
     Notes found;
@@ -41,13 +41,13 @@ void cut_away(mesh::File& file, const Options& o, int threads, OnBed& part) {
     std::ranges::move(found, std::back_inserter(part.notes));
 }
 
-OnBed read_part(const std::string& path, const Options& o, const cli::Io& io, bool several, std::string& crc) {
+BedPart read_part(const std::string& path, const Options& o, const cli::Io& io, bool several, std::string& crc) {
     const mesh::Bytes bytes = mesh::load(path);
     crc += (crc.empty() ? "" : ",") + stream::crc32c_text(bytes.view());
     mesh::File file = mesh::step::read(bytes.view(), mesh::spoken_name(path), o.step, static_cast<int>(o.plate));
     if (!several) cli::step_idle(io, file.kind == mesh::Kind::step);
     if (file.kind != mesh::Kind::threemf) io.idle("plate", "the file is no project with plates");
-    OnBed out;
+    BedPart out;
     out.notes = std::move(file.notes);
     if (!file.materials.empty()) out.notes.push_back({.code = NoteCode::materials_as_one});
     check_precision(file.mesh, out.notes);
@@ -79,9 +79,9 @@ OnBed read_part(const std::string& path, const Options& o, const cli::Io& io, bo
 }
 
 // The names of all copies of all parts, each different: the copies of "a" are a, a_2, a_3.
-std::vector<std::string> names_of(const std::vector<OnBed>& parts) {
+std::vector<std::string> names_of(const std::vector<BedPart>& parts) {
     std::vector<std::string> words;
-    for (const OnBed& part : parts) words.insert(words.end(), part.at.size(), part.name);
+    for (const BedPart& part : parts) words.insert(words.end(), part.at.size(), part.name);
     return told_apart(words);
 }
 
@@ -129,14 +129,14 @@ void tell_turned(const plate::Packing& packed, Notes& notes) {
 }
 
 // The places of all parts, packed on the bed.  Throws Error(bad_input) if a part finds no place.
-std::vector<plate::Place> packed_places(const std::vector<OnBed>& parts, const Options& o,
+std::vector<plate::Place> packed_places(const std::vector<BedPart>& parts, const Options& o,
                                         const machine::Profile& profile, const std::vector<std::string>& names,
                                         Notes& notes) {
     const double wider = std::max(0.0, o.compensation.xy); // mm at each side
     const Vec2 size{profile.bed.x_max - profile.bed.x_min - 2 * wider,
                     profile.bed.y_max - profile.bed.y_min - 2 * wider};
     std::vector<plate::Thing> things;
-    for (const OnBed& part : parts)
+    for (const BedPart& part : parts)
         for (std::size_t k = 0; k < part.at.size(); ++k)
             things.push_back({part.outline, part.box.hi.z - part.box.lo.z});
     auto tries = o.apart.empty() ? plate::spacings(things, profile.head)
@@ -173,26 +173,27 @@ std::vector<double> enlarged(const std::vector<double>& scale, const std::vector
     return out;
 }
 
-std::vector<OnBed> read_parts(const Options& o, cli::Io& self) {
+std::vector<BedPart> read_parts(const Options& o, cli::Io& self) {
     if (!o.body.empty()) return read_bodies(o, self);
     const auto inputs = self.inputs.empty() ? std::vector<std::string>{"-"} : self.inputs;
     const bool several = inputs.size() > 1 || o.copies > 1 || in_grid(o);
-    std::vector<OnBed> out;
+    std::vector<BedPart> out;
     std::string crc;
     out.reserve(inputs.size());
     for (const std::string& path : inputs) out.push_back(read_part(path, o, self, several, crc));
     self.settings.push_back({"input_crc32c", crc});
     const std::size_t each = copies(o, inputs.size());
-    for (OnBed& part : out) part.at.assign(each, {});
+    for (BedPart& part : out) part.at.assign(each, {});
     return out;
 }
 
-std::vector<stream::Object> place_on_bed(std::vector<OnBed>& parts, const Options& o, const cli::Io& io, Notes& notes) {
+std::vector<stream::Object> place_on_bed(std::vector<BedPart>& parts, const Options& o, const cli::Io& io,
+                                         Notes& notes) {
     if (!o.body.empty() && parts.size() > 1) { // the bodies of a part stay together
-        std::vector<OnBed> whole;
+        std::vector<BedPart> whole;
         whole.push_back(joint(parts));
         auto out = place_on_bed(whole, o, io, notes);
-        for (OnBed& part : parts) part.at = whole.front().at;
+        for (BedPart& part : parts) part.at = whole.front().at;
         return out;
     }
     if (parts.size() == 1 && parts[0].at.size() == 1 && !in_grid(o)) {
@@ -206,7 +207,7 @@ std::vector<stream::Object> place_on_bed(std::vector<OnBed>& parts, const Option
     Vec2 to = o.place.center.empty() ? profile.bed.centre() : Vec2{o.place.center[0], o.place.center[1]};
     to = to + Vec2{o.place.translate[0], o.place.translate[1]};
     std::vector<stream::Object> out;
-    for (OnBed& part : parts)
+    for (BedPart& part : parts)
         for (plate::Place& at : part.at) {
             at = places[out.size()];
             at.move = at.move + to;
@@ -228,7 +229,7 @@ void add_copies(const polygon::Loops& loops, const std::vector<plate::Place>& at
         }
 }
 
-Notes as_placed(const OnBed& part, Notes notes) {
+Notes as_placed(const BedPart& part, Notes notes) {
     for (Note& note : notes) {
         note.count *= part.at.size();
         note.amount *= static_cast<double>(part.at.size());
@@ -239,14 +240,14 @@ Notes as_placed(const OnBed& part, Notes notes) {
     return notes;
 }
 
-std::vector<Level> prepare(std::vector<OnBed>& parts, const Options& o, int threads, Notes& notes) {
+std::vector<Level> prepare(std::vector<BedPart>& parts, const Options& o, int threads, Notes& notes) {
     if (parts.size() == 1) {
         parts[0].sweep = filum::slice::prepare(*parts[0].part, o.slice, threads, parts[0].notes);
     } else {
         mesh::Mesh all; // used only for the levels
-        for (const OnBed& part : parts) mesh::append(part.part->mesh, all);
+        for (const BedPart& part : parts) mesh::append(part.part->mesh, all);
         const std::vector<Level> levels = filum::slice::levels(all, o.slice, notes);
-        for (OnBed& part : parts) {
+        for (BedPart& part : parts) {
             const double top = part.box.hi.z;
             std::vector<Level> own;
             for (const Level& l : levels)
@@ -259,10 +260,10 @@ std::vector<Level> prepare(std::vector<OnBed>& parts, const Options& o, int thre
             part.sweep = filum::slice::sweep_over(*part.part, o.slice, std::move(own), threads);
         }
     }
-    const OnBed* most = &parts[0];
-    for (const OnBed& part : parts)
+    const BedPart* most = &parts[0];
+    for (const BedPart& part : parts)
         if (part.sweep.levels.size() > most->sweep.levels.size()) most = &part;
-    for (OnBed& part : parts) {
+    for (BedPart& part : parts) {
         if (part.carved)
             sweep(*part.carved, o.slice, part.sweep.levels, threads);
         else

@@ -15,11 +15,11 @@ namespace filum::app::slice {
 using geom::Vec2;
 
 // One mesh with the places of its copies.  It is cut once for all of them.
-struct OnBed {
+struct BedPart {
     std::string name;
     mesh::Box3 box;
-    mesh::Placed placement{};  // map from the file's coordinates
-    std::vector<Vec2> outline; // its convex hull seen from above; only if there are several things on the bed
+    mesh::PlacementMap placement{}; // map from the file's coordinates
+    std::vector<Vec2> outline;      // its convex hull seen from above; only if there are several things on the bed
     std::unique_ptr<filum::slice::Part> part;
     std::optional<CarvedPart> carved{}; // if bodies are cut away; then `part` only gives the heights of the rest
     std::vector<plate::Place> at{{}};   // the place of each copy
@@ -43,24 +43,25 @@ std::vector<double> enlarged(const std::vector<double>& scale, const std::vector
 
 // Reads and places every input, checks its size and prepares it.  The checksum of the files is added to the settings of
 // `self`.  Throws Error as the readers and checks.
-std::vector<OnBed> read_parts(const Options& options, cli::Io& self);
+std::vector<BedPart> read_parts(const Options& options, cli::Io& self);
 
 // Finds places for several parts on the bed of options.machine, and moves them all by --center and --translate. Returns
 // the names and outlines of all copies; empty for a single part.  Throws Error(bad_input) if the parts do not fit.
-std::vector<stream::Object> place_on_bed(std::vector<OnBed>& parts, const Options& options, const cli::Io& io,
+std::vector<stream::Object> place_on_bed(std::vector<BedPart>& parts, const Options& options, const cli::Io& io,
                                          Notes& notes);
 
 // Appends the contours of one layer of a part, once for each of its copies.
 void add_copies(const polygon::Loops& loops, const std::vector<plate::Place>& at, polygon::Loops& to);
 
 // The notes on a part, with count and amount for all copies and the place of the first copy.
-Notes as_placed(const OnBed& part, Notes notes);
+Notes as_placed(const BedPart& part, Notes notes);
 
 // Prepares the cuts of all parts and returns the levels of all layers.  One part has the levels of slice::prepare.
 // Several parts share the levels of their joint mesh; each is cut at the levels below its own top.  `notes` gets the
 // notes of all parts, also those on the quality of their meshes.  Throws Error(bad_input) for a part lower than half a
 // layer.
-std::vector<filum::slice::Level> prepare(std::vector<OnBed>& parts, const Options& options, int threads, Notes& notes);
+std::vector<filum::slice::Level> prepare(std::vector<BedPart>& parts, const Options& options, int threads,
+                                         Notes& notes);
 
 // The range of wanted layers: from `first` to before `last`.  `down`: the distance in mm by which they are lowered.
 struct LayerRange {

@@ -20,7 +20,7 @@ namespace {
 
 struct Job {
     const Options& o;
-    std::vector<OnBed>& parts;
+    std::vector<BedPart>& parts;
     std::span<const filum::slice::Level> levels;
     LayerRange wanted;
     std::atomic<bool> holed = false;         // a layer has a hole
@@ -28,7 +28,7 @@ struct Job {
     HighLayers high{};
 
     // The width of the beads of a part in a layer, mm; 0: as the stages' options say.
-    [[nodiscard]] double width(const OnBed& part, std::size_t layer) const {
+    [[nodiscard]] double width(const BedPart& part, std::size_t layer) const {
         const double first = o.first_layer_width;
         return first > 0 && above_bed(layer) == 0 ? first : part.width;
     }
@@ -44,7 +44,7 @@ struct Job {
 
 // Moves notes on wanted layers to `to`, and numbers their layers from the first wanted one.  Notes without a layer are
 // moved, too.
-void take_notes(const Job& job, const OnBed& part, Notes found, Notes& to) {
+void take_notes(const Job& job, const BedPart& part, Notes found, Notes& to) {
     const auto first = static_cast<std::int64_t>(job.wanted.first), last = static_cast<std::int64_t>(job.wanted.last);
     for (Note& note : as_placed(part, std::move(found))) {
         if (note.layer >= 0 && (note.layer < first || note.layer >= last)) continue;
@@ -56,7 +56,7 @@ void take_notes(const Job& job, const OnBed& part, Notes found, Notes& to) {
 // Finds bores that some layers leave open.  This needs the layers above and below, so it cannot be done chunk by chunk.
 void find_bores(Job& job, int threads, Notes& notes) {
     if (job.o.compensation.holes == 0) return;
-    for (OnBed& part : job.parts) {
+    for (BedPart& part : job.parts) {
         std::vector<polygon::Loops> contours(part.sweep.levels.size());
         parallel::for_chunks(part.sweep.chunks(), 1, threads, [&](std::size_t chunk, std::size_t) {
             for (polygon::Layer& layer : filum::slice::cut(part.sweep, chunk).layers)
@@ -70,7 +70,7 @@ void find_bores(Job& job, int threads, Notes& notes) {
 
 // A layer of a body that is several layers high. Below --from-layer nothing is left of it to rest on.
 polygon::Layer high_layer(const Job& job, const HighLayer& high) {
-    const OnBed& body = job.parts[high.body];
+    const BedPart& body = job.parts[high.body];
     const auto index = static_cast<std::uint32_t>(high.last - job.wanted.first);
     polygon::Layer out{index,     job.levels[high.last].z - job.wanted.down, high.height, high.plane - job.wanted.down,
                        high.area, static_cast<std::uint32_t>(high.body),     body.tool,   body.width};
@@ -85,7 +85,7 @@ std::vector<polygon::Layer> body_layers(Job& job, std::size_t i, std::vector<pol
     const auto& level = job.levels[i];
     const auto index = static_cast<std::uint32_t>(i - job.wanted.first);
     std::vector<std::uint32_t> tools;
-    for (const OnBed& part : job.parts) tools.push_back(part.tool);
+    for (const BedPart& part : job.parts) tools.push_back(part.tool);
     cut_by_later(contours, tools, level.height, job.o.slice.hairline, index, notes);
     job.high.share(i, job.parts, contours);
     std::vector<polygon::Layer> out;
@@ -111,7 +111,7 @@ std::vector<stream::RawFrame> cut_all(Job& job, std::size_t chunk, Notes& notes)
     std::vector<std::vector<polygon::Loops>> contours(job.bodies() ? job.parts.size() : 1,
                                                       std::vector<polygon::Loops>(n));
     for (std::size_t p = 0; p < job.parts.size(); ++p) {
-        OnBed& part = job.parts[p];
+        BedPart& part = job.parts[p];
         if (chunk >= part.sweep.chunks()) continue;
         filum::slice::SlicedChunk cut =
             part.carved ? slice::cut(*part.carved, chunk) : filum::slice::cut(part.sweep, chunk);
@@ -153,7 +153,7 @@ std::vector<stream::RawFrame> cut_all(Job& job, std::size_t chunk, Notes& notes)
 auto of_other_bodies(const Job& job) {
     return [&job](const Note& note) {
         return note.code == NoteCode::layer_empty &&
-               std::any_of(job.parts.begin(), job.parts.end(), [&](const OnBed& part) {
+               std::any_of(job.parts.begin(), job.parts.end(), [&](const BedPart& part) {
                    return static_cast<std::size_t>(note.layer) < part.area.size() &&
                           part.area[static_cast<std::size_t>(note.layer)] > 0;
                });
@@ -171,7 +171,7 @@ void tell_idle(const Job& job, const cli::Io& io) {
 void run(const Options& o, const cli::Io& io) {
     cli::Io self = io;
     Notes notes;
-    std::vector<OnBed> parts = read_parts(o, self);
+    std::vector<BedPart> parts = read_parts(o, self);
     if (o.body.empty()) std::ranges::move(fitting_parts(parts, io.threads), std::back_inserter(notes));
     auto objects = place_on_bed(parts, o, io, notes);
     const auto levels = prepare(parts, o, io.threads, notes);
@@ -200,7 +200,7 @@ void run(const Options& o, const cli::Io& io) {
         [&](Notes& last) {
             tell_idle(job, io);
             if (job.bodies()) tell_hidden(parts, job.kept, levels, last);
-            for (const OnBed& part : parts) {
+            for (const BedPart& part : parts) {
                 if (part.carved) continue; // its mesh includes material that is cut away
                 Notes found;
                 filum::slice::compare(part.sweep, part.measured, part.area, io.threads, found);

@@ -267,11 +267,11 @@ class LineRounder {
         }
     }
 
-    struct Measured {
+    struct RunPoints {
         std::vector<Vec3> points, normals;
     };
-    [[nodiscard]] Measured measured(const Strand& strand, const std::vector<Place>& places, StrandRun r) const {
-        Measured out;
+    [[nodiscard]] RunPoints measured(const Strand& strand, const std::vector<Place>& places, StrandRun r) const {
+        RunPoints out;
         for (std::ptrdiff_t i = r.from; i < r.to; ++i) {
             const std::ptrdiff_t j = strand.at(0, i);
             if (j < 0) continue;
@@ -287,7 +287,7 @@ class LineRounder {
     struct Tight {
         double length = 0, kinks = 0;
     };
-    [[nodiscard]] Tight tight(const Measured& m) const {
+    [[nodiscard]] Tight tight(const RunPoints& m) const {
         return {length(tight_turns(m.points, m.normals, o_.limit, reach_)),
                 length(tight_turns(m.points, m.normals, kink_, kink_reach_))};
     }
@@ -297,7 +297,7 @@ class LineRounder {
         if (strand.count == 0) return;
         const auto n = static_cast<std::ptrdiff_t>(strand.count);
         const StrandRun all = strand.closed ? StrandRun{-n, 2 * n} : StrandRun{0, n};
-        const Measured m = measured(strand, places(), all);
+        const RunPoints m = measured(strand, places(), all);
         // A corner by the angle a that becomes an arc of radius r moves by r (1 / cos(a / 2) - 1) in all, to both
         // sides.
         const double most = 2 * std::acos(1 / (1 + 2 * o_.corridor / o_.radius));

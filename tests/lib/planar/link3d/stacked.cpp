@@ -27,9 +27,9 @@ Bead there_and_back() {
     return {{{0, 5}, {0, 0}, {4, 0}, {10, 0}, {4, 0}, {0, 0}, {0, -5}}, {0.4, 0.15, 0.15, 0.15, 0.15, 0.15, 0.4}};
 }
 
-TEST(Stacked, TheFirstPassLiesBelowTheSecond) {
+TEST(StackedWalls, TheFirstPassLiesBelowTheSecond) {
     const Bead bead = there_and_back();
-    Stacked stacked({kWall});
+    StackedWalls stacked({kWall});
     const auto laid = stacked.lay(bead, kZ, kHeight, 0.2);
     ASSERT_EQ(laid.points.size(), laid.width.size());
     ASSERT_EQ(laid.points.size(), laid.height.size());
@@ -51,10 +51,10 @@ TEST(Stacked, TheFirstPassLiesBelowTheSecond) {
     EXPECT_NEAR(volume(laid), flat, 0.02 * flat);
 }
 
-TEST(Stacked, AnyWayRoundAndFromAnyBead) {
+TEST(StackedWalls, AnyWayRoundAndFromAnyBead) {
     Bead bead = there_and_back();
     std::reverse(bead.points.begin(), bead.points.end());
-    Stacked stacked({kWall});
+    StackedWalls stacked({kWall});
     // there as one bead, back as another one
     const Bead there{{bead.points.begin(), bead.points.begin() + 4}, {0.15}},
         back{{bead.points.begin() + 3, bead.points.end()}, {0.15}};
@@ -63,8 +63,8 @@ TEST(Stacked, AnyWayRoundAndFromAnyBead) {
     for (const auto& p : high.points) EXPECT_NEAR(p.z, kZ, 1e-12);
 }
 
-TEST(Stacked, WhatOnlyCrossesAWallIsPlain) {
-    Stacked stacked({kWall});
+TEST(StackedWalls, WhatOnlyCrossesAWallIsPlain) {
+    StackedWalls stacked({kWall});
     const auto laid = stacked.lay({{{5, -3}, {5, 0}, {5, 3}, {6, 3}, {6, 0.1}, {9, 0.1}}, {0.4}}, kZ, kHeight, 0.2);
     EXPECT_EQ(laid.points.size(), 6U);
     for (std::size_t i = 0; i < laid.points.size(); ++i) {

@@ -94,11 +94,12 @@ TEST(Amf, MaterialsAndBodiesOfSlicers) {
     ASSERT_EQ(two.materials.size(), 24U);
     EXPECT_EQ(two.materials.front(), 0U);
     EXPECT_EQ(two.materials.back(), 1U);
-    for (const auto& [mark, what] : {std::pair{amf_metadata("slic3r.modifier", "1"), Body::What::modifier},
-                                     {amf_metadata("slic3r.volume_type", "ParameterModifier"), Body::What::modifier},
-                                     {amf_metadata("slic3r.volume_type", "NegativeVolume"), Body::What::negative},
-                                     {amf_metadata("slic3r.volume_type", "SupportBlocker"), Body::What::blocker},
-                                     {amf_metadata("slic3r.volume_type", "SupportEnforcer"), Body::What::enforcer}}) {
+    for (const auto& [mark, what] :
+         {std::pair{amf_metadata("slic3r.modifier", "1"), Body::Purpose::modifier},
+          {amf_metadata("slic3r.volume_type", "ParameterModifier"), Body::Purpose::modifier},
+          {amf_metadata("slic3r.volume_type", "NegativeVolume"), Body::Purpose::negative},
+          {amf_metadata("slic3r.volume_type", "SupportBlocker"), Body::Purpose::blocker},
+          {amf_metadata("slic3r.volume_type", "SupportEnforcer"), Body::Purpose::enforcer}}) {
         const File f =
             read(shapes::amf(shapes::amf_object(kBox, "1") +
                              shapes::amf_object(other, "2", "", mark + amf_metadata("slic3r.fill_density", "40%"))),
@@ -108,7 +109,7 @@ TEST(Amf, MaterialsAndBodiesOfSlicers) {
         EXPECT_EQ(f.bodies[0].what, what);
         EXPECT_EQ(f.bodies[0].settings, (std::vector{std::pair<std::string, std::string>{"fill_density", "40%"}}));
         expect_box(f.bodies[0].mesh, {2, 0, 0}, {3, 1, 1});
-        EXPECT_EQ(f.items.size(), what == Body::What::negative ? 12U : 0U);
+        EXPECT_EQ(f.items.size(), what == Body::Purpose::negative ? 12U : 0U);
     }
     const File supported =
         read(shapes::amf(shapes::amf_object(kBox, "1") + shapes::amf_object(other, "2", " type=\"support\"")), "it");

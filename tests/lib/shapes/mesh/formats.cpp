@@ -206,7 +206,7 @@ TEST(ThreeMf, ModifiersOfPrusaslicerAreNoMaterial) {
         const File f = of(type);
         EXPECT_NEAR(volume(f.mesh), 1000, 1e-9) << type;
         ASSERT_EQ(f.bodies.size(), 1U) << type;
-        if (f.bodies[0].what == Body::What::negative) continue; // who cuts it away, or cannot, notes that
+        if (f.bodies[0].what == Body::Purpose::negative) continue; // who cuts it away, or cannot, notes that
         ASSERT_EQ(f.notes.size(), 1U) << type;
         EXPECT_EQ(f.notes[0].count, 1U);
     }

@@ -131,7 +131,7 @@ TEST(ProjectParts, ArePrinted) {
     ASSERT_EQ(f.bodies.size(), 2U);
     EXPECT_TRUE(f.bodies[0].printed);
     EXPECT_NEAR(volume(f.bodies[0].mesh), 1000, 1e-9);
-    EXPECT_EQ(f.bodies[1].what, Body::What::painted_seam);
+    EXPECT_EQ(f.bodies[1].what, Body::Purpose::painted_seam);
     std::map<NoteCode, std::uint64_t> notes;
     for (const Note& n : f.notes) notes[n.code] += n.count;
     EXPECT_EQ(notes[NoteCode::project_part_settings], 1U);
@@ -153,8 +153,8 @@ TEST(ProjectHeights, CodesAndWhatIsNotFollowed) {
     archive::Zip zip(bytes, "it");
     const auto codes = codes_by_height(zip, 1);
     ASSERT_EQ(codes.size(), 3U);
-    EXPECT_EQ(codes[0].what, HeightCode::What::colour);
-    EXPECT_EQ(codes[1].what, HeightCode::What::pause);
+    EXPECT_EQ(codes[0].what, HeightCode::Kind::colour);
+    EXPECT_EQ(codes[1].what, HeightCode::Kind::pause);
     EXPECT_EQ(codes[2].code, "G4 S1");
     std::vector<std::string> details;
     for (const Note& n : read(bytes, "it").notes)

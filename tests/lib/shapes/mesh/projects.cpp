@@ -12,7 +12,7 @@
 namespace filum::mesh {
 namespace {
 
-using What = Body::What;
+using Purpose = Body::Purpose;
 
 std::string metadata(const std::string& key, const std::string& value) {
     return "<metadata type=\"volume\" key=\"" + key + "\" value=\"" + value + "\"/>";
@@ -63,7 +63,7 @@ TEST(Projects, PrusaSlicersModifiersKeepTheirSettings) {
                              {{"Metadata/Slic3r_PE_model.config", config}}),
              "it");
     ASSERT_EQ(f.bodies.size(), 1U);
-    EXPECT_EQ(f.bodies[0].what, What::modifier);
+    EXPECT_EQ(f.bodies[0].what, Purpose::modifier);
     const std::vector<std::pair<std::string, std::string>> settings{{"fill_density", "40%"}, {"perimeters", "1"}};
     EXPECT_EQ(f.bodies[0].settings, settings);
     EXPECT_NEAR(volume(f.bodies[0].mesh), 117e3, 1e-6);
@@ -78,10 +78,10 @@ TEST(Projects, BambuStudiosModifiersLieWhereTheirComponentsDo) {
         "</object><object id=\"2\" type=\"other\">" + shapes::model_mesh(shapes::box({0, 0, 0}, {3, 3, 3})) +
         "</object><object id=\"3\"><components><component objectid=\"1\"/><component objectid=\"2\" transform=\"1 0 0 "
         "0 1 0 0 0 1 4 5 6\"/></components></object></resources><build><item objectid=\"3\"/></build></model>";
-    for (const auto& [subtype, what] : {std::pair{"modifier_part", What::modifier},
-                                        {"support_enforcer", What::enforcer},
-                                        {"support_blocker", What::blocker},
-                                        {"negative_part", What::negative}}) {
+    for (const auto& [subtype, what] : {std::pair{"modifier_part", Purpose::modifier},
+                                        {"support_enforcer", Purpose::enforcer},
+                                        {"support_blocker", Purpose::blocker},
+                                        {"negative_part", Purpose::negative}}) {
         const std::string config = "<config><object id=\"3\"><part id=\"1\" subtype=\"normal_part\"/><part id=\"2\" "
                                    "subtype=\"" +
                                    std::string(subtype) + "\">" + metadata("wall_loops", "4") +
@@ -107,10 +107,10 @@ TEST(Projects, PaintedFacesAreBodiesOfTheirOwn) {
     for (const char* name : {"slic3rpe:custom_supports", "paint_supports"}) {
         const File wanted = painted(name, "4"), unwanted = painted(name, "8"), half = painted(name, "041");
         ASSERT_EQ(wanted.bodies.size(), 1U);
-        EXPECT_EQ(wanted.bodies[0].what, What::painted);
+        EXPECT_EQ(wanted.bodies[0].what, Purpose::painted);
         EXPECT_EQ(wanted.bodies[0].mesh.triangles.size(), 1U);
         ASSERT_EQ(unwanted.bodies.size(), 1U);
-        EXPECT_EQ(unwanted.bodies[0].what, What::painted_blocker);
+        EXPECT_EQ(unwanted.bodies[0].what, Purpose::painted_blocker);
         ASSERT_EQ(half.bodies.size(), 1U);
         const auto& m = half.bodies[0].mesh;
         EXPECT_NEAR(area({m.vertices[0], m.vertices[1], m.vertices[2]}), 25, 1e-9);
@@ -121,7 +121,7 @@ TEST(Projects, PaintedFacesAreBodiesOfTheirOwn) {
         }
     }
     for (const char* name : {"slic3rpe:custom_seam", "paint_seam"})
-        for (const auto& [value, what] : {std::pair{"4", What::painted_seam}, {"8", What::painted_no_seam}}) {
+        for (const auto& [value, what] : {std::pair{"4", Purpose::painted_seam}, {"8", Purpose::painted_no_seam}}) {
             const File f = painted(name, value);
             ASSERT_EQ(f.bodies.size(), 1U);
             EXPECT_EQ(f.bodies[0].what, what);

@@ -11,7 +11,7 @@
 namespace filum::mesh {
 namespace {
 
-using What = Body::What;
+using Purpose = Body::Purpose;
 
 const std::string kBase = "http://schemas.microsoft.com/3dmanufacturing/";
 
@@ -192,7 +192,7 @@ TEST(ThreeMfRules, ItemsStandOnTheBed) {
                                            {{"Metadata/Slic3r_PE.config", "; layer_height = 0.2"}}),
                            "it");
     ASSERT_EQ(sunk.bodies.size(), 1U);
-    EXPECT_EQ(sunk.bodies[0].what, What::negative);
+    EXPECT_EQ(sunk.bodies[0].what, Purpose::negative);
     EXPECT_NEAR(bounds(sunk.bodies[0].mesh).hi.z, 0, 1e-9);
     ASSERT_EQ(sunk.items.size(), 24U);
     EXPECT_EQ(sunk.items[0], sunk.bodies[0].item);

@@ -12,12 +12,12 @@ CuraValue setting(const std::string& name) {
     if (name == "height") return {0.2};
     if (name == "on") return {true};
     if (name == "word") return {std::string("lines")};
-    return {Uncalculated{"no file has '" + name + "'"}};
+    return {MissingValue{"no file has '" + name + "'"}};
 }
 
 std::string result(const std::string& formula) {
     const CuraValue value = calculated(formula, setting);
-    return value.known() ? text_of(value) : "? " + std::get<Uncalculated>(value.as).why;
+    return value.known() ? text_of(value) : "? " + std::get<MissingValue>(value.as).why;
 }
 
 // The values were taken from Python 3.11.
@@ -112,7 +112,7 @@ TEST(CuraFormula, AnyTextIsReadOrRefused) {
         std::string text;
         for (auto n = random() % 14; n > 0; --n) text += words[random() % std::size(words)];
         const CuraValue value = calculated(text, setting);
-        EXPECT_TRUE(value.known() || !std::get<Uncalculated>(value.as).why.empty()) << text;
+        EXPECT_TRUE(value.known() || !std::get<MissingValue>(value.as).why.empty()) << text;
     }
     for (const char* deep : {"(", "[", "-", "not ", "1 if 1 else ", "max(", "2 ** ", "2 ** -"}) {
         std::string text;

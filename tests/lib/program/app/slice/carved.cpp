@@ -83,7 +83,7 @@ Scene random_scene(std::mt19937& random) {
     }
     for (const auto& [item, block] : out.negatives) {
         mesh::Body& body = out.file.bodies.emplace_back();
-        body.what = mesh::Body::What::negative;
+        body.what = mesh::Body::Purpose::negative;
         body.mesh = box(block);
         body.item = item;
     }
