@@ -30,6 +30,7 @@ class Note:
     amount, unit, count: how much in all, over how many cases
     layer: -1 if it is no layer's
     x, y, z: mm, the worst case; nan if nowhere, z None if the layer says how high
+    bead: mm, width of the job's beads, 0 if unknown; the grade is that of this note alone, without others of its code
     """
 
     message = stream_pb2.Note
@@ -46,6 +47,7 @@ class Note:
     grade: Grade = Grade.GRADE_UNKNOWN
     detail: str = ""
     patch: str = ""
+    bead: float = 0.0
 
 
 @dataclasses.dataclass(eq=False)

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <numbers>
 
 namespace filum {
 
 namespace {
 
-enum class Sum : std::uint8_t { total, most, least };
+enum class Sum : std::uint8_t { total, every, most, least };
 
 struct Row {
     NoteCode code;
@@ -101,6 +102,13 @@ double badness(const Note& n, Sum sum) {
 
 Sum way_to_sum(const Note& n) { return row(n) != nullptr ? row(n)->sum : Sum::total; }
 
+// True if the note's whole amount of area or length is less than the smallest thing that the job can print.
+bool less_than_a_dot(const Note& n, const Row& r) {
+    if (r.sum != Sum::total || !(n.bead > 0) || n.amount < 0) return false;
+    return (r.unit == "mm2" && n.amount < std::numbers::pi / 4 * n.bead * n.bead) ||
+           (r.unit == "mm" && n.amount < n.bead);
+}
+
 // The sentence for docs/notes.md: placeholders are replaced by their names, such as *amount*.
 std::string for_the_page(std::string_view sentence) {
     std::string out;
@@ -149,7 +157,11 @@ NoteCode note_code(std::string_view name) {
     return NoteCode::foreign;
 }
 
-Grade grade(const Note& n) { return row(n) != nullptr ? row(n)->grade : n.foreign.grade; }
+Grade grade(const Note& n) {
+    const Row* r = row(n);
+    if (r == nullptr) return n.foreign.grade;
+    return less_than_a_dot(n, *r) ? Grade::harmless : r->grade;
+}
 
 std::string unit(const Note& n) { return row(n) != nullptr ? std::string(row(n)->unit) : n.foreign.unit; }
 
@@ -184,10 +196,11 @@ void add(Note& sum, const Note& n) {
         sum.y = n.y;
         sum.z = n.z;
     }
-    sum.amount = how == Sum::total  ? sum.amount + n.amount
-                 : how == Sum::most ? std::max(sum.amount, n.amount)
-                                    : std::min(sum.amount, n.amount);
+    sum.amount = how == Sum::most    ? std::max(sum.amount, n.amount)
+                 : how == Sum::least ? std::min(sum.amount, n.amount)
+                                     : sum.amount + n.amount;
     sum.count += n.count;
+    sum.bead = std::min(sum.bead, n.bead);
 }
 
 Notes summed(const Notes& notes) {
@@ -204,14 +217,24 @@ Notes summed(const Notes& notes) {
 }
 
 std::string notes_page() {
-    std::string out = "# Notes\n\nMade by `scripts/generate-docs` from `lib/foundation/base/notes.def`.\n\n"
-                      "A stage writes a note into its stream for everything that it drops, repairs or cannot place. A "
-                      "note has a code, an "
-                      "amount, a place and a grade. Programs print each kind once, at their end: `filum print` those "
-                      "of all stages, a "
-                      "single stage its own. Harmless notes appear with `--notes all` only. JSON of `metrics` and "
-                      "`peek`, reports and "
-                      "Python contain codes and grades.\n";
+    std::string out =
+        "# Notes\n\nMade by `scripts/generate-docs` from `lib/foundation/base/notes.def`.\n\n"
+        "A stage writes a note into its stream for everything that it drops, repairs or cannot place. A note has a "
+        "code, an amount, a place and a grade. Programs print each kind once, at their end: `filum print` those of all "
+        "stages, a single stage its own. Harmless notes appear with `--notes all` only. JSON of `metrics` and `peek`, "
+        "reports and Python contain codes and grades.\n\n"
+        "The tables below have the grade of each code. **Less than a dot is harmless**, for every code: a sum of "
+        "areas below pi/4 w^2 or a sum of lengths below w, where w is the width of the job's beads. With beads of "
+        "0.4 mm these are 0.126 mm2 and 0.4 mm. All cases of a code in the job are added up before they are compared, "
+        "so many small losses still show. The rule holds where the unit is mm2 or mm and amounts add up. It does not "
+        "hold for";
+    std::string last;
+    for (const Row& r : kRows) {
+        if (r.sum != Sum::every) continue;
+        if (!last.empty()) out += " " + last + ",";
+        last = "`" + kebab(r.name) + "`";
+    }
+    out += " and " + last + ", for depths and distances, and for notes of `slice`, which knows no bead.\n";
     for (const Grade g : {Grade::will_fail, Grade::look, Grade::harmless}) {
         const bool advised = g != Grade::harmless;
         out += "\n## " +

@@ -39,6 +39,7 @@ struct Note {
     std::string detail{};    // the text for {d} in the sentence
     std::string patch{};     // the patch that the note is about, if there are several
     std::string stage{};     // the program that made the note; set by the writer of the stream
+    double bead = 0;         // width of the job's beads, mm, set by the writer of the stream; 0: unknown
     ForeignNote foreign{};   // its text, if the code is foreign
 };
 
@@ -53,6 +54,9 @@ std::string code_name(const Note& note);
 // The code with that name; `foreign` if there is none.
 NoteCode note_code(std::string_view name);
 
+// The grade of the note's code. A note whose amount adds up is harmless, of any code, if all of it is less than the
+// dot of a bead: an area below pi/4 w^2, or a length below w, for beads w wide. A code can except itself (`every` in
+// notes.def), and nothing is less than a bead of unknown width.
 Grade grade(const Note& note);
 std::string unit(const Note& note);
 
@@ -64,7 +68,7 @@ std::string advice(const Note& note);
 // [overhang]".
 std::string line(const Note& note);
 
-// Adds `note` to a sum of the same kind. The sum keeps the place of the worst case.
+// Adds `note` to a sum of the same kind. The sum keeps the place of the worst case, and the narrower bead.
 void add(Note& sum, const Note& note);
 // True if two notes can be summed: the same code, detail and patch, by the same stage.
 bool same_kind(const Note& a, const Note& b);

@@ -243,7 +243,7 @@ std::vector<std::string> summary(const machine::Profile& profile, const FirstPas
                                  const Notes& notes, const Facts& facts) {
     std::vector<std::string> out{strokes(first_pass, facts), material(profile, first_pass),
                                  size(profile, first_pass, shift)};
-    if (std::ranges::all_of(notes, [](const Note& n) { return grade(n) == Grade::harmless; }))
+    if (std::ranges::all_of(summed(notes), [](const Note& n) { return grade(n) == Grade::harmless; }))
         out.emplace_back("nothing hangs, nothing was left out");
     return out;
 }

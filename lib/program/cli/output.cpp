@@ -2,9 +2,38 @@
 
 #include "cli/agree.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+
 namespace filum::cli {
 
-Output::Output(const Io& io, const stream::Header& header) : io_(io), writer_(io.output, header), report_(io) {
+namespace {
+
+// The setting `name` of `run` as a length in mm; 0 if it has none.
+double length_of(const stream::Run& run, std::string_view name) {
+    for (const stream::Setting& s : run.settings)
+        if (s.name == name) return std::max(0.0, std::strtod(s.value.c_str(), nullptr));
+    return 0;
+}
+
+// The width of the narrowest bead among the runs of this history, mm. Paths on surfaces have beads as wide as they are
+// apart. 0 if no run has beads.
+double bead_width(const stream::Header& header) {
+    double out = 0;
+    for (const stream::Run& run : header.history) {
+        double width = length_of(run, "bead-width");
+        if (run.program.starts_with("surfpath") || run.program == "laminate" || run.program == "choose")
+            width = length_of(run, "spacing");
+        if (width > 0 && (out == 0 || width < out)) out = width;
+    }
+    return out;
+}
+
+} // namespace
+
+Output::Output(const Io& io, const stream::Header& header)
+    : io_(io), writer_(io.output, header), report_(io), bead_(bead_width(header)) {
     add(disagreements(io, header));
 }
 
@@ -16,6 +45,7 @@ void Output::pass_on(const WholeInput& before, const std::function<bool(const Fa
 
 void Output::add(Note note) {
     note.stage = io_.program;
+    note.bead = bead_;
     writer_.write(note);
     report_.add(note);
 }

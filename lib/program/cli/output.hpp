@@ -20,7 +20,7 @@ class Output {
     // dropped.
     void pass_on(const WholeInput& before, const std::function<bool(const Fact&)>& keep = {});
 
-    // Adds notes or facts of this program; their stage is set to its name.
+    // Adds notes or facts of this program. Notes and facts get its name, and notes the width of the job's beads.
     void add(Note note);
     void add(const Notes& notes);
     void add(Fact fact);
@@ -34,6 +34,7 @@ class Output {
     Io io_;
     stream::Writer writer_;
     Report report_;
+    double bead_; // mm, width of the job's beads; 0: unknown
 };
 
 } // namespace filum::cli

@@ -60,6 +60,7 @@ std::string serialise(const Note& n) {
     m.set_grade(static_cast<proto::Grade>(static_cast<int>(grade(n)) + 1));
     m.set_detail(n.detail);
     m.set_patch(n.patch);
+    m.set_bead(n.bead);
     return m.SerializeAsString();
 }
 
@@ -69,6 +70,7 @@ Note parse_note(std::string_view body) {
         throw Error(Exit::bad_input, "cannot read a note frame: malformed");
     Note out{note_code(m.code()), m.amount(), m.count(), m.layer(), m.x(), m.y(), m.has_z() ? m.z() : std::nan(""),
              m.detail(),          m.patch(),  m.stage()};
+    if (std::isfinite(m.bead())) out.bead = m.bead();
     if (out.code != NoteCode::foreign) return out;
     out.foreign = {m.code(), m.what(), m.unit()};
     if (m.grade() >= proto::HARMLESS && m.grade() <= proto::WILL_FAIL)

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <sstream>
 
@@ -69,6 +71,54 @@ TEST(Note, SumsGoByKindAndGrade) {
     EXPECT_EQ(sums[2].patch, "A");
     EXPECT_EQ(sums[3].amount, 2);
     EXPECT_EQ(sums[3].count, 2U);
+}
+
+// Whether less than a dot is harmless by this code: its amount is an area or a length that adds up, and not every
+// amount of it matters.
+bool goes_by_amount(NoteCode code) {
+    const Note one{.code = code, .amount = 1};
+    const bool adds_up = summed({one, one})[0].amount == 2;
+    return (unit(one) == "mm2" || unit(one) == "mm") && adds_up && code != NoteCode::layer_empty &&
+           code != NoteCode::bend_too_tight && code != NoteCode::inside_by_parity;
+}
+
+// Amounts on both sides of the limit, for all codes, beads of many widths, and sums of 1 to 1,000 cases.
+TEST(Note, AreasAndLengthsBelowADotAreHarmless) {
+    std::size_t below = 0, above = 0;
+    for (const NoteCode code : all_codes())
+        for (const double w : {0.05, 0.4, 1.0, 6.35, 100.0})
+            for (const std::uint64_t cases : {1, 7, 1000})
+                for (const double share : {1e-9, 0.5, 0.999, 1.001, 2.0, 1e6}) {
+                    Note one{.code = code, .bead = w};
+                    const double dot = unit(one) == "mm2" ? std::numbers::pi / 4 * w * w : w;
+                    one.amount = share * dot / static_cast<double>(cases);
+                    const Notes sums = summed(Notes(cases, one));
+                    const bool small = goes_by_amount(code) && share < 1;
+                    ASSERT_EQ(sums.size(), 1U);
+                    EXPECT_EQ(grade(sums[0]), small ? Grade::harmless : grade({.code = code}))
+                        << code_name(one) << ' ' << w << ' ' << cases << ' ' << share;
+                    ++(small ? below : above);
+                }
+    EXPECT_GT(below, 1000U);
+    EXPECT_GT(above, 1000U);
+}
+
+TEST(Note, OfUnknownBeadsNothingIsADot) {
+    const Note known{.code = NoteCode::sliver_dropped, .amount = 0.01, .bead = 0.4};
+    Note unknown = known;
+    unknown.bead = 0;
+    EXPECT_EQ(grade(known), Grade::harmless);
+    EXPECT_EQ(grade(unknown), Grade::look);
+    EXPECT_EQ(grade(summed({known, unknown})[0]), Grade::look);
+    Note narrow = known;
+    narrow.bead = 0.1; // a dot of .008 mm2
+    EXPECT_EQ(grade(summed({known, narrow})[0]), Grade::look);
+    EXPECT_EQ(grade(summed({narrow, known})[0]), Grade::look);
+    for (const double amount : {std::nan(""), -1.0, HUGE_VAL}) {
+        Note odd = known;
+        odd.amount = amount;
+        EXPECT_EQ(grade(odd), Grade::look) << amount;
+    }
 }
 
 TEST(Note, ThePageHasEveryCode) {

@@ -158,5 +158,34 @@ TEST(Agree, StandsInTheStream) {
     EXPECT_EQ(stream::parse_note(frame->body).code, NoteCode::setting_differs);
 }
 
+// The note that a program with these runs before it writes.
+Note note_after(const std::vector<stream::Run>& runs) {
+    const File file;
+    const Io io = stage(file);
+    const stream::Header before{Payload::layers, runs};
+    testing::internal::CaptureStderr();
+    Output output(io, header(io, Payload::regions, {&before}));
+    output.add(Note{.code = NoteCode::sliver_dropped, .amount = 0.01});
+    output.close();
+    testing::internal::GetCapturedStderr();
+    stream::Reader reader(file.path, Payload::regions);
+    return stream::parse_note(reader.next()->body);
+}
+
+TEST(Output, GradesNotesByTheNarrowestBeadOfTheHistory) {
+    const auto run = [](const std::string& program, const std::string& setting, const std::string& value) {
+        return stream::Run{program, "1", {{setting, value, false}}, {}};
+    };
+    EXPECT_EQ(note_after({}).bead, 0);
+    EXPECT_EQ(grade(note_after({})), Grade::look);
+    EXPECT_EQ(grade(note_after({run("regions", "bead-width", "0.4")})), Grade::harmless);
+    EXPECT_EQ(note_after({run("regions", "bead-width", "0.8"), run("fill", "bead-width", "0.4")}).bead, 0.4);
+    EXPECT_EQ(note_after({run("regions", "bead-width", "0"), run("fill", "bead-width", "0.4")}).bead, 0.4);
+    EXPECT_EQ(note_after({run("geodesic", "spacing", "1"), run("surfpath", "spacing", "3")}).bead, 3);
+    EXPECT_EQ(note_after({run("geodesic", "spacing", "1")}).bead, 0); // isolines are no beads
+    EXPECT_EQ(note_after({run("regions", "bead-width", "wide")}).bead, 0);
+    EXPECT_EQ(note_after({run("regions", "bead-width", "-1")}).bead, 0);
+}
+
 } // namespace
 } // namespace filum::cli

@@ -203,12 +203,14 @@ TEST(Stream, NotesComeOutAsTheyWentIn) {
                     .x = 1.5,
                     .detail = "d",
                     .patch = "A",
-                    .stage = "slice"};
+                    .stage = "slice",
+                    .bead = 0.4};
     const Note got = parse_note(serialise(note));
     EXPECT_EQ(got.stage, note.stage);
     EXPECT_EQ(got.code, note.code);
     EXPECT_EQ(got.detail, "d");
     EXPECT_EQ(got.patch, "A");
+    EXPECT_EQ(got.bead, 0.4);
     EXPECT_EQ(got.amount, note.amount);
     EXPECT_EQ(got.count, note.count);
     EXPECT_EQ(got.layer, note.layer);
