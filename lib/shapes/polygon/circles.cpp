@@ -34,6 +34,22 @@ std::optional<SiteCircle> checked(SitePoint from, long double x, long double y, 
     return SiteCircle{static_cast<double>(x), static_cast<double>(y), static_cast<double>(right)};
 }
 
+// How a direction turns into another one, each number without cancellation.
+struct Turn {
+    long double x, y;  // by which the unit vector changes
+    long double sine;  // of the angle
+    long double half2; // the square of the sine of half the angle
+
+    [[nodiscard]] long double most() const { return std::abs(x) + std::abs(y); } // no less than the sine
+};
+Turn turn(Direction a, long double a_length, Direction b, long double b_length) {
+    const long double lengths = a_length * b_length, along = dot(a, b), across = cross(a, b);
+    const long double ax = a.x / a_length, ay = a.y / a_length, bx = b.x / b_length, by = b.y / b_length;
+    if (along <= 0) return {bx - ax, by - ay, across / lengths, (1 - along / lengths) / 2};
+    const long double half = across / (lengths + along); // tangent of half the angle
+    return {-half * (ay + by), half * (ax + bx), across / lengths, half * across / (2 * lengths)};
+}
+
 // A place along a line, in units of the line's direction; off by at most `off` roundings.
 struct Root {
     long double at, off;
@@ -57,23 +73,24 @@ std::optional<SiteCircle> on_line(SitePoint p, long double t, long double t_off,
 
 } // namespace
 
-// Solves n_i * centre + d_i = r by Cramer's rule, with unit normals n_i and distances d_i from one end of b. All terms
-// are multiplied by the lengths. Little cancels where the circle is near to that end.
+// Solves n_i * centre + d_i = r by Cramer's rule, with unit normals n_i and distances d_i from one end of b. Nothing
+// cancels in the determinant, the sum of the sines of three angles that add up to a multiple of a full turn: it is 4
+// times the product of the sines of half the angles.
 std::optional<SiteCircle> touching_circle(const SiteLine& a, const SiteLine& b, const SiteLine& c) {
-    constexpr long double kOps = 12 * kRounding; // roundings of a term and of its sum, with a reserve
+    constexpr long double kOps = 64 * kRounding; // roundings of a term and of the sum of two, with a reserve
     const SitePoint o = b.from;
     const Direction u = a.to - a.from, v = b.to - b.from, w = c.to - c.from;
     const long double lu = u.length(), lv = v.length(), lw = w.length();
-    const long double uv = cross(u, v) * lw, vw = cross(v, w) * lu, wu = cross(w, u) * lv;
-    const long double det = uv + vw + wu, size = std::abs(det);
-    const long double loose = kOps * (std::abs(uv) + std::abs(vw) + std::abs(wu)) / size; // relative
-    if (!(loose <= 1.0L / 1024)) return std::nullopt;
-    const long double cu = cross(a.from - o, a.to - o), cw = cross(c.from - o, c.to - o); // that of b is 0
-    const long double x = ((w.x * lv - v.x * lw) * cu + (v.x * lu - u.x * lv) * cw) / det;
-    const long double y = ((w.y * lv - v.y * lw) * cu + (v.y * lu - u.y * lv) * cw) / det;
-    const long double r = -(cross(v, w) * cu + cross(u, v) * cw) / det;
-    const long double terms = 4 * lv * (lw * std::abs(cu) + lu * std::abs(cw)) / size; // bound on terms of x, y, r
-    return checked(o, x, y, x + r, kOps * terms + loose * (std::abs(x) + std::abs(y) + std::abs(r)));
+    const Turn uv = turn(u, lu, v, lv), vw = turn(v, lv, w, lw), wu = turn(w, lw, u, lu);
+    const long double size = 4 * std::sqrt(uv.half2 * vw.half2 * wu.half2);
+    if (!(size > 0)) return std::nullopt;
+    // two or all three of the sines have the sign of their sum, and so has the middle one
+    const long double low = std::min(uv.sine, vw.sine), high = std::max(uv.sine, vw.sine);
+    const long double det = std::clamp(wu.sine, low, high) > 0 ? size : -size;
+    const long double du = cross(a.from - o, a.to - o) / lu, dw = cross(c.from - o, c.to - o) / lw; // that of b is 0
+    const long double x = (vw.x * du + uv.x * dw) / det, y = (vw.y * du + uv.y * dw) / det;
+    const long double r = -(vw.sine * du + uv.sine * dw) / det;
+    return checked(o, x, y, x + r, kOps * (vw.most() * std::abs(du) + uv.most() * std::abs(dw)) / size);
 }
 
 // Takes p as the origin. Let n and m be the unit normals of the lines towards the circle, d and e the distances of p

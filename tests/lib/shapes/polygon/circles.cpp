@@ -19,15 +19,15 @@ using Exact =
 
 constexpr int kNear = 1000, kTrials = 20000;
 
-// Segments near a place far from the origin, as Sites has them: any, and such as follow a slight bend.
+// Segments near a place far from the origin, as Sites has them: any, and such as follow a bend.
 class Segments {
   public:
     SiteLine any() { return {point(), point()}; }
-    // Line k of a chord polygon of a large circle, ends rounded.
-    SiteLine bent(int k) {
+    // Line k of a chord polygon of a large circle, ends rounded; `turn`: rad between chords.
+    SiteLine bent(int k, double turn = 0.02) {
         const auto at = [&](int i) {
-            const double a = 0.02 * i;
-            return SitePoint{std::llround(4e5 + 3e4 * std::cos(a)), std::llround(5e5 + 3e4 * std::sin(a))};
+            const double a = turn * i, r = 600 / turn;
+            return SitePoint{std::llround(4e5 + r * std::cos(a)), std::llround(5e5 + r * std::sin(a))};
         };
         return {at(k), at(k + 1)};
     }
@@ -46,6 +46,12 @@ Site segment(const SiteLine& l) {
 Site point(SitePoint p) { return {static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y)}; }
 
 bool is_point(const SiteLine& l) { return l.from.x == l.to.x && l.from.y == l.to.y; }
+
+// Whether both lines run in one direction.
+bool same_way(const SiteLine& a, const SiteLine& b) {
+    const std::int64_t ax = a.to.x - a.from.x, ay = a.to.y - a.from.y, bx = b.to.x - b.from.x, by = b.to.y - b.from.y;
+    return ax * by == ay * bx && ax * bx + ay * by > 0;
+}
 
 // Positive if q is left of the line.
 std::int64_t side(const SiteLine& l, SitePoint q) {
@@ -78,13 +84,16 @@ int same_at_both_places(Own&& own, Boost&& boost) {
 TEST(Circles, OfThreeLinesAreThoseOfIntegersWithoutLimit) {
     Segments all;
     Exact exact;
-    int found = 0;
+    int found = 0, tried = 0;
     for (int k = 0; k < kTrials; ++k) {
         const bool bent = k % 2 == 0;
         const int first = all.number(300);
-        const SiteLine a = bent ? all.bent(first) : all.any(), b = bent ? all.bent(first + 1) : all.any(),
-                       c = bent ? all.bent(first + 2 + all.number(3)) : all.any();
+        const double turn = std::pow(0.5, 5 + all.number(6)); // the slightest is that of rounding
+        const SiteLine a = bent ? all.bent(first, turn) : all.any(), b = bent ? all.bent(first + 1, turn) : all.any(),
+                       c = bent ? all.bent(first + 2 + all.number(3), turn) : all.any();
         if (is_point(a) || is_point(b) || is_point(c)) continue;
+        if (same_way(a, b) || same_way(b, c) || same_way(c, a)) continue; // no circle
+        ++tried;
         const auto own = touching_circle(a, b, c);
         if (!own) continue;
         Circle as_boost;
@@ -92,7 +101,8 @@ TEST(Circles, OfThreeLinesAreThoseOfIntegersWithoutLimit) {
         expect_same(*own, as_boost);
         ++found;
     }
-    EXPECT_GT(found, kTrials * 9 / 10);
+    EXPECT_GT(tried, kTrials * 9 / 10);
+    EXPECT_GT(found, tried * 99 / 100);
 }
 
 TEST(Circles, OfAPointAndTwoLinesAreThoseOfIntegersWithoutLimit) {
