@@ -4,8 +4,8 @@
 #include "toolpath/merge.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 namespace filum::fill::rings {
 
@@ -44,9 +44,11 @@ class BeadSimplifier {
   private:
     // The bead along a chord.
     struct Chord {
-        double length = 0; // mm
-        double aside = 0;  // mm from the chord to the middle of the bead's strip, to the left
-        double wider = 0;  // mm by which the bead is wider than the chord's ends, on average
+        double length = 0;   // mm, of the bead
+        double straight = 0; // mm, of the chord
+        Vec2 along;          // the chord's direction, unit
+        double aside = 0;    // mm from the chord to the middle of the bead's strip, to the left
+        double wider = 0;    // mm by which the bead is wider than the chord's ends, on average
     };
     struct Vertex {
         Vec2 point;
@@ -69,38 +71,40 @@ class BeadSimplifier {
     [[nodiscard]] bool within(std::size_t a, std::size_t b) const {
         const std::size_t end = around(b);
         const Vec2 p = bead_.points[a], chord = bead_.points[end] - p;
-        const double wa = bead_.width[a], wider_by = bead_.width[end] - wa, l2 = geom::norm2(chord);
-        const double by_length2 = l2 > 0 ? 1 / l2 : 0, widest = 2 * tolerance_;
-        const auto along = [&](std::size_t i) { // parameter of the chord's place nearest to point i
-            return std::clamp(by_length2 * dot(bead_.points[i] - p, chord), 0.0, 1.0);
+        const double wa = bead_.width[a], wider_by = bead_.width[end] - wa;
+        const double length2 = geom::norm2(chord), widest = 2 * tolerance_;
+        if (!(length2 > 0)) return false;
+        // How far point i is from the chord, positive on its left. `along`: its place along the chord. Both are
+        // multiplied by the chord's length, so that no root is needed.
+        const auto aside = [&](std::size_t i, double& along) {
+            const Vec2 from = bead_.points[i] - p;
+            along = dot(chord, from);
+            const double off = cross(chord, from);
+            if (along >= 0 && along <= length2) return off;
+            along = std::clamp(along, 0.0, length2); // beyond the chord its end is nearest
+            return std::copysign(std::sqrt(length2) * geom::norm(along > 0 ? from - chord : from), off);
         };
-        const auto off2 = [&](std::size_t i, double t) { return geom::norm2(p + t * chord - bead_.points[i]); };
+        double along = 0;
         const std::size_t middle = a + (b - a) / 2; // a quick test: lines too far off are usually too far off there
-        if (b > a + 2 && off2(middle, along(middle)) > widest * widest) return false;
-        const double strip = widest * toolpath::full_share(wa, l2);
-        double laid_aside = 0, left2 = 0, right2 = 0; // mm2
+        if (b > a + 2 && square(aside(middle, along)) > square(widest) * length2) return false;
+        const double strip2 = square(widest * toolpath::full_share(wa, length2)) * length2, by = 1 / length2;
+        double laid_aside = 0, left = 0, right = 0; // mm2, and as of aside()
         for (std::size_t i = a + 1; i < b; ++i) {
-            const double most = kMostOff * bead_.width[i], t = along(i), d2 = off2(i, t);
-            const bool on_left = cross(chord, bead_.points[i] - p) > 0;
-            left2 = std::max(left2, on_left ? d2 : 0.0);
-            right2 = std::max(right2, on_left ? 0.0 : d2);
-            if (d2 > most * most || wider_than(strip * strip, left2, right2)) return false;
-            const double wider = std::abs(bead_.width[i] - (wa + t * wider_by));
-            if (wider > most) return false;
-            if (wider > 0) laid_aside += wider * way_[i];
-            if (laid_aside > least_) return false;
+            const double most = kMostOff * bead_.width[i], off = aside(i, along);
+            left = std::max(left, off);
+            right = std::min(right, off);
+            if (square(left - right) > strip2 || square(off) > square(most) * length2) return false;
+            const double wider = std::abs(bead_.width[i] - (wa + by * along * wider_by));
+            laid_aside += wider * way_[i];
+            if (wider > most || laid_aside > least_) return false;
         }
         return true;
     }
 
-    // Whether the sum of two widths is more than that of a strip; all given by their squares.
-    static bool wider_than(double strip2, double left2, double right2) {
-        constexpr double kTwice = 2 * (1 + 1e-9); // most lines lie well inside, which shows without a root
-        const double sum = left2 + right2;
-        return kTwice * sum > strip2 && sum + 2 * std::sqrt(left2 * right2) > strip2;
-    }
     // The number of the point that follows the one before i; the first one follows the last.
     [[nodiscard]] std::size_t around(std::size_t i) const { return i == n_ ? 0 : i; }
+
+    static double square(double x) { return x * x; }
 
     // Measure of the turn at q, proportional to its square for small turns.
     static double bend(Vec2 p, Vec2 q, Vec2 r) {
@@ -114,20 +118,26 @@ class BeadSimplifier {
         const std::size_t n = kept.size();
         if (n < 5) return;
         const auto at = [&](std::size_t k) { return bead_.points[kept[k < n ? k : k - n]]; };
+        std::array<double, 3> bends{0, bend(at(n - 1), at(0), at(1)), bend(at(0), at(1), at(2))}; // at k - 1, k, k + 1
         for (std::size_t k = 1; k + 1 < n; ++k) {
             const Vec2 h = at(k + n - 2), a = at(k - 1), c = at(k + 1), d = at(k + 2);
-            const auto bends = [&](Vec2 b, double most) { // the sum, or a partial sum that already reaches `most`
+            bends = {bends[1], bends[2], bend(at(k), c, d)};
+            double least = bends[0] + bends[1] + bends[2];
+            const auto more_even = [&](std::size_t i) {
+                const Vec2 b = bead_.points[i];
                 const double before = bend(h, a, b);
-                return before >= most ? before : before + bend(a, b, c) + bend(b, c, d);
+                if (before >= least) return false;
+                const double here = bend(a, b, c);
+                if (before + here >= least) return false;
+                const double after = bend(b, c, d), sum = before + here + after;
+                if (sum >= least || !within(kept[k - 1], i) || !within(i, kept[k + 1])) return false;
+                least = sum;
+                bends = {before, here, after};
+                return true;
             };
-            double least = bends(at(k), std::numeric_limits<double>::infinity());
             for (const std::size_t step : {~std::size_t{0}, std::size_t{1}}) // backwards, then forwards
-                for (std::size_t i = kept[k] + step; i != kept[k - 1] && i != kept[k + 1]; i += step) {
-                    const double now = bends(bead_.points[i], least);
-                    if (now >= least || !within(kept[k - 1], i) || !within(i, kept[k + 1])) break;
-                    least = now;
+                for (std::size_t i = kept[k] + step; i != kept[k - 1] && i != kept[k + 1] && more_even(i); i += step)
                     kept[k] = i;
-                }
         }
     }
 
@@ -145,34 +155,35 @@ class BeadSimplifier {
             laid += l * (bead_.width[i] + bead_.width[j]) / 2;
             out.length += l;
         }
-        const double l = geom::distance(p, q);
-        if (l > 0) out.aside = std::clamp((left + right) / 2 / l, -tolerance_, tolerance_);
+        out.straight = geom::distance(p, q);
+        if (out.straight > 0) {
+            out.along = (1 / out.straight) * (q - p);
+            out.aside = std::clamp((left + right) / 2 / out.straight, -tolerance_, tolerance_);
+        }
         if (out.length > 0) out.wider = laid / out.length - (bead_.width[a] + bead_.width[end]) / 2;
         return out;
     }
     // The k-th remaining point, moved; its width is such that chords have the right width on average.
     [[nodiscard]] Vertex vertex(const std::vector<std::size_t>& kept, const std::vector<Chord>& chords,
                                 std::size_t k) const {
-        const std::size_t n = kept.size(), before = (k == 0 ? n : k) - 1, after = k + 1 == n ? 0 : k + 1;
-        const Chord &a = chords[before], &b = chords[k];
+        const Chord &a = chords[(k == 0 ? kept.size() : k) - 1], &b = chords[k];
         const double l = a.length + b.length, share = l > 0 ? a.length / l : 0.5; // long chords keep their width
-        return {moved(kept[before], kept[k], kept[after], a.aside, b.aside),
-                bead_.width[kept[k]] + std::lerp(b.wider, a.wider, share)};
+        return {moved(kept[k], a, b), bead_.width[kept[k]] + std::lerp(b.wider, a.wider, share)};
     }
-    // The point at i between the chords from h and to j, moved so that both get their offsets aside: least squares
-    // weighted by length, with a small regularisation so that almost parallel chords share the difference.
-    [[nodiscard]] Vec2 moved(std::size_t h, std::size_t i, std::size_t j, double before, double after) const {
+    // The point at i, where chord b follows chord a, moved so that both get their offsets aside: least squares weighted
+    // by length, with a small regularisation so that almost parallel chords share the difference.
+    [[nodiscard]] Vec2 moved(std::size_t i, const Chord& a, const Chord& b) const {
         constexpr double kSteady = 0.01;
-        const Vec2 p = bead_.points[i], u = p - bead_.points[h], v = bead_.points[j] - p;
-        const double lu = geom::norm(u), lv = geom::norm(v), steady = kSteady * (lu + lv);
+        const Vec2 p = bead_.points[i];
+        const double lu = a.straight, lv = b.straight, steady = kSteady * (lu + lv);
         if (lu == 0 || lv == 0) return p;
-        const Vec2 n = (1 / lu) * geom::left_of(u), m = (1 / lv) * geom::left_of(v);
-        const Vec2 r = (lu * before) * n + (lv * after) * m;
+        const Vec2 n = geom::left_of(a.along), m = geom::left_of(b.along);
+        const Vec2 r = (lu * a.aside) * n + (lv * b.aside) * m;
         const double xx = lu * n.x * n.x + lv * m.x * m.x + steady, yy = lu * n.y * n.y + lv * m.y * m.y + steady;
         const double xy = lu * n.x * n.y + lv * m.x * m.y;
         const Vec2 by = (1 / (xx * yy - xy * xy)) * Vec2{yy * r.x - xy * r.y, xx * r.y - xy * r.x};
-        const double most = std::min(tolerance_, kMostOff * bead_.width[i]);
-        return p + std::min(1.0, most / std::max(most, geom::norm(by))) * by;
+        const double most = std::min(tolerance_, kMostOff * bead_.width[i]), by2 = geom::norm2(by);
+        return p + (by2 > most * most ? most / std::sqrt(by2) : 1.0) * by;
     }
     const toolpath::Curve& bead_; // closed
     std::size_t n_;               // number of its points
