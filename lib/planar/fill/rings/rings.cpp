@@ -50,11 +50,16 @@ class RingTracer {
                 h = axis().next[h ^ 1];
             }
         }
-        double area = 0;
+        if (ring_.points.size() >= 3 && (lane_ == 1 || is_large())) (*sink_)(ring_, lane_);
+    }
+
+    // Whether the current ring covers the smallest void that counts.
+    [[nodiscard]] bool is_large() const {
+        double area = 0; // mm2
         const std::size_t n = ring_.points.size();
-        for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t i = 0; i < n && area < least_void_; ++i)
             area += ring_.width[i] * geom::distance(ring_.points[i], ring_.points[i + 1 == n ? 0 : i + 1]);
-        if (n >= 3 && (lane_ == 1 || area >= least_void_)) (*sink_)(ring_, lane_);
+        return area >= least_void_;
     }
 
     // Lane coordinate of the middle of the strip on the ray to node i.
