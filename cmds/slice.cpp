@@ -1,7 +1,7 @@
 // slice - cut a mesh into layers of closed contours
 // reads:  mesh files: STL, OBJ, PLY, OFF, 3MF, AMF or STEP
 // writes: Layers
-// memory: the model at 400 bytes per triangle, and all contours with --hole-compensation
+// memory: the model at 400 bytes a triangle, 32 layers a thread at twice what it writes; all to compensate holes
 #include "app/slice/slice.hpp"
 #include "app/slice/grid.hpp"
 #include "cli/step_options.hpp"
@@ -114,7 +114,9 @@ cli::Spec spec(app::slice::Options& o) {
         .description = cli::kDescription,
         .in = cli::file("mesh file"),
         .out = cli::writes(stream::Payload::layers),
-        .memory = "the model at 400 bytes per triangle, and all contours with --hole-compensation",
+        .memory =
+            "the model at 400 bytes per triangle, 32 layers per thread at twice the bytes that it writes, and all "
+            "contours with --hole-compensation",
         .options = std::move(options),
         .groups = {{"heights of layers", {"adaptive", "min-layer-height", "max-layer-height", "cusp"}},
                    {"mending", {"close-gaps", "close-openings", "hairline"}},

@@ -167,6 +167,10 @@ given = types.SimpleNamespace(out=os.getcwd(), peers=False, repeat=1, table=[])
 faults = memory.check_texts() + scale.family("islands", given, [200], shapes.pillars) + \
     scale.family("vertices", given, [4000], shapes.gear)
 assert not faults, faults
+shapes.cylinders(1, "one.stl")  # many copies: the layers in flight take more than the model
+plate = ["slice", "--machine", "large.toml", "--copies", "400", "one.stl", "-o", "plate.layers"]
+peak = programs.measure([os.path.join(programs.BIN, plate[0]), *plate[1:]], 1, "plate.log")[2]
+assert 30 < peak <= memory.allowed("slice", "one.stl", "plate.layers"), peak
 # a stage that takes more is found
 memory.STATED["slice"] = (memory.STATED["slice"][0], lambda read, wrote: -20e6)
 assert "slice took" in scale.family("layers", given, [50], shapes.tower)[0]
