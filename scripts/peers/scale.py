@@ -17,7 +17,7 @@ from programs import BIN, PEERS, Failed, cura_command, cura_resources, measure
 HOLLOW = ["--perimeters", "2", "--fill-density", "15%", "--top-solid-layers", "4", "--bottom-solid-layers", "4"]
 LEAST = 0.05  # CPU s; exponents of less are noise
 PEER_PATTERN = {"rows": "rectilinear", "wave": "gyroid"}
-FAMILIES = ("benchy", "box-rows", "box-wave", "plates", "islands", "layers", "vertices")
+FAMILIES = ("benchy", "box-rows", "box-wave", "plates", "islands", "layers", "twisted", "vertices")
 
 
 def prusa(part, pattern, target):
@@ -129,6 +129,7 @@ def run(benchy, given):
                                    more=lambda s: ("--copies", str(s)), peer_make=shapes.cylinders),
         "islands": lambda n: family(n, given, [1250 * s for s in factors], shapes.pillars),
         "layers": lambda n: family(n, given, [625 * s for s in factors], shapes.tower),
+        "twisted": lambda n: family(n, given, [625 * s for s in factors], shapes.twisted),
         "vertices": lambda n: family(n, given, [12500 * s for s in factors], shapes.gear),
     }
     for name in given.families or FAMILIES:

@@ -59,6 +59,25 @@ def tower(layers, path):
     write_stl(path, prism(rectangle(10, 10), (0, 0), 0.2 * layers))
 
 
+def twisted(layers, path):
+    """A column 60 mm wide with six ridges, this many layers of 0.2 mm high; it turns once in 200 mm, so layers differ."""
+    count, rings = 120, max(2, round(0.2 * layers)) + 1
+
+    def place(k, z):
+        r, t = 26 + 4 * math.cos(6 * 2 * math.pi * k / count), 2 * math.pi * (k / count + z / 200)
+        return r * math.cos(t), r * math.sin(t), z
+    sides = [[place(k, 0.2 * layers * ring / (rings - 1)) for k in range(count)] for ring in range(rings)]
+    out = []
+    for low, high in zip(sides, sides[1:]):
+        for k in range(count):
+            j = (k + 1) % count
+            out += [[*low[k], *low[j], *high[j]], [*low[k], *high[j], *high[k]]]
+    for k in range(count):
+        j = (k + 1) % count
+        out += [[0, 0, 0, *sides[0][j], *sides[0][k]], [0, 0, 0.2 * layers, *sides[-1][k], *sides[-1][j]]]
+    write_stl(path, out)
+
+
 def pillars(count, path):
     """Square pillars of 3 x 3 x 2 mm, apart from each other: islands on each of ten layers."""
     write_stl(path, [t for at in grid(count, 5) for t in prism(rectangle(3, 3), at, 2)])
