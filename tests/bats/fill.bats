@@ -51,3 +51,17 @@ setup() {
 @test "hard outlines are filled alike however they are turned, and within their area" {
     "$FILUM_SOURCE/tests/parts/stress-outlines" --angles 5 --scales 0.25,1
 }
+
+@test "a large region is the same for 1, 2 and 8 threads" {
+    python3 - "$FILUM_SOURCE/scripts/peers" <<'END'
+import sys
+sys.dont_write_bytecode = True
+sys.path.insert(0, sys.argv[1])
+import shapes
+shapes.write_stl("gear.stl", shapes.prism(shapes.star(9000, 40, 0.3), (0, 0), 0.2))
+END
+    slice gear.stl | regions --quiet | sequence > gear.regions
+    for n in 1 2 8; do fill --quiet --threads $n gear.regions > gear$n.paths; done
+    cmp gear1.paths gear2.paths
+    cmp gear1.paths gear8.paths
+}

@@ -39,8 +39,8 @@ FirstLanes first_lanes(const Loops& region, const LaneOptions& o) {
     const double fine = o.tolerance / 4;
     const Beading b = beading(medial_axis(region, o.tolerance / 2, fine, kWallSlope), width, least);
     FirstLanes out;
-    trace_rings(b, o.most, flows, fine, [&](const toolpath::Curve& ring, int lane) {
-        out.lanes.add(with_fewer_points(ring, fine / 3, least, false), lane);
+    out.lanes = trace_rings(b, o.most, flows, fine, [&](const toolpath::Curve& ring) {
+        return with_fewer_points(ring, fine / 3, least, false);
     });
     for (double& w : out.lanes.width) w *= wider;
     if (o.most > 0) out.rest = polygon::split(beyond(b, o.most, fine)).part;

@@ -1,38 +1,74 @@
 #include "fill/rings/rings.hpp"
 #include "fill/rings/ray.hpp"
+#include "parallel/parallel.hpp"
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace filum::fill::rings {
 
 namespace {
 
+// Rays that are walked at once, at least: some milliseconds of work.
+constexpr std::size_t kRaysAtOnce = 1 << 16;
+
+// Per half-edge: the number of lanes on the ray to its first node.
+std::vector<int> lanes_on_rays(const Beading& beading) {
+    std::vector<int> out;
+    out.reserve(beading.axis.half_edges());
+    for (const std::uint32_t i : beading.axis.from) {
+        const double last = beading.profile[i].last;
+        out.push_back(last < 0 ? 0 : static_cast<int>(last + 1 + 1e-9));
+    }
+    return out;
+}
+
+// Divides lanes 1 to `most` (0: all) into groups that meet at least kRaysAtOnce rays each. Returns the first lane of
+// each group, and the one after the last.
+std::vector<int> groups_of_lanes(const std::vector<int>& lanes, int most) {
+    std::vector<std::size_t> rays; // per lane: the rays that it meets
+    for (const int n : lanes) {
+        const auto last = static_cast<std::size_t>(most > 0 ? std::min(n, most) : n);
+        if (rays.size() <= last) rays.resize(last + 1);
+        ++rays[last];
+    }
+    for (std::size_t k = rays.size(); k-- > 1;) rays[k - 1] += rays[k];
+    std::vector<int> out{1};
+    std::size_t met = 0;
+    for (std::size_t k = 1; k < rays.size(); ++k) {
+        met += rays[k];
+        if (met < kRaysAtOnce && k + 1 < rays.size()) continue;
+        out.push_back(static_cast<int>(k) + 1);
+        met = 0;
+    }
+    return out;
+}
+
+// Traces the rings of some lanes.
 class RingTracer {
   public:
-    RingTracer(const Beading& beading, double least_void, double tolerance, const RingSink& sink)
-        : b_(&beading), least_void_(least_void), tolerance_(tolerance), sink_(&sink) {
-        lanes_.reserve(axis().half_edges());
-        for (const std::uint32_t i : axis().from) {
-            const double last = beading.profile[i].last;
-            lanes_.push_back(last < 0 ? 0 : static_cast<int>(last + 1 + 1e-9));
-        }
-    }
+    RingTracer(const Beading& beading, const std::vector<int>& lanes, double least_void, double tolerance,
+               const RingWork& work)
+        : b_(&beading), least_void_(least_void), tolerance_(tolerance), lanes_(&lanes), work_(&work) {}
 
-    void run(int most) {
+    // Those of lanes `first` to `end` - 1.
+    Rings run(int first, int end) {
         std::vector<std::uint32_t> live;
         for (std::uint32_t h = 0; h < axis().half_edges(); ++h)
-            if (lanes_[h] > 0) live.push_back(h);
+            if (lanes_on(h) >= first) live.push_back(h);
         seen_.assign(axis().half_edges(), 0);
-        for (lane_ = 1; !live.empty() && (most <= 0 || lane_ <= most); ++lane_) {
+        for (lane_ = first; lane_ < end; ++lane_) {
             for (const std::uint32_t h : live)
                 if (seen_[h] != lane_) ring(h);
-            std::erase_if(live, [&](std::uint32_t h) { return lanes_[h] <= lane_; });
+            std::erase_if(live, [&](std::uint32_t h) { return lanes_on(h) <= lane_; });
         }
+        return std::move(out_);
     }
 
   private:
     [[nodiscard]] const MedialAxis& axis() const { return b_->axis; }
+    [[nodiscard]] int lanes_on(std::uint32_t h) const { return (*lanes_)[h]; }
 
     void ring(std::uint32_t h0) {
         ring_.points.clear();
@@ -41,7 +77,7 @@ class RingTracer {
             const std::uint32_t after = axis().next[h];
             seen_[h] = lane_;
             ray_point(h, 0, b_->end(axis().from[h], lane_));
-            if (lanes_[after] >= lane_) {
+            if (lanes_on(after) >= lane_) {
                 narrow(h);
                 if (about_vertex(h)) arc_to(h, Ray(*b_, after, 0).point(middle(axis().from[after])));
                 h = after;
@@ -50,7 +86,7 @@ class RingTracer {
                 h = axis().next[h ^ 1];
             }
         }
-        if (ring_.points.size() >= 3 && (lane_ == 1 || is_large())) (*sink_)(ring_, lane_);
+        if (ring_.points.size() >= 3 && (lane_ == 1 || is_large())) out_.add((*work_)(ring_), lane_);
     }
 
     // Whether the current ring covers the smallest void that counts.
@@ -125,10 +161,11 @@ class RingTracer {
     const Beading* b_;
     double least_void_, tolerance_;
     int lane_ = 0;
-    std::vector<int> lanes_; // per half-edge: number of lanes on the ray to its first node
-    std::vector<int> seen_;  // per half-edge: the last lane that has passed it
-    const RingSink* sink_;
+    const std::vector<int>* lanes_;
+    std::vector<int> seen_; // per half-edge: the last lane that has passed it
+    const RingWork* work_;
     toolpath::Curve ring_{true, {}, {}}; // the current ring
+    Rings out_;
 };
 
 } // namespace
@@ -148,8 +185,16 @@ void Rings::add(const toolpath::Curve& ring, int of_lane) {
     lane.push_back(of_lane);
 }
 
-void trace_rings(const Beading& beading, int most, double least_void, double tolerance, const RingSink& sink) {
-    RingTracer(beading, least_void, tolerance, sink).run(most);
+Rings trace_rings(const Beading& beading, int most, double least_void, double tolerance, const RingWork& work) {
+    const std::vector<int> lanes = lanes_on_rays(beading), group = groups_of_lanes(lanes, most);
+    std::vector<Rings> part(group.size() - 1);
+    parallel::for_chunks(part.size(), 1, 0, [&](std::size_t g, std::size_t) {
+        part[g] = RingTracer(beading, lanes, least_void, tolerance, work).run(group[g], group[g + 1]);
+    });
+    if (part.size() == 1) return std::move(part.front());
+    Rings out;
+    for (Rings& p : part) out.add(std::exchange(p, {}));
+    return out;
 }
 
 } // namespace filum::fill::rings

@@ -22,11 +22,12 @@ struct Rings {
     void add(const toolpath::Curve& ring, int of_lane);
 };
 
-// Takes over one ring; rings are not collected, as all points of all rings would need much memory.
-using RingSink = std::function<void(const toolpath::Curve& ring, int lane)>;
+// What becomes of a ring as soon as it is traced: not all points of all rings are kept, which would need much memory.
+// Called on several threads at once.
+using RingWork = std::function<toolpath::Curve(const toolpath::Curve& ring)>;
 
-// Passes the rings of lanes 1 to `most` (0: all) to `sink`, lane by lane. Arcs deviate by at most `tolerance` mm.
-// Inner rings with a bead of at most `least_void` mm2 are left out.
-void trace_rings(const Beading& beading, int most, double least_void, double tolerance, const RingSink& sink);
+// The rings of lanes 1 to `most` (0: all), lane by lane, as `work` returns them; groups of lanes on all cores. Arcs
+// deviate by at most `tolerance` mm. Inner rings with a bead of at most `least_void` mm2 are left out.
+Rings trace_rings(const Beading& beading, int most, double least_void, double tolerance, const RingWork& work);
 
 } // namespace filum::fill::rings

@@ -277,6 +277,46 @@ TEST(FewerPoints, TurnEvenly) {
     EXPECT_LT(squares, 3.75); // 3.82 where each chord runs as far as it can
 }
 
+// A disc whose outline has `count` points in waves, with a wavy hole.
+Loops wavy_disc(std::size_t count, double radius, double hole, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> depth(0.1, 0.6), length(0.7, 3);
+    Loops out;
+    for (const double r : {radius, -hole}) {
+        const double d = depth(random), waves = std::round(2 * std::numbers::pi * std::abs(r) / length(random));
+        std::vector<Vec2> loop;
+        for (std::size_t k = 0; k < count; ++k) {
+            const double t = (r > 0 ? 2 : -2) * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count);
+            const double at = std::abs(r) + d * std::sin(waves * t);
+            loop.push_back({at * std::cos(t), at * std::sin(t)});
+        }
+        if (r != 0) out.add(loop);
+    }
+    return out;
+}
+
+// Lanes are traced in groups, on several threads: which ones, depends on how many lanes there are.
+TEST(Lanes, OfLargeRegionsDoNotDependOnTheirGroups) {
+    std::mt19937 random(7);
+    std::uniform_int_distribution<std::size_t> points(1500, 9000);
+    for (unsigned seed = 0; seed < 12; ++seed) {
+        const std::size_t n = points(random);
+        const double radius = 0.004 * static_cast<double>(n);
+        const Loops region = wavy_disc(n, radius, seed % 2 == 0 ? 0 : radius / 3, seed);
+        const Rings all = lanes(region, {.width = kWidth});
+        ASSERT_GT(all.size(), 10U);
+        EXPECT_TRUE(std::is_sorted(all.lane.begin(), all.lane.end()));
+        for (const int most : {1, 2, 3, 7, 20}) {
+            const Rings some = lanes(region, {.width = kWidth, .most = most});
+            const auto rings =
+                static_cast<std::size_t>(std::upper_bound(all.lane.begin(), all.lane.end(), most) - all.lane.begin());
+            ASSERT_EQ(some.size(), rings) << seed;
+            EXPECT_TRUE(std::equal(some.points.begin(), some.points.end(), all.points.begin())) << seed << ' ' << most;
+            EXPECT_TRUE(std::equal(some.width.begin(), some.width.end(), all.width.begin())) << seed << ' ' << most;
+        }
+    }
+}
+
 TEST(FewerPoints, KeepWhatIsLaid) {
     for (unsigned seed = 0; seed < 20; ++seed)
         for (const Loops& region : test::random_regions(seed)) {
