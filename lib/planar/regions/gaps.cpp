@@ -10,6 +10,8 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace filum::regions {
 
@@ -131,17 +133,16 @@ std::vector<Vec2> patch(const Segment& e, const Segment& f) {
     return hull(std::move(points));
 }
 
-// Calls f(j) for the edges near edge i. It goes along the edge piece by piece, because the box of a long slanting edge
-// would hold too many.
-template <class F>
-void each_near(const geom::SegmentGrid& grid, const Segment& s, double cell, double width, F&& f) {
-    const int pieces = std::max(1, static_cast<int>(std::ceil(geom::distance(s.a, s.b) / cell)));
-    for (int k = 0; k < pieces; ++k) {
-        geom::Box2 box;
-        box.add(geom::lerp(s.a, s.b, static_cast<double>(k) / pieces));
-        box.add(geom::lerp(s.a, s.b, static_cast<double>(k + 1) / pieces));
-        grid.near(box.lo - Vec2{width, width}, box.hi + Vec2{width, width}, f);
-    }
+// The pairs of edges that may be nearer to each other than `width`, each with its first edge first, ascending.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(std::span<const Segment> edges, double width) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
+    geom::SegmentPairs pairs(edges, geom::cell_for(edges, 2 * width), width / 2);
+    for (std::uint32_t j = 0; j < edges.size(); ++j)
+        pairs.add(j, [&](std::uint32_t i) {
+            if (!clearly_apart(edges[i], edges[j], width)) out.emplace_back(i, j);
+        });
+    std::sort(out.begin(), out.end());
+    return out;
 }
 
 [[noreturn]] void refuse(Vec2 at, double length, double width, int layer) {
@@ -159,33 +160,22 @@ Loops bridges(const Loops& loops, double width, int layer) {
     const auto edges = polygon::segments(loops);
     if (edges.empty()) return out;
     const EdgePlaces along = edge_places(loops);
-    const double cell = geom::cell_for(edges, 2 * width);
     const geom::Box2 box = polygon::bounds(loops);
     const double most = kMostGaps * geom::distance(box.lo, box.hi);
     double length = 0; // mm, of the patches
-    const geom::SegmentGrid grid(edges, cell);
-    std::vector<std::uint32_t> others;
-    for (std::uint32_t i = 0; i < edges.size(); ++i) {
-        others.clear();
-        each_near(grid, edges[i], cell, width, [&](std::uint32_t j) {
-            if (j > i && !clearly_apart(edges[i], edges[j], width)) others.push_back(j);
-        });
-        std::sort(others.begin(), others.end());
-        others.erase(std::unique(others.begin(), others.end()), others.end());
-        for (const std::uint32_t j : others) {
-            const Segment &e = edges[i], &f = edges[j];
-            const Nearest n = nearest(e, f);
-            if (n.d >= width || !face_each_other(e, f, n)) continue;
-            const double between = way(along, i, geom::distance(e.a, n.p), j, geom::distance(f.a, n.q));
-            if (between <= std::numbers::pi * width) continue;
-            const auto on_e = part_near(e, f, n, width), on_f = part_near(f, e, {n.q, n.p, n.d}, width);
-            if (!on_e || !on_f) continue;
-            const auto points = patch(*on_e, *on_f);
-            if (points.size() < 3) continue;
-            out.add(points);
-            length += std::max(geom::distance(on_e->a, on_e->b), geom::distance(on_f->a, on_f->b));
-            if (length > most) refuse(on_e->a, most, width, layer);
-        }
+    for (const auto& [i, j] : near_pairs(edges, width)) {
+        const Segment &e = edges[i], &f = edges[j];
+        const Nearest n = nearest(e, f);
+        if (n.d >= width || !face_each_other(e, f, n)) continue;
+        const double between = way(along, i, geom::distance(e.a, n.p), j, geom::distance(f.a, n.q));
+        if (between <= std::numbers::pi * width) continue;
+        const auto on_e = part_near(e, f, n, width), on_f = part_near(f, e, {n.q, n.p, n.d}, width);
+        if (!on_e || !on_f) continue;
+        const auto points = patch(*on_e, *on_f);
+        if (points.size() < 3) continue;
+        out.add(points);
+        length += std::max(geom::distance(on_e->a, on_e->b), geom::distance(on_f->a, on_f->b));
+        if (length > most) refuse(on_e->a, most, width, layer);
     }
     return out;
 }

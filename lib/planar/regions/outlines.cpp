@@ -108,10 +108,10 @@ Loops without_remnants(const Loops& loops, const Loops& before, double hairline)
     return out;
 }
 
-// Closes the gaps of simple loops that are narrower than `hairline`, and adds a note.
-void close_gaps(Loops& loops, double tolerance, double hairline, Notes& notes, int layer) {
+// Closes the gaps of simple loops that are narrower than `hairline`, and adds a note. False if there are none.
+bool close_gaps(Loops& loops, double tolerance, double hairline, Notes& notes, int layer) {
     const Loops patches = bridges(loops, hairline, layer);
-    if (patches.empty()) return;
+    if (patches.empty()) return false;
     const double before = polygon::signed_area(loops);
     constexpr std::size_t kMany = 2000; // points of patches; fewer are united with the loops at once
     const bool many = patches.points.size() > kMany;
@@ -121,16 +121,18 @@ void close_gaps(Loops& loops, double tolerance, double hairline, Notes& notes, i
     loops = on_grid(polygon::simplify(closed, tolerance));
     notes.push_back(
         {NoteCode::hairline_gap_closed, std::max(0.0, polygon::signed_area(loops) - before), 1, -1, at.x, at.y});
+    return true;
 }
 
 } // namespace
 
 Parts outlines(const Loops& contours, double tolerance, double hairline, Notes& notes, int layer) {
     Loops loops = on_grid(polygon::simplify(contours, tolerance));
-    if (!polygon::is_simple(loops)) loops = polygon::unite(loops);
-    if (hairline > 0) close_gaps(loops, tolerance, hairline, notes, layer);
+    bool simple = polygon::is_simple(loops);
+    if (!simple) loops = polygon::unite(loops);
+    if (hairline > 0 && close_gaps(loops, tolerance, hairline, notes, layer)) simple = false;
     for (int attempt = 0; attempt < 3; ++attempt) {
-        if (polygon::is_simple(loops)) return polygon::split(loops);
+        if (simple || polygon::is_simple(loops)) return polygon::split(loops);
         loops = polygon::unite(loops);
     }
     return mended(loops, notes);
