@@ -1,5 +1,6 @@
 #include "base/printable.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 
@@ -52,6 +53,7 @@ void escape(unsigned char byte, std::string& out) {
 } // namespace
 
 std::string printable(std::string_view text) {
+    if (std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; })) return std::string(text);
     std::string out;
     out.reserve(text.size());
     while (!text.empty()) {
