@@ -92,7 +92,7 @@ void find_gaps(const Surface& s, const SeedSides& sides, std::uint32_t side, std
         const double way = spread.distance((height[a] + height[b] + height[c]) / 3);
         const double rise = spread.height(way + spacing / 2) - spread.height(std::max(0.0, way - spacing / 2));
         const double gap = rise / std::max(1e-9, slope(s, t, height)) / spacing;
-        if (gap <= 1 + rules::kSpacingChange) continue;
+        if (gap <= 1 + rules::kGive) continue;
         out.area += surface::area(s, t);
         if (gap > out.most) {
             out.most = gap;
@@ -160,7 +160,8 @@ Plan fexa(const surface::Sheet& sheet, const Options& o) {
     rows::leave_out(raw, o.beyond);
     rows::TurnOptions turns = rows::turn_options(o.spacing, o.least_radius, o.turns == RowTurns::hairpin);
     turns.staggered = o.beyond.empty();
-    rows::Rows all = rows::rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
+    rows::Rows all =
+        rows::rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, rules::kMostGive * o.spacing});
     rows::wind(s, all, o.spacing, true);
     Plan out = rows::boustrophedon(s, all, turns);
     if (gaps.area > 0) out.notes.push_back({NoteCode::rows_apart, gaps.area, 1, -1, gaps.at.x, gaps.at.y, gaps.at.z});

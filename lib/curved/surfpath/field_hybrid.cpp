@@ -15,8 +15,6 @@ namespace filum::surfpath {
 
 namespace {
 
-// spacings: radius over which directions are smoothed; lines cannot follow smaller features
-constexpr double kSmoothed = 0.2;
 constexpr double kAcross = 10; // spacings: longest way from row to row across other lines
 // least radii: radius to which lines are eased, so that their sampled polylines keep the least radius
 constexpr double kEasedTo = 1.15;
@@ -44,7 +42,7 @@ void report(const Surface& s, const field::PrescribedDirections& prescribed, con
         out.notes.push_back({code, amount, 1, -1, at.x, at.y, at.z});
     };
     if (d.tight > 0) note(NoteCode::field_too_tight, d.tight, d.tight_at);
-    if (d.given_up > 0.01 * surface::area(s)) note(NoteCode::field_given_up, d.given_up, d.tight_at);
+    if (d.given_up > rules::kNegligible * surface::area(s)) note(NoteCode::field_given_up, d.given_up, d.tight_at);
     if (prescribed.unknown > 0) note(NoteCode::direction_unknown, prescribed.unknown, prescribed.unknown_at);
     if (prescribed.upright > 0) {
         out.facts.push_back({"", "upright", prescribed.upright, "mm2"});
@@ -68,7 +66,7 @@ TracedLines traced(const surface::Sheet& sheet, const Options& o, const surface:
                    const field::Directions& directions) {
     if (o.whole_rings) return {field::whole_rings(sheet, o.spacing), {}};
     const Surface& s = sheet.surface;
-    field::StripeOptions striping{o.spacing, o.shift, keeps_angle(o) ? field::kKeepAngle : field::kKeepSpacing};
+    field::StripeOptions striping{o.spacing, o.shift, keeps_angle(o) ? field::kKeepAngle : 1};
     striping.apart = o.births_apart;
     // Rings are a spacing apart as they are; where they meet, no frequency avoids births.
     striping.change = o.follow.rings > 0 ? 0 : kBreathing * o.width_change;
@@ -117,7 +115,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
     const double radius = covers ? o.spacing / 2 : o.least_radius;
     const auto cells = surface::directions::cells(s);
     const auto prescribed = field::prescribed(sheet, cells, directions_followed(sheet, o));
-    const auto directions = field::smooth(s, cells, prescribed, kSmoothed * o.spacing, radius);
+    const auto directions = field::smooth(s, cells, prescribed, field::kSmoothed * o.spacing, radius);
     auto [all, births] = traced(sheet, o, cells, directions);
     const double gentle = std::max(radius, o.spacing / 2), eased = std::max(o.least_radius, gentle);
     ease(s, all, eased, o.spacing);

@@ -4,6 +4,7 @@
 #include "surfpath/capped.hpp"
 #include "surfpath/rows/boustrophedon.hpp"
 #include "surfpath/rows/winding.hpp"
+#include "surfpath/rules/rules.hpp"
 #include "surfpath/seed_side.hpp"
 
 namespace filum::surfpath {
@@ -25,7 +26,8 @@ Plan fina(const surface::Sheet& sheet, const Options& o) {
     rows::leave_out(raw, o.beyond);
     rows::TurnOptions turns = rows::turn_options(o.spacing, o.least_radius, o.turns == RowTurns::hairpin);
     turns.staggered = o.beyond.empty();
-    rows::Rows all = rows::rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
+    rows::Rows all =
+        rows::rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, rules::kMostGive * o.spacing});
     rows::wind(s, all, o.spacing, true);
     return rows::boustrophedon(s, all, turns);
 }

@@ -6,6 +6,7 @@
 #include "surfpath/rings/branches.hpp"
 #include "surfpath/rows/boustrophedon.hpp"
 #include "surfpath/rows/winding.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +66,8 @@ Plan geo_spiral(const surface::Sheet& sheet, const Options& o) {
     std::vector<rows::UnclippedLine> raw;
     add(raw, geodesic::isolines(s, field, levels), 1);
     const rows::TurnOptions turns = rows::turn_options(o.spacing, o.least_radius);
-    rows::Rows all = rows::rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
+    rows::Rows all =
+        rows::rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, rules::kMostGive * o.spacing});
     rows::wind(s, all, o.spacing, false);
     Plan out = rows::boustrophedon(s, all, turns);
     out.facts.insert(out.facts.end(), facts.begin(), facts.end());

@@ -5,6 +5,7 @@
 #include "surface/curve/walk.hpp"
 #include "surfpath/fronts/front_lines.hpp"
 #include "surfpath/rows/boustrophedon.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <array>
 #include <map>
@@ -111,8 +112,8 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
     } else {
         rows::TurnOptions turns = rows::turn_options(o.spacing, o.least_radius, o.turns == RowTurns::hairpin);
         turns.staggered = o.beyond.empty();
-        out = rows::boustrophedon(s, rows::rows(s, raw, {o.spacing / 2, o.spacing / 2, o.spacing / 4, o.spacing / 4}),
-                                  turns);
+        out = rows::boustrophedon(
+            s, rows::rows(s, raw, {o.spacing / 2, o.spacing / 2, o.spacing / 4, rules::kMostGive * o.spacing}), turns);
     }
     fact(out, "births", found.born);
     fact(out, "deaths", found.died);

@@ -12,9 +12,6 @@ namespace filum::surfpath {
 
 namespace {
 
-// flange depths: how far sources are extended over the flange, which they may cross at a slant
-constexpr double kRunsOut = 1.5;
-
 // Whether the point lies on a rim. It may be at a vertex of the rim, in a triangle without a side on it.
 bool on_rim(const Surface& s, const Vec3& p) {
     for (std::uint32_t h = 0; h < s.twin.size(); ++h)
@@ -59,11 +56,12 @@ std::optional<Flange> flange(const surface::Sheet& sheet, const Options& o) {
     out.sheet.algorithm = sheet.algorithm;
     out.sheet.sources = sheet.sources;
     if (o.algorithm == Algorithm::fexa) return out;
+    const double longest = depth / rules::kAlong; // the way of a source that crosses the flange at a slant
     for (Line& line : fronts::source_lines(sheet.sources)) {
         Line back = line;
         surface::curve::reverse(back);
-        go_on(sheet.surface, out.sheet.surface, std::move(line), kRunsOut * depth, out.sheet.sources);
-        go_on(sheet.surface, out.sheet.surface, std::move(back), kRunsOut * depth, out.sheet.sources);
+        go_on(sheet.surface, out.sheet.surface, std::move(line), longest, out.sheet.sources);
+        go_on(sheet.surface, out.sheet.surface, std::move(back), longest, out.sheet.sources);
     }
     return out;
 }

@@ -20,7 +20,7 @@ constexpr double kPathStep = 0.1; // least radii between points of the path
 // The line eased and resampled in equal steps, so that noise from crossed edges does not count as curvature.
 Line gentle(const Surface& s, const Line& line, double radius, double spacing) {
     const auto eased = surface::curve::ease(
-        s, line, {.radius = rules::kRounded * radius, .corridor = 0.25 * spacing, .step = 0.05 * radius});
+        s, line, {.radius = rules::kRounded * radius, .corridor = rules::kMostGive * spacing, .step = 0.05 * radius});
     Line out = surface::curve::resampled(eased.line, kPathStep * radius);
     for (Place& p : out.places) p = surface::curve::settled(s, p);
     return surface::curve::threaded(s, out);

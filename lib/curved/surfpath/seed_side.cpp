@@ -102,8 +102,7 @@ class BlendedDistance {
         for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
             if (sides.of[t] == side)
                 for (const std::uint32_t v : surface_.triangles[t])
-                    if (std::abs(seed_.distance[v] + end_.distance[v] - mean_) > rules::kSpacingChange * mean_)
-                        return false;
+                    if (std::abs(seed_.distance[v] + end_.distance[v] - mean_) > rules::kGive * mean_) return false;
         return true;
     }
 
@@ -158,7 +157,7 @@ class BlendedDistance {
 
 double step(const FarRim& rim, double spacing) {
     const double d = rim.mean / std::max(1.0, std::round(rim.mean / spacing));
-    return rim.length >= rules::kBeside * spacing && std::abs(d / spacing - 1) <= rules::kSpacingChange ? d : 0;
+    return rim.length >= rules::kBeside * spacing && std::abs(d / spacing - 1) <= rules::kGive ? d : 0;
 }
 
 std::vector<double> levels(double end, double step) {

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "surface/curve/turns.hpp"
 #include "surfpath/components.hpp"
 #include "surfpath/fexa.hpp"
 #include "surfpath/field_hybrid.hpp"
@@ -19,6 +20,7 @@
 #include "surfpath/plan/refined.hpp"
 #include "surfpath/plan/round_path.hpp"
 #include "surfpath/plan/widths.hpp"
+#include "surfpath/rules/rules.hpp"
 #include "surfpath/slits.hpp"
 
 #include <algorithm>
@@ -29,17 +31,6 @@
 namespace filum::surfpath {
 
 namespace {
-
-constexpr double kLongest = 2;        // spacings: longest side of the triangles on which lines are traced
-constexpr double kLongestStriped = 1; // spacings: of those for stripes that keep the spacing
-constexpr double kLongestTrue = 0.5;  // spacings: of those for stripes that keep the angle, whose error is proportional
-// spacings: how far larger triangles may be off the given surface; lines are moved to that afterwards
-constexpr double kOffCoarse = 0.01;
-// spacings: cells of the grid that surfaces are moved to for lines of field; a power of two (plan/canonical.hpp)
-constexpr double kGrid = 1.0 / 1024;
-// mm: path on either side of a tight turn that is marked with it, at least. However long the stretch over which
-// curvature is measured, the excess lies within.
-constexpr double kMarkedBeside = 0.5;
 
 Plan lines(const surface::Sheet& sheet, const Options& options) {
     const bool by_rows = options.algorithm == Algorithm::fina || options.algorithm == Algorithm::fexa;
@@ -83,9 +74,11 @@ std::vector<surface::Field> directions(const surface::Sheet& sheet) {
 
 bool by_field(const Options& o) { return o.algorithm == Algorithm::field || o.algorithm == Algorithm::hybrid; }
 
-// mm: how long sides of triangles may be for lines of the options.
+// mm: how long sides of triangles may be for lines of the options. Two lines in one triangle are parallel. So triangles
+// of level lines are no larger than neighbours are apart. Stripes need a vertex on either side of each line; those that
+// keep the angle need another one between them, as the error of their angle is proportional to the side.
 double longest_side(const Options& o) {
-    return o.spacing * (!by_field(o) ? kLongest : keeps_angle(o) ? kLongestTrue : kLongestStriped);
+    return !by_field(o) ? rules::kBeside * o.spacing : keeps_angle(o) ? o.spacing / 2 : o.spacing;
 }
 
 Plan with_round_turns(const surface::Sheet& sheet, const Options& options) {
@@ -142,7 +135,7 @@ Plan on_needed_triangles(const surface::Sheet& sheet, const Options& options) {
     plan::RefinedSheet ordered = plan::refined(sheet, std::numeric_limits<double>::infinity());
     ordered.sheet.fields = plan::on_refined(sheet, directions(sheet), ordered);
     const surface::curve::Locator locator(ordered.sheet.surface);
-    const surface::Sheet coarse = plan::coarser(ordered.sheet, locator, *side, kOffCoarse * options.spacing);
+    const surface::Sheet coarse = plan::coarser(ordered.sheet, locator, *side, rules::kOff);
     if (coarse.surface.triangles.size() >= sheet.surface.triangles.size()) return as_given(sheet, options);
     Plan out = as_given(coarse, options);
     plan::to_given(out, coarse.surface, locator);
@@ -155,7 +148,7 @@ Plan on_needed_triangles(const surface::Sheet& sheet, const Options& options) {
 Plan on_canonical(const surface::Sheet& given, const Options& options) {
     const auto& to = options.follow.reference;
     const bool by_angle = directions_followed(given, options).angle > 0;
-    const auto canonical = plan::canonical(given, kGrid * options.spacing, by_angle ? to : Vec3{});
+    const auto canonical = plan::canonical(given, options.spacing, by_angle ? to : Vec3{});
     Options o = options;
     if (by_angle) o.follow.reference = canonical.direction;
     for (Vec3& p : o.births_apart) p = canonical.frame.into(p - canonical.frame.centre);
@@ -202,7 +195,8 @@ void leave_out_short(Plan& plan, double least) {
 
 void finish(const Surface& surface, Plan& plan, const Options& o) {
     leave_out_short(plan, o.min_length);
-    const double beside = std::max(kMarkedBeside, o.spacing / 2);
+    // However long the stretch over which radii are measured, the excess lies within that on either side.
+    const double beside = std::max(surface::curve::turn_reach(o.least_radius, o.spacing), o.spacing / 2);
     const plan::TightTurns tight = plan::mark_tight_turns(surface, plan, {o.least_radius, o.spacing, beside, o.offset});
     if (o.strict && tight.length > o.max_tight * tight.fibre)
         throw Error(Exit::failure, "cannot keep turns to " + shortest_text(o.least_radius) +

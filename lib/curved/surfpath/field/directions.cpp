@@ -20,12 +20,8 @@ using surface::directions::transport;
 
 constexpr double kFall = 0.25;       // factor of a weight in every round
 constexpr double kLeastShare = 1e-4; // weights below this share of the prescribed one become 0
-constexpr int kRounds = 40;          // most rounds of lowering weights
 constexpr int kPatience = 3;         // rounds without improvement before the search ends
 constexpr double kAround = 0.25;     // least radii around a place that bends too much in which weights are lowered, too
-// Sine of the angle between normal and reference direction below which the surroundings decide: the weight is its
-// square, so smoothing over a fifth of a spacing reaches a fifth of a spacing over the sine, which is a whole spacing.
-constexpr double kUpright = 0.2;
 
 void add_stress(const surface::Sheet& sheet, const Cells& cells, double share, PrescribedDirections& out) {
     const auto pull = surface::directions::pull(sheet, cells, {});
@@ -71,7 +67,9 @@ void add_angle(const Surface& s, const Cells& cells, const DirectionMix& o, Pres
     for (std::size_t v = 0; v < out.z.size(); ++v) { // doubled() has the squared length of the tangential part
         const Complex z = doubled(to, cells.normal[v]);
         out.z[v] += o.angle * turned * z;
-        if (std::abs(z) >= kUpright * kUpright) continue;
+        // The weight is the squared sine of the angle between normal and reference direction, so smoothing reaches
+        // kSmoothed over that sine. From a whole spacing on the surroundings decide.
+        if (std::abs(z) >= kSmoothed * kSmoothed) continue;
         if (out.upright == 0) out.upright_at = s.vertices[v];
         out.upright += cells.area[v];
     }
@@ -183,7 +181,7 @@ Directions smooth(const Surface& s, const Cells& cells, const PrescribedDirectio
     BendStatistics least;
     auto given = prescribed.z;
     surface::directions::Smoother smoother(cells, length);
-    for (int round = 0, idle = 0; round < kRounds && idle <= kPatience; ++round) {
+    for (int round = 0, idle = 0; round < rules::kMostRounds && idle <= kPatience; ++round) {
         const auto z = smoother.smoothed(given, weight);
         BendStatistics now = bends(s, cells, z, radius);
         idle = best.empty() || now.excess < least.excess ? 0 : idle + 1;

@@ -13,6 +13,9 @@ using surface::Surface;
 using surface::directions::Cells;
 using surface::directions::Complex;
 
+// spacings: radius over which directions are smoothed; lines cannot follow smaller features.
+inline constexpr double kSmoothed = 0.2;
+
 // Prescribed directions: per vertex the doubled angle (surface/directions/rosy.hpp) and its weight from 0 to 1.
 struct PrescribedDirections {
     std::vector<Complex> z;

@@ -1,6 +1,7 @@
 #include "surfpath/field/frequencies.hpp"
 
 #include "sparse/factor.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,9 +18,6 @@ using Vector = Eigen::VectorXd;
 // Weight of slopes across the lines. They cost no birth, so it is small; without it, frequencies beside each other
 // would be independent, and lines would bend.
 constexpr double kAcross = 0.01;
-constexpr double kHeld = 1e6;     // how much more a frequency at its limit weighs than all others
-constexpr double kSettled = 0.01; // share of vertices that may still change sides: all values are within the limits
-constexpr int kMostRounds = 20;   // most rounds; each needs one factorisation
 
 // Finds the logarithms of frequencies within limits (primal-dual active set: Hintermueller, Ito, Kunisch 2002).
 class FrequencyFitter {
@@ -36,12 +34,12 @@ class FrequencyFitter {
 
     [[nodiscard]] Vector within(double low, double high) const {
         const Eigen::Index n = right_.size();
-        const double held = kHeld * matrix_.diagonal().maxCoeff();
-        std::vector<signed char> limit(static_cast<std::size_t>(n), 0); // -1 or 1: the value is held at low or high
+        const double held = matrix_.diagonal().maxCoeff() / rules::kTiny; // the weight of a frequency at its limit
+        std::vector<signed char> limit(static_cast<std::size_t>(n), 0);   // -1 or 1: the value is held at low or high
         Vector x = Vector::Zero(n);
         sparse::Factor factor;
         factor.analyse(matrix_);
-        for (int round = 0; round < kMostRounds; ++round) {
+        for (int round = 0; round < rules::kMostRounds; ++round) {
             Matrix matrix = matrix_;
             Vector right = right_;
             for (Eigen::Index v = 0; v < n; ++v)
@@ -52,7 +50,7 @@ class FrequencyFitter {
             if (!factor.factorise(matrix)) break;
             x = factor.solve(right);
             const Vector force = right_ - matrix_.selfadjointView<Eigen::Lower>() * x;
-            if (change_sides(x, force, low, high, limit) <= kSettled * static_cast<double>(n)) break;
+            if (change_sides(x, force, low, high, limit) <= rules::kNegligible * static_cast<double>(n)) break;
         }
         return x.cwiseMax(low).cwiseMin(high);
     }

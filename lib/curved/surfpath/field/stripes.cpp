@@ -25,8 +25,6 @@ constexpr double kMost =
 // even number of lines.
 constexpr double kBegin = std::numbers::pi / 4;
 constexpr double kPairWide = 3;      // spacings: width of a pair of births, as one gap becomes three
-constexpr double kDear = 4;          // factor of the cost of slopes at a place that repels births
-constexpr double kShortest = 0.25;   // spacings squared: shortest time of diffusion
 constexpr double kTimesFall = 16;    // ratio of consecutive times; the longest diffuses over the whole surface
 constexpr int kDiffusions = 12;      // diffusions for every time
 constexpr double kRimParallel = 0.9; // cosine of the largest angle to a rim at which that attracts lines
@@ -59,10 +57,11 @@ Vec3 middle(const Surface& s, std::uint32_t t) {
     return 1.0 / 3 * (s.vertices[a] + s.vertices[b] + s.vertices[c]);
 }
 
-// Factor of the cost of slopes: up to kDear near places that repel births.
+// Factor of the cost of slopes near places that repel births: it falls by 1 over a spacing, to 1 where the next pair
+// has room.
 double slope_cost(const Vec3& p, const StripeOptions& o) {
     double out = 1;
-    for (const Vec3& q : o.apart) out = std::max(out, kDear - (kDear - 1) * distance(p, q) / (kPairWide * o.spacing));
+    for (const Vec3& q : o.apart) out = std::max(out, 1 + kPairWide - distance(p, q) / o.spacing);
     return out;
 }
 
@@ -132,7 +131,7 @@ class PhaseDiffusion {
   public:
     PhaseDiffusion(const Surface& s, const Cells& cells, std::span<const Vec3> along, std::span<const double> w,
                    const StripeOptions& o)
-        : unit_(o.spacing * o.spacing), total_(cells.total) {
+        : shortest_(o.spacing * o.spacing / 4), total_(cells.total) {
         const auto n = static_cast<Eigen::Index>(2 * s.vertices.size());
         std::vector<Eigen::Triplet<double>> entries, mass;
         add_triangles(s, cells, along, w, o, entries);
@@ -151,10 +150,10 @@ class PhaseDiffusion {
 
     // Diffuses every phase for falling times and scales it to size 1 after each diffusion.
     void run(std::vector<Vector>& psis) {
-        double longest = kShortest;
-        while (longest * unit_ * kTimesFall < total_) longest *= kTimesFall;
-        for (double time = longest; time >= kShortest; time /= kTimesFall) {
-            if (!factor_.factorise(area_ + time * unit_ * energy_))
+        double longest = shortest_;
+        while (longest * kTimesFall < total_) longest *= kTimesFall;
+        for (double time = longest; time >= shortest_; time /= kTimesFall) {
+            if (!factor_.factorise(area_ + time * energy_))
                 throw Error(Exit::failure,
                             "cannot place stripes: the surface's triangles are too uneven; run geodesic --remesh");
             for (Vector& psi : psis)
@@ -168,7 +167,8 @@ class PhaseDiffusion {
     [[nodiscard]] double sum(const Vector& psi) const { return psi.dot(energy_.selfadjointView<Eigen::Lower>() * psi); }
 
   private:
-    double unit_, total_; // mm2
+    double shortest_; // mm2, of time: phases diffuse over half a spacing
+    double total_;    // mm2
     Matrix energy_, area_;
     Vector m_;
     sparse::Factor factor_;

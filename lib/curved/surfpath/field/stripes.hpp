@@ -18,16 +18,15 @@ struct Stripes {
     std::vector<char> flipped; // per half-edge, equal for both halves: the other end counts in the opposite direction
 };
 
-// Weights `stiff` of slopes along the lines: an error of the direction by some angle costs as much as an error of the
-// spacing by sqrt(stiff) times that share.
-inline constexpr double kKeepSpacing = 1;
-inline constexpr double kKeepAngle = 33; // half a degree costs as much as a twentieth of a spacing
+// The weight `stiff` of slopes along the lines that keeps angles. An error of the direction by some angle costs as much
+// as an error of the spacing by sqrt(stiff) times that share: half a degree as much as a twentieth of a spacing.
+inline constexpr double kKeepAngle = 33;
 
 struct StripeOptions {
-    double spacing = 1;          // mm
-    double shift = 0;            // spacings by which lines are displaced, except along rims
-    double stiff = kKeepSpacing; // 1 or more
-    double change = 0; // share by which lines may be nearer to each other or farther apart, so that fewer begin
+    double spacing = 1; // mm
+    double shift = 0;   // spacings by which lines are displaced, except along rims
+    double stiff = 1;   // 1, which weighs directions and spacing alike, or more
+    double change = 0;  // share by which lines may be nearer to each other or farther apart, so that fewer begin
     // per vertex an initial phase that may be near the optimum, of size 1 (0: unknown); may be empty
     std::span<const Complex> like{};
     std::span<const Vec3> apart{}; // places that repel births, as far as that costs little

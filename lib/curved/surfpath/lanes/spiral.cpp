@@ -292,7 +292,7 @@ class LaneExchanger {
     // Exchanges lanes that run side by side, with turns of the radius.
     void join(const ExchangeSite& s, double radius) {
         const double long_ = 2.1 * std::sqrt(radius * s.gap), d = lanes_.spacing();
-        const auto n = static_cast<std::size_t>(std::max(4.0, std::ceil(long_ / (0.25 * d))));
+        const auto n = static_cast<std::size_t>(std::max(4.0, std::ceil(long_ / (rules::kGrain * d))));
         const double step = long_ / static_cast<double>(n);
         if (long_ > 0.7 * std::min(lanes_.length(s.a), lanes_.length(s.b))) return;
         std::vector<Rung> rungs;

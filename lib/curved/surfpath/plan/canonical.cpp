@@ -3,6 +3,7 @@
 #include "base/mix.hpp"
 #include "parallel/parallel.hpp"
 #include "surface/curve/walk.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -14,8 +15,6 @@ namespace filum::surfpath::plan {
 
 namespace {
 
-constexpr double kAlike = 1024;           // directions that differ by less than half a part of this are the same
-constexpr double kFine = 1.0 / (1 << 20); // rad: directions that differ by less than half of this become the same
 constexpr std::array<std::array<int, 3>, 6> kOrders{{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {2, 1, 0}}};
 
 using Cell = std::array<std::int64_t, 3>;
@@ -51,9 +50,9 @@ std::uint64_t code(const Cell& c) {
     return out;
 }
 
-// The products of the components of a direction, which do not depend on its sign, in steps of 1 / kAlike.
+// The products of the components of a direction, which do not depend on its sign, in steps of kGrid.
 std::array<Cell, 2> products(const Vec3& d) {
-    const auto step = [](double x) { return std::isfinite(x) ? std::llround(kAlike * std::clamp(x, -1.0, 1.0)) : 0; };
+    const auto step = [](double x) { return std::isfinite(x) ? std::llround(std::clamp(x, -1.0, 1.0) / kGrid) : 0; };
     return {Cell{step(d.x * d.x), step(d.y * d.y), step(d.z * d.z)},
             Cell{step(d.y * d.z), step(d.z * d.x), step(d.x * d.y)}};
 }
@@ -63,11 +62,12 @@ std::uint64_t code(const Vec3& direction) {
     return mixed(code(squares) + code(mixed_ones));
 }
 
-// The direction without its last bits, of the same length to within kFine.
+// The direction without its last bits, in steps of kGrid squared.
 Vec3 without_rounding(const Vec3& v) {
     const double l = norm(v);
     if (!(l > 0) || !std::isfinite(l)) return v;
-    const auto step = [&](double x) { return l * kFine * std::round(x / (l * kFine)); };
+    const double fine = l * kGrid * kGrid;
+    const auto step = [&](double x) { return fine * std::round(x / fine); };
     return {step(v.x), step(v.y), step(v.z)};
 }
 
@@ -89,13 +89,13 @@ std::uint64_t look(const surface::Sheet& sheet, const std::vector<Cell>& cells, 
     return out;
 }
 
-// Per vertex, whether it can be moved by a cell: every triangle around it has a height of at least kLowest cells.
-std::vector<char> movable(const Surface& s, double grid) {
+// Per vertex, whether it can be moved by a cell: every triangle around it has a height of at least `lowest` mm.
+std::vector<char> movable(const Surface& s, double lowest) {
     std::vector<char> out(s.vertices.size(), 1);
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         double longest = 0;
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) longest = std::max(longest, surface::side_length(s, h));
-        if (2 * surface::area(s, t) >= kLowest * grid * longest) continue;
+        if (2 * surface::area(s, t) >= lowest * longest) continue;
         for (const std::uint32_t v : s.triangles[t]) out[v] = 0;
     }
     return out;
@@ -128,8 +128,9 @@ Vec3 AxisFrame::out_of(const Vec3& d) const {
     return {out[0], out[1], out[2]};
 }
 
-CanonicalSheet canonical(const surface::Sheet& given, double grid, const Vec3& direction) {
+CanonicalSheet canonical(const surface::Sheet& given, double spacing, const Vec3& direction) {
     const Surface& s = given.surface;
+    const double grid = kGrid * spacing;
     const auto box = geom::box_of(s.vertices);
     const Vec3 centre = 0.5 * (box.lo + box.hi);
     std::vector<Cell> cells;
@@ -143,7 +144,7 @@ CanonicalSheet canonical(const surface::Sheet& given, double grid, const Vec3& d
     CanonicalSheet out{given, all[static_cast<std::size_t>(least)], {}};
     const AxisFrame& f = out.frame;
     out.direction = without_rounding(f.into(geom::unit(direction, {})));
-    const auto moves = movable(s, grid);
+    const auto moves = movable(s, rules::kFineGrain * spacing);
     for (std::size_t v = 0; v < cells.size(); ++v) {
         const Cell c = into(f, cells[v]);
         const Vec3 at{static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])};

@@ -24,16 +24,17 @@ struct CanonicalSheet {
     Vec3 direction; // the given one, in the frame and unit; like fields without its last bits
 };
 
-// The sheet with its vertices at points of a grid of `grid` mm around the middle of its bounding box, in the one of 24
-// frames in which sums over these points are smallest. So two sheets that differ only by rounding, by the order of
-// vertices, or by a motion whose rotation is by right angles become the same sheet, except for the order.
-// A corner of a triangle that is lower than kLowest cells keeps its place to the last bit, because moving it could turn
-// the triangle over. Other places lie at half cells only if they have more digits than files do: `grid` is a spacing
-// over 1024, and half of it has eleven digits more than the spacing.
-// `direction`: what lines shall follow; it decides between frames in which the surface looks the same, as fields do.
-CanonicalSheet canonical(const surface::Sheet& sheet, double grid, const Vec3& direction);
+// Cells of the grid, in spacings. A power of two, so that points of the grid are exact.
+inline constexpr double kGrid = 1.0 / 1024;
 
-inline constexpr double kLowest = 128; // cells
+// The sheet with its vertices at points of a grid of kGrid spacings around the middle of its bounding box, in the one
+// of 24 frames in which sums over these points are smallest. So two sheets that differ only by rounding, by the order
+// of vertices, or by a motion whose rotation is by right angles become the same sheet, except for the order. A corner
+// of a triangle that is lower than rules::kFineGrain spacings keeps its place to the last bit, because moving it could
+// turn the triangle over. Other places lie at half cells only if they have more digits than files do: half a cell has
+// eleven digits more than the spacing. `direction`: what lines shall follow; it decides between frames in which the
+// surface looks the same, as fields do.
+CanonicalSheet canonical(const surface::Sheet& sheet, double spacing, const Vec3& direction);
 
 // Moves the plan of a canonical sheet to the sheet that it was made from, triangle by triangle.
 void from_canonical(Plan& plan, const CanonicalSheet& canonical, const surface::Sheet& given);

@@ -3,7 +3,7 @@
 #include "surface/curve/transfer.hpp"
 #include "surface/fit/fit.hpp"
 #include "surface/fit/fitter.hpp"
-#include "surfpath/plan/refined.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +12,11 @@
 namespace filum::surfpath::plan {
 
 std::optional<double> coarse_side(const Surface& surface, double longest) {
-    constexpr double equilateral = std::numbers::sqrt3 / 4; // area of a triangle with sides of 1
     const double area = surface::area(surface), given = static_cast<double>(surface.triangles.size());
-    if (given >= kMuchFiner * area / (equilateral * longest * longest)) return longest;
-    const double most = kMostFine, side = std::max(longest, std::sqrt(area / (equilateral * most)));
-    if (given > most && given >= kTwice * area / (equilateral * side * side)) return side;
+    const auto needed = [&](double side) { return area / (std::numbers::sqrt3 / 4 * side * side); };
+    if (given >= needed(rules::kGrain * longest)) return longest;
+    const double most = rules::kMostPieces, side = longest * std::sqrt(std::max(1.0, needed(longest) / most));
+    if (given > most && given >= kTwice * needed(side)) return side;
     return {};
 }
 

@@ -10,13 +10,12 @@
 namespace filum::surfpath::plan {
 
 // mm: the longest sides of the triangles to plan on in place of those of the surface, if lines need none shorter than
-// `longest` and the surface has many more triangles than necessary: kMuchFiner times as many as equal sides of
-// `longest` mm would make, or more than kMostFine and kTwice as many as that. In the second case sides are so long that
-// about kMostFine triangles suffice, if that is longer.
+// `longest` and the surface has many more triangles than necessary: as many as equal sides of rules::kGrain of that
+// would make, or more than rules::kMostPieces and kTwice as many as needed. In the second case sides are so long that
+// about rules::kMostPieces triangles suffice, if that is longer.
 std::optional<double> coarse_side(const Surface& surface, double longest);
 
-inline constexpr double kMuchFiner = 16; // sides of a quarter
-inline constexpr double kTwice = 2;      // a given triangle takes less time to replace than another one to plan on
+inline constexpr double kTwice = 2; // a given triangle takes less time to replace than another one to plan on
 
 // The surface and the fields of a sheet with sides of at most about `side` mm, shorter where it bends: its chords are
 // within `tolerance` mm of the given surface. Vertices and triangles must be sorted by place (plan/refined.hpp), so

@@ -137,7 +137,7 @@ void report_coverage(const Surface& s, Plan& plan, double width, std::uint32_t p
     plan.facts.push_back({"", "bare", c.missing, "mm2"});
     plan.facts.push_back({"", "uncovered", c.voids(), "mm2"});
     plan.facts.push_back({"", "laid-twice", c.overlap(), "mm2"});
-    if (c.missing > rules::kReported * c.surface)
+    if (c.missing > rules::kNegligible * c.surface)
         plan.notes.push_back(note(NoteCode::no_line_near, c.missing, c.widest));
     if (c.voids() > kTold * c.surface) plan.notes.push_back(note(NoteCode::area_bare, c.voids(), c.widest));
     if (c.overlap() > kTold * c.surface) plan.notes.push_back(note(NoteCode::area_doubled, c.overlap(), c.thickest));

@@ -11,8 +11,7 @@ namespace {
 
 using surface::kNone;
 
-constexpr std::size_t kDeepest = 6;             // links exchanged at once; one more takes about ten times as long
-constexpr std::uint64_t kMostRows = 20'000'000; // rows examined in all searches together, about a tenth of a second
+constexpr std::size_t kDeepest = 6; // links exchanged at once; one more takes about ten times as long
 
 // Per end of a row its link, kNone if it has none.
 using Linked = std::vector<std::uint32_t>;
@@ -160,9 +159,9 @@ std::vector<std::vector<Visit>> improved(std::uint32_t rows, std::span<const Lin
     for (bool again = searches > 0; again;) {
         again = false;
         for (std::uint32_t l = 0; l < links.size(); ++l)
-            again = (is_dear(l) && all.exchange(now, l, kMostRows / searches)) || again;
+            again = (is_dear(l) && all.exchange(now, l, rules::kMostSteps / searches)) || again;
         for (std::uint32_t e = 0; e < now.size(); ++e)
-            again = (is_open(e) && all.join(now, e, kMostRows / searches)) || again;
+            again = (is_open(e) && all.join(now, e, rules::kMostSteps / searches)) || again;
     }
     return searches > 0 ? chains(links, now) : std::move(given);
 }

@@ -3,6 +3,7 @@
 #include "geodesic/exact.hpp"
 #include "geom/disjoint_sets.hpp"
 #include "geom/point_grid.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,18 +15,15 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kMostPoints = 1e6; // sample points on rims; long rims get a larger step
-// windows per distance computation, some seconds; places farther than that count as just so far
-constexpr std::uint64_t kMostWindows = 20'000'000;
-
 std::uint32_t component(const Surface& s, std::uint32_t vertex) { return s.component[s.outgoing[vertex] / 3]; }
 
 // One vertex per component; distances are measured from all of them at once.
 using Roots = std::vector<std::uint32_t>;
 
-// Distance per vertex; 1-Lipschitz along the surface, also where the computation was cut short.
+// Distance per vertex; 1-Lipschitz along the surface, also where the computation was cut short: places farther than
+// that count as just so far.
 std::vector<double> distances(const Surface& s, const Roots& roots) {
-    auto out = geodesic::exact_distances(s, {roots, {}}, std::numeric_limits<double>::infinity(), kMostWindows);
+    auto out = geodesic::exact_distances(s, {roots, {}}, std::numeric_limits<double>::infinity(), rules::kMostSteps);
     for (double& d : out.distance) d = std::min(d, out.known);
     return std::move(out.distance);
 }
@@ -56,7 +54,7 @@ bool has_narrows(const Surface& s, const StrokeBoundOptions& o) {
     double all = 0;
     for (const auto& rim : s.rims)
         for (const std::uint32_t h : rim.sides) all += surface::side_length(s, h);
-    const double step = std::max(o.spacing / 2, all / kMostPoints), reach = 2 * o.spacing + step;
+    const double step = std::max(o.spacing / 2, all / rules::kMostPieces), reach = 2 * o.spacing + step;
     for (const auto& rim : s.rims) {
         double along = 0;
         for (const std::uint32_t h : rim.sides) {

@@ -121,7 +121,7 @@ RefinedSheet ordered(const surface::Sheet& given) {
 
 RefinedSheet refined(const surface::Sheet& given, double edge) {
     auto [sheet, parent, vertex] = ordered(given);
-    auto finer = surface::finer(sheet.surface, edge, kMostFine);
+    auto finer = surface::finer(sheet.surface, edge, rules::kMostPieces);
     RefinedSheet out{{std::move(finer.surface), {}, {}, {}, {}, {}, {}}, std::move(finer.parent), std::move(vertex)};
     out.sheet.sources.vertices = sheet.sources.vertices;
     for (const surface::Segment& g : sheet.sources.segments) {

@@ -13,9 +13,7 @@ struct RefinedSheet {
                                        // follow
 };
 
-inline constexpr std::size_t kMostFine = 500'000; // triangles
-
-// The sheet, refined until triangles have sides of at most `edge` mm or there are kMostFine of them. Lines are
+// The sheet, refined until triangles have sides of at most `edge` mm or there are rules::kMostPieces of them. Lines are
 // straight within a triangle, so small triangles let neighbouring lines differ. The order of vertices and triangles
 // does not depend on that of the given sheet.
 RefinedSheet refined(const surface::Sheet& sheet, double edge);

@@ -10,10 +10,6 @@ namespace {
 
 namespace curve = surface::curve;
 
-constexpr double kKinksMove = 0.5; // spacings that points of kinks may move: the bead still lies on its old middle line
-// Spacings that points of other turns may move: two lines that move apart leave no room for a third one between them.
-constexpr double kBendsMove = 0.25;
-
 void apply(const Surface& s, Plan& plan, const curve::RoundingOptions& o) {
     std::vector<Line> lines;
     for (const Stroke& stroke : plan.strokes) {
@@ -28,11 +24,8 @@ void apply(const Surface& s, Plan& plan, const curve::RoundingOptions& o) {
 } // namespace
 
 void round_kinks(const Surface& s, Plan& plan, double spacing) {
-    apply(s, plan,
-          {.spacing = spacing,
-           .limit = curve::kKinkRadius * spacing,
-           .radius = spacing / 2,
-           .corridor = kKinksMove * spacing});
+    const double half = spacing / 2; // a bead that moves by half its width still lies on its old middle line
+    apply(s, plan, {.spacing = spacing, .limit = curve::kKinkRadius * spacing, .radius = half, .corridor = half});
 }
 
 void round_bends(const Surface& s, Plan& plan, const PathRounding& o) {
@@ -40,7 +33,7 @@ void round_bends(const Surface& s, Plan& plan, const PathRounding& o) {
           {.spacing = o.spacing,
            .limit = o.radius,
            .radius = rules::kSurely * o.radius,
-           .corridor = kBendsMove * o.spacing,
+           .corridor = rules::kMostGive * o.spacing,
            .nearest = o.nearest * o.spacing,
            .worth = o.spacing}); // a mm of tight length costs as much as a mm of gap or overlap of a bead
 }

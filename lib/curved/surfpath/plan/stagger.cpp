@@ -12,8 +12,6 @@ namespace filum::surfpath::plan {
 
 namespace {
 
-constexpr int kMostSweeps = 20; // over all turns; a few are enough
-
 // Sample points that only turns may cover, and the variants of turns (numbered over all turns) that cover each.
 struct ContestedSamples {
     std::vector<double> area;            // mm2 per point
@@ -120,7 +118,7 @@ class StaggerSearch {
 
     std::vector<std::uint32_t> run() {
         bool changed = true;
-        for (int sweep = 0; sweep < kMostSweeps && changed; ++sweep) {
+        for (int sweep = 0; sweep < rules::kMostRounds && changed; ++sweep) {
             changed = false;
             for (std::uint32_t t = 0; t < chosen_.size(); ++t) {
                 count(variant(t), -1);

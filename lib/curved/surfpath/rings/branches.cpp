@@ -70,7 +70,7 @@ class BranchPlanner {
         std::vector<double> change; // mm: change of the spacing outside of each ring of the chain
     };
 
-    // The cheapest such changes; none if changes of rules::kSpacingChange are not enough.
+    // The cheapest such changes; none if changes of rules::kGive are not enough.
     [[nodiscard]] std::optional<LevelShift> move(std::span<const std::uint32_t> chain, std::size_t ring,
                                                  double by) const {
         struct SpacingChange {
@@ -87,7 +87,7 @@ class BranchPlanner {
         LevelShift out{by, 0, std::vector<double>(ring + 1, 0)};
         double left = std::abs(by);
         for (const SpacingChange& g : gaps) {
-            const double change = std::min(left, rules::kSpacingChange * o_.spacing);
+            const double change = std::min(left, rules::kGive * o_.spacing);
             out.change[g.ring] = by < 0 ? -change : change;
             out.cost += (by < 0 ? rules::kOverlapCosts : 1) * change * g.around;
             left -= change;

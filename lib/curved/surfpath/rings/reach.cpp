@@ -23,9 +23,6 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kEdge = 0.5;               // spacings: longest side of the triangles that are classified
-constexpr std::size_t kMostParts = 300'000; // triangles; larger ones only weaken the bound
-
 // Angle defect of every vertex inside the surface, rad.
 std::vector<double> defects(const Surface& s) {
     std::vector<double> out(s.vertices.size(), 0);
@@ -248,13 +245,14 @@ RingBound ring_bound(const Surface& s, double spacing, double radius) {
         const double all = surface::area(s);
         return {all, all, 0, 0, {}};
     }
-    const auto fine = surface::finer(s, kEdge * spacing, std::max(kMostParts, s.triangles.size()));
+    // Triangles are classified as a whole. If their sides are longer than half a spacing, the bound is only weaker.
+    const auto fine = surface::finer(s, spacing / 2, std::max(rules::kMostPieces, s.triangles.size()));
     return RingBoundSolver(fine.surface, spacing, radius).run();
 }
 
 void report_ring_bound(const RingBound& r, plan::Plan& plan) {
     plan.facts.push_back({"", "rings-bound", r.share(), ""});
-    if (!(r.surface - r.reached > rules::kReported * r.surface)) return;
+    if (!(r.surface - r.reached > rules::kNegligible * r.surface)) return;
     Note out{NoteCode::area_out_of_rings, r.surface - r.reached};
     if (r.dead > 0) { // otherwise all of it is out of reach, and no place is special
         out.count = r.dead;

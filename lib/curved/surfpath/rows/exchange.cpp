@@ -25,9 +25,6 @@ using geom::Vec2;
 // Half of what is cut out of each line, as it is tried: from tips that lead straight on to gaps that turns just cover.
 // Sites are ranked at first by the third, at which two half turns are about as long as what they replace.
 constexpr double kCuts[] = {0.4, 0.6, 0.8, 1, 1.2, 1.4};
-constexpr double kSlips[] = {0, -rules::kGrain, rules::kGrain}; // shifts of one line against the other
-// Distance within which coverage can change: the longest cut, the bulge of a turn beyond it, half a bead.
-constexpr double kSwathHalf = kCuts[5] + rules::kGrain + 0.5 + 0.5;
 constexpr std::size_t kMostTried = 12; // sites per pair of lines that are judged by their waste: limits the work
 
 // An exchange between two lines: each is cut out around an arc length, by half of its cut on both sides.
@@ -50,7 +47,7 @@ class LineExchanger {
                   const ExchangeOptions& o)
         : s_(s), given_(lines), d_(o.spacing), ends_(o.ends), radius_(o.radius), lanes_(s, closed(lines), o.spacing),
           linked_(lanes_), normals_(surface::curve::vertex_normals(s)), anchored_(lines.size(), 0),
-          swath_(o.spacing, kSwathHalf * o.spacing), rest_(swath_), beads_(s, lines, lanes_) {
+          swath_(o.spacing, half_), rest_(swath_), beads_(s, lines, lanes_) {
         for (std::uint32_t l = 0; l < lines.size(); ++l) {
             anchored_[l] = keep[l] != 0 || !lines[l].closed ? 1 : 0;
             if (!lines[l].closed) linked_.cut(linked_.window(l, beads_.length(l), 0));
@@ -64,7 +61,7 @@ class LineExchanger {
             if (!open(e)) return weave::Verdict::never;
             const bool sure = e.judged;
             const double before = e.waste;
-            judge(surroundings(lanes_.at(e.a, e.at_a)), e, kCuts, kSlips);
+            judge(surroundings(lanes_.at(e.a, e.at_a)), e, kCuts, {0, -1, 1});
             e.judged = true;
             if (sure && e.waste <= before + rules::kSamePoint) return weave::Verdict::join;
             return worth_it(e) ? weave::Verdict::later : weave::Verdict::never; // one made since may be in the way
@@ -120,7 +117,7 @@ class LineExchanger {
                              [](const LineExchange& x, const LineExchange& y) { return x.waste < y.waste; });
             if (all.size() > kMostTried) all.resize(kMostTried);
             for (LineExchange& e : all) {
-                judge(surroundings(lanes_.at(e.a, e.at_a)), e, std::span(kCuts).subspan(2, 1), std::span(kSlips, 1));
+                judge(surroundings(lanes_.at(e.a, e.at_a)), e, std::span(kCuts).subspan(2, 1), {0});
                 if (worth_it(e)) queue_.push(e);
             }
         }
@@ -150,7 +147,7 @@ class LineExchanger {
 
     // The bead points within the square of the swath and half a bead around it.
     [[nodiscard]] Surroundings surroundings(const Place& at) const {
-        return beads_.around(chart_at(at), (std::numbers::sqrt2 * kSwathHalf + 0.5) * d_);
+        return beads_.around(chart_at(at), std::numbers::sqrt2 * half_ + d_ / 2);
     }
 
     [[nodiscard]] double longer(const LineExchange& e, const TurnPair& t) const {
@@ -195,8 +192,10 @@ class LineExchanger {
         return there(e.a, e.at_a, e.cut_a) && there(e.b, e.at_b, e.cut_b);
     }
 
-    // Sets `e` to the cuts and the shift of least waste; its waste is infinite if none are possible.
-    void judge(const Surroundings& view, LineExchange& e, std::span<const double> cuts, std::span<const double> slips) {
+    // Sets `e` to the cuts and the shift of one line against the other, in grains, of least waste; its waste is
+    // infinite if none are possible.
+    void judge(const Surroundings& view, LineExchange& e, std::span<const double> cuts,
+               std::initializer_list<int> slips) {
         swath_.clear();
         rest_.clear();
         for (const auto& bead : view.beads) {
@@ -210,11 +209,11 @@ class LineExchanger {
         covered_ = swath_.covered();
         const LineExchange given = e;
         e.waste = std::numeric_limits<double>::infinity();
-        for (const double slip : slips)
+        for (const int slip : slips)
             for (const double cut_a : cuts)
                 for (const double cut_b : cuts) {
                     LineExchange now = given;
-                    now.at_b += slip * d_;
+                    now.at_b += slip * rules::kGrain * d_;
                     now.cut_a = cut_a * d_;
                     now.cut_b = cut_b * d_;
                     if (!free(now)) continue;
@@ -320,6 +319,8 @@ class LineExchanger {
     const Surface& s_;
     const std::vector<Line>& given_;
     double d_, ends_, radius_;
+    // mm: within which coverage can change: the longest cut, the bulge of a turn beyond it, half a bead
+    double half_ = (kCuts[5] + rules::kGrain + 0.5 + 0.5) * d_;
     lanes::Lanes lanes_;
     lanes::LinkedLanes linked_;
     std::vector<Vec3> normals_;

@@ -1,5 +1,6 @@
 #include "surfpath/rows/flat_turn.hpp"
 
+#include "geom/angle.hpp"
 #include "geom/polyline.hpp"
 #include "surfpath/rules/rules.hpp"
 
@@ -12,8 +13,6 @@ namespace filum::surfpath::rows {
 
 namespace {
 
-constexpr double kArcStep = 1.0 / 180 * std::numbers::pi; // rad between points of an arc
-constexpr int kPushes = 6;                                // most attempts to move a turn inside the bound
 constexpr double kAsWide = 0.97; // radii: a single arc of this radius is accepted without trying a bulb
 
 // A row from its end inwards, with functions to place circles beside it.
@@ -78,7 +77,7 @@ void arc(std::vector<Vec2>& out, Vec2 c, Vec2 a, Vec2 b, double sign = 1) {
     const Vec2 u = a - c, v = b - c;
     double sweep = -sign * std::atan2(cross(u, v), dot(u, v));
     if (sweep < -1e-9) sweep += 2 * std::numbers::pi;
-    const int n = std::max(1, static_cast<int>(std::ceil(sweep / kArcStep)));
+    const int n = std::max(1, static_cast<int>(std::ceil(sweep / geom::kDegree)));
     for (int i = 1; i < n; ++i) {
         const double t = -sign * sweep * i / n, co = std::cos(t), si = std::sin(t);
         out.push_back(c + Vec2{co * u.x - si * u.y, si * u.x + co * u.y});
@@ -105,7 +104,7 @@ FlatTurn arc_line_arc(const RowPair& s, double r, double top) {
 FlatTurn one_arc(const RowPair& s, double most, double top) {
     double depth = most;
     FlatTurn out;
-    for (int round = 0; round < 20; ++round) {
+    for (int round = 1; round <= rules::kMostRounds; ++round) {
         double lo = 0, hi = most * 1.5;
         for (int i = 0; i < 40; ++i) {
             const double r = (lo + hi) / 2;
@@ -115,7 +114,7 @@ FlatTurn one_arc(const RowPair& s, double most, double top) {
             else
                 hi = r;
         }
-        if (std::abs(lo - depth) < 1e-6 || round == 19) {
+        if (std::abs(lo - depth) < 1e-6 || round == rules::kMostRounds) {
             const auto a = s.first.touch(lo, top - depth), b = s.second.touch(lo, top - depth);
             if (!a || !b || !(lo > 0)) return {};
             out = {{a->foot}, lo, a->arc, b->arc, 0, false};
@@ -182,7 +181,7 @@ FlatTurn fitted(const TurnRoom& room, const Form& form) {
     double top = 0;
     for (const Vec2 p : room.bound) top = std::min(top, p.y);
     top -= room.behind;
-    for (int push = 0; push < kPushes; ++push) {
+    for (int push = 0; push < rules::kMostRounds; ++push) {
         FlatTurn out = form(top);
         if (out.points.empty()) return {};
         const double over = beyond(out.points, room.bound);

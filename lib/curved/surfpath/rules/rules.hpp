@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -16,10 +17,12 @@ inline constexpr double kBeside = 2;
 inline constexpr double kGrain = 0.25;
 // Step between sample points where the area that beads cover is counted: such a place seems at most 1 % farther away.
 inline constexpr double kFineGrain = kGrain / 2;
-// How far a line may be moved off its place to round it: neighbours that both move are still 0.8 spacings apart.
+// How far a line may be moved off its place to round it: neighbours that both move are still 0.8 spacings apart. By the
+// same share the spacing of a family of lines may change so that it ends where it should.
 inline constexpr double kGive = 0.1;
-// Share by which the spacing may change so that a family of lines ends where it should.
-inline constexpr double kSpacingChange = 0.1;
+// How far a line may be moved where else it turned tighter than the least radius: two neighbours that both move leave
+// no room for another line between them.
+inline constexpr double kMostGive = 0.25;
 
 // Cost of an area that is covered twice, in areas that are left open, as `choose` weighs them.
 inline constexpr double kOverlapCosts = 0.5;
@@ -58,10 +61,15 @@ inline constexpr double kSurely = 1.02;
 
 // mm: how far a line may be off the surface, or beyond a bound, without a change.
 inline constexpr double kOff = 0.01;
-// Share of the surface above which a note reports places without a line.
-inline constexpr double kReported = 0.01;
+// A share of a surface, or of its vertices, that does not count.
+inline constexpr double kNegligible = 0.01;
 // Triangles per task.
 inline constexpr std::size_t kTrianglesAtOnce = 256;
+// Limits of work. Searches that get better from round to round, and mostly end after a few rounds; steps of a search,
+// up to some seconds; pieces that surfaces and rims are divided into.
+inline constexpr int kMostRounds = 40;
+inline constexpr std::uint64_t kMostSteps = 20'000'000;
+inline constexpr std::size_t kMostPieces = 500'000;
 // Smaller differences of shares, of lengths in mm, or of areas in mm2 are rounding.
 inline constexpr double kRounding = 1e-9;
 

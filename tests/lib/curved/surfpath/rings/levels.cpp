@@ -106,7 +106,7 @@ TEST(Levels, CoverEveryMaximumOfRandomBumps) {
             ++tops;
         }
         EXPECT_GE(value(facts, "branches"), static_cast<double>(high.size()));
-        EXPECT_LE(value(facts, "spacing-change"), rules::kSpacingChange + 1e-9);
+        EXPECT_LE(value(facts, "spacing-change"), rules::kGive + 1e-9);
         EXPECT_EQ(value(facts, "branches-open") > 0, !notes.empty());
     }
     EXPECT_GE(several, static_cast<std::size_t>(trials(10)));
