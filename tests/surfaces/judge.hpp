@@ -35,7 +35,7 @@ struct Judged {
 
 Judged judge(const Surface& s, const std::vector<Span>& spans, const Asked& asked);
 
-// What is wrong with it, or with what was said of it; one line each.
+// What is wrong with it, or with its notes; one line each.
 std::vector<std::string> faults(const Surface& s, const std::vector<Span>& spans, const Judged& j, const Notes& notes,
                                 const Asked& asked);
 

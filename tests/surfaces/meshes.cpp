@@ -67,7 +67,7 @@ void march(const std::array<std::uint32_t, 4>& corner, const std::vector<double>
     for (std::size_t k = 2; k < loop.size(); ++k) out.triangles.push_back({loop[0], loop[k - 1], loop[k]});
 }
 
-// Some triangles in three of which two are slivers.
+// Splits some triangles in three; two of these are slivers.
 void splinter(Mesh& mesh, Random& r) {
     const std::size_t n = mesh.triangles.size();
     for (std::size_t i = 0; i < n; ++i) {

@@ -97,7 +97,7 @@ TEST(Csv, SamplesAtOnePlaceAreAveraged) {
     Notes notes;
     const auto s = csv("1 0 0 3 0 0\n0 0 0 1 0 0\n1 0 0 -5 0 0\n", "", &notes);
     ASSERT_EQ(s.points.size(), 2U);
-    EXPECT_EQ(std::abs(s.cases[0].directions[1].x), 1); // whatever the signs
+    EXPECT_EQ(std::abs(s.cases[0].directions[1].x), 1); // for any signs
     EXPECT_EQ(s.cases[0].principals[1][0], 4);
     ASSERT_EQ(notes.size(), 1U);
 }

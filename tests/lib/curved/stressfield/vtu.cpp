@@ -153,7 +153,7 @@ TEST(Vtu, AllEncodingsGiveTheSame) {
         ASSERT_EQ(s.elements.size(), 2U) << what;
         EXPECT_EQ(s.elements[1].shape, Shape::tet4) << what;
         EXPECT_EQ(s.nodes, (std::vector<std::uint32_t>{0, 1, 2, 3, 0, 2, 1, 4})) << what;
-        ASSERT_EQ(s.cases.size(), 1U) << what; // neither displacements nor strains
+        ASSERT_EQ(s.cases.size(), 1U) << what; // no displacements, no strains
         EXPECT_EQ(s.cases[0].name, "S_X") << what;
         EXPECT_EQ(s.cases[0].tensors[4], (Tensor{3, 3.25, 3.5, 3.75, 4, 4.25})) << what;
     }

@@ -129,7 +129,7 @@ TEST(Components, BoundsAndCoverAreThoseOfTheWhole) {
     EXPECT_LT(fact(laid, "uncovered"), 0.1 * (20 * 14 + 12 * 12));
 }
 
-// From the one with the least vertex on always the nearest, whatever order the file has.
+// The first has the least vertex, and each next one is the nearest, for any order in the file.
 TEST(Components, AreLaidInTurn) {
     std::vector<mesh::Mesh> parts(6);
     for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = plate_at(6, 5, {10.0 * static_cast<double>(i), 0, 0});

@@ -144,7 +144,7 @@ TEST(Follow, LinesAloneCoverAllAndNothingTwice) {
     EXPECT_GT(covered(sheet.surface, p), 0.985);
 }
 
-// Where directions are no numbers lines go on as they come, and that is told.
+// Where directions are no numbers, lines go on as they come, and a note reports it.
 TEST(Follow, DirectionsThatAreNoNumbersAreTold) {
     auto sheet = sheet_of(plate());
     surface::Field given{kDirection, {}, 3};
@@ -227,7 +227,7 @@ TEST(Hybrid, RingsAloneAreOneSpiralThatGoesOverAtASeam) {
 }
 
 // No seam leads over all rings of a small disc, as the innermost are too short: they are joined, one by one, rather
-// than wound from a first ring of which half is left bare.
+// than wound from a first ring that is half uncovered.
 TEST(Hybrid, RingsOfASmallDiscAreJoined) {
     const auto sheet = sheet_of(surface::grid(2, 2, 40, 40, [](geom::Vec2 p) {
         const double x = p.x - 1, y = p.y - 1; // a square made a disc

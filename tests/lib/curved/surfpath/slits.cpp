@@ -114,7 +114,7 @@ TEST(Slits, OfATorusGoRoundItTheShortWayAndDoNotDivideIt) {
     }
 }
 
-// Only what has neither a rim nor a source needs one.
+// Only a component without rim and source needs one.
 TEST(Slits, AreOnlyWhereNothingElseSaysWhereLinesBegin) {
     auto mesh = torus(20, 5);
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());

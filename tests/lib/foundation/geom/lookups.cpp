@@ -1,4 +1,4 @@
-// Whatever looks things up by place finds what asking every one of them finds.
+// Every look-up by place finds what a search through all things finds.
 #include "geom/disjoint_sets.hpp"
 #include "geom/point_grid.hpp"
 #include "geom/point_tree.hpp"

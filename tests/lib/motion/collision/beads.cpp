@@ -106,7 +106,7 @@ TEST(BeadGrowth, AnAxisThatChangesTurnsWhereItStands) {
     EXPECT_EQ(walk.growth.moves[1].from.tip, walk.growth.moves[1].to.tip);
     EXPECT_EQ(walk.growth.moves[1].to.axis, (Vec3{0.6, 0, 0.8}));
     EXPECT_EQ(walk.growth.beads.size(), 2U); // turning lays nothing
-    // nobody knows how the carriage is turned once the tool leans
+    // the carriage's direction is unknown once the tool leans
     EXPECT_EQ(walk.growth.moves[0].from.side, (Vec3{1, 0, 0}));
     EXPECT_EQ(walk.growth.moves[1].from.side, Vec3{});
 }

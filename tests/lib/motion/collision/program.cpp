@@ -80,7 +80,7 @@ TEST(Program, ModalMovesAndBeads) {
         read("%\n(a comment)\nN10 G21 G90 ; another\nG0 Z5\nG0X0Y0\nG1 Z.2\nX10 E1\n\nG1 Y10 (in between) E+1\n"
              "G1 E-1\nG0 x 0 y 0\nM104 S200\nM92 X80\nG92 E0\nG1 X1 E.1\nM2\n");
     EXPECT_EQ(p.lines, 7U);
-    EXPECT_EQ(p.unknown, 2U); // Z alone, and then from where nobody knows
+    EXPECT_EQ(p.unknown, 2U); // Z alone, and then from an unknown place
     EXPECT_EQ(p.ignored, 6U);
     ASSERT_EQ(p.moves.size(), 5U);
     EXPECT_EQ(p.moves[0].to.tip, (Vec3{0, 0, 0.2}));

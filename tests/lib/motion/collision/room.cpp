@@ -56,7 +56,7 @@ TEST(Room, BeadsCountSinceTheyAreThere) {
     EXPECT_FALSE(room.at({{0, 0, 0}}, 8));
 }
 
-// Where there is room all along, check() finds nothing, whatever its step; where check() finds something, there is
+// Where there is room all along, check() finds nothing, for any step; where check() finds something, there is
 // none.
 TEST(Room, AgreesWithTheCheck) {
     std::mt19937 engine{5};

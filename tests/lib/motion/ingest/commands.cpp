@@ -111,7 +111,7 @@ TEST(Ingest, RefusesWhatItDoesNotUnderstand) {
     EXPECT_NE(refusal("").find("cannot find a bead"), std::string::npos);
 }
 
-// Whatever the text: an answer or an error of bad input, in finite time.
+// For any text: an answer or an error of bad input, in finite time.
 TEST(Ingest, SurvivesAnyText) {
     std::mt19937 random(11);
     const std::string letters = "GXYZEIJRMTFP0123456789.-+; (\n\n\n)";
@@ -134,7 +134,7 @@ constexpr const char* kBead = "G1 X30 Y10 E1\nG1 X30 Y30 E1\n"; // 40 mm
 
 } // namespace
 
-// Whatever does not move is passed over, however its words look.
+// Commands that do not move are passed over, however their words look.
 TEST(Ingest, FlagsAndTextOfCommandsAreNoWords) {
     for (const char* line : {"M84 X Y E",
                              "M569 S1 X Y",

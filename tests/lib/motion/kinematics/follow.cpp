@@ -1,5 +1,5 @@
-// The axes of an arm along strokes: what comes out stands where it should all along, keeps limits, and what cannot be
-// done is told with its place.
+// The axes of an arm along strokes: the tool stands where it should all along, and within limits. Errors name the place
+// that it cannot reach.
 #include "kinematics/follow.hpp"
 
 #include "arms.hpp"

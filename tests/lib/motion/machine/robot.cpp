@@ -132,7 +132,7 @@ TEST(RobotModel, BaseAndTipAreKnownByTheirExactNamesFirst) {
                                 "link=\"finger\"/><axis xyz=\"0 1 0\"/></joint>";
     EXPECT_LT(distance(at(urdf(kIrb, gripper)), plain), 1e-6); // not the gripper's
     const std::string cell = fixed("world", "base_link", "1 2 3") + fixed("world", "table_base", "5 5 5");
-    EXPECT_LT(distance(at(urdf(kIrb, cell)), plain), 1e-6); // neither the world's frame nor the table's
+    EXPECT_LT(distance(at(urdf(kIrb, cell)), plain), 1e-6); // not the world's frame, not the table's
     EXPECT_LT(distance(at(urdf(kIrb, cell + fixed("base_link", "base", "0 0 0.1"))), {1270, 0, 1470}), 1e-6);
     EXPECT_LT(distance(at(urdf(kIrb, cell), {"world", ""}), {2270, 2000, 4570}), 1e-6);
     EXPECT_NE(model_error(changed(urdf(kIrb, fixed("link_6", "a_tool0", "0 0 1")), "\"tool0\"", "\"b_tool0\""))

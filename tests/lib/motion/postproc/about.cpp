@@ -44,8 +44,8 @@ TEST(About, NotesAreSummedAndFactsStand) {
     for (const auto& line : head) EXPECT_LE(line.size(), 100u);
 }
 
-// The strokes are those of the program, whatever sequence planned; the bound is left out where it is not one of the
-// job.
+// The strokes are those of the program, not those that sequence planned; the bound is left out where it is not one of
+// the job.
 TEST(About, StrokesAreThoseOfTheProgram) {
     postproc::FirstPass first_pass;
     const auto says = [&](std::uint64_t strokes, double planned, double bound) {

@@ -61,7 +61,7 @@ TEST(Approach, EveryRotaryProfileComesFromAboveAlongTheTool) {
         EXPECT_LT(distance(last.from.axis, last.to.axis), 1e-6) << name;
         EXPECT_LT(norm(cross(last.from.tip - place, up)), 0.02) << name;
         EXPECT_GT(dot(last.from.tip - place, up), 1) << name;
-        // Whatever turns the tool does so where the machine's Z is at the start's height or the approach's.
+        // All moves that turn the tool are where the machine's Z is at the start's height or the approach's.
         double turned = 0;
         for (std::size_t i = 0; i < first; ++i) {
             const auto& m = read.moves[i];

@@ -1,4 +1,4 @@
-// What a robot's axes cannot do is told with the place, the axis and the amount; what they can only do slowly is slow.
+// Errors name the place, the axis and the amount that a robot cannot reach; moves that it can only do slowly are slow.
 #include "base/error.hpp"
 #include "geom/angle.hpp"
 #include "robots.hpp"
@@ -160,7 +160,7 @@ TEST(Carry, WithoutAModelNothingIsCheckedAndThatIsTold) {
     ASSERT_NE(note_of(w, "robot-unchecked"), nullptr);
     EXPECT_TRUE(std::isnan(fact_of(w, "nearest-singularity")));
     EXPECT_NE(w.text.find("PTP {X "), std::string::npos);
-    EXPECT_EQ(w.text.find(",S "), std::string::npos); // nobody knows
+    EXPECT_EQ(w.text.find(",S "), std::string::npos); // unknown
     asked.dialect = "rapid";
     EXPECT_NE(written(asked, arc()).text.find("MoveJ [["), std::string::npos);
     asked.dialect = "urscript";
@@ -169,7 +169,7 @@ TEST(Carry, WithoutAModelNothingIsCheckedAndThatIsTold) {
 }
 
 TEST(Carry, StrokesGoOnFromWhereTheLastOneEnded) {
-    // Many short strokes all over a plate: whatever the axes do, each program's frames stand in one way.
+    // Many short strokes all over a plate: for any way of the axes, each program's frames stand in one way.
     Asked asked;
     asked.base = "1200, 0, 500, 0, 0, 0";
     asked.kinematics = "spin = \"free\"\n";

@@ -1,4 +1,4 @@
-// Fibre strokes: cut where the tail needs it, whatever the path and the machine; nothing too short is laid.
+// Fibre strokes: cut where the tail needs it, for any path and machine; none is too short.
 #include "fibre.hpp"
 #include "base/error.hpp"
 #include "postproc/job.hpp"

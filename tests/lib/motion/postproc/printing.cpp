@@ -1,4 +1,4 @@
-// What a printer wants to be told besides moves: an offset, pauses, values by layer, how far it is, which part it is
+// What a program says to a printer besides moves: an offset, pauses, values by layer, how far it is, which part it is
 // at.
 #include "sample.hpp"
 

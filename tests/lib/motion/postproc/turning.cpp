@@ -87,7 +87,8 @@ TEST(Turning, FindsTheConeThatAxesWereDrawnFrom) {
         EXPECT_NEAR(cone.half, half, 1e-6);
         EXPECT_LT(angle(cone.axis, turn.z), 1e-6);
         const auto up = postproc::upright(cone.axis);
-        for (const Vec3& a : axes) EXPECT_LE(angle(up(a), {0, 0, 1}), half + 1e-5); // angles are said in 1e-4 degrees
+        for (const Vec3& a : axes)
+            EXPECT_LE(angle(up(a), {0, 0, 1}), half + 1e-5); // angles are multiples of 1e-4 degrees
     }
 }
 

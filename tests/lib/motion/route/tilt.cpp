@@ -112,7 +112,7 @@ TEST(Tilt, FadesOutNoFasterThanItMay) {
     }
 }
 
-// On a slope the tilt is off its normal, and away from a wall that leans likewise.
+// On a slope the tilt is off its normal, and away from a wall that leans, too.
 TEST(Tilt, NothingIfNoTiltIsEnough) {
     const Leans run({line(-20, 20, 4)}, wall(-500, 500), {3 * kDegree, 5 * kDegree}, {true, true, true, true});
     EXPECT_EQ(run.tilted.spans[0].points.size(), 5U);

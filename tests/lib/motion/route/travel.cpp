@@ -103,7 +103,7 @@ TEST(Travel, OverAWallBetweenTwoPoints) {
     const Travel t = world.run({{0, 0, 0}}, {{20, 0, 0}});
     EXPECT_EQ(t.kind, Kind::over);
     EXPECT_TRUE(t.free);
-    // No shorter than up by 1, straight to an edge, along the wall, and the same down, but for what may be pressed
+    // No shorter than up by 1, straight to an edge, along the wall, and the same down, except for what may be pressed
     // upon; no longer than by a corner 1 above the wall.
     EXPECT_GE(t.length, 2 * (1 + std::hypot(9, 4 - world.options.press)) + 2);
     EXPECT_LE(t.length, 2 * (1 + std::hypot(10, 5.1)));

@@ -87,7 +87,7 @@ Loops random_region_in_one_piece(std::uint32_t seed) {
     }
 }
 
-// Whatever pairs of links can join, spirals join, too; and no ring loses more than the bends take.
+// Spirals join all rings that pairs of links can join; and no ring loses more than the bends take.
 TEST_P(Joined, SpiralsKeepEveryRingInOneCurveThatDoesNotCrossItself) {
     const Loops region = random_region_in_one_piece(GetParam());
     const rings::Rings rings = lanes(region);

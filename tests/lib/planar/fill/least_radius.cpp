@@ -81,7 +81,7 @@ TEST_P(RoundRegion, EveryTighterTurnIsCounted) {
         }
         const Note* tight = find(notes, "turn-too-tight");
         EXPECT_EQ(tight == nullptr ? 0 : tight->count, places);
-        // what is left open is said: what beads cover and what is open make up the region, roughly
+        // a note reports the open area: with the area under beads it makes up the region, roughly
         const Note* open = find(notes, "area-left-for-radius");
         const double area = polygon::signed_area(region), left = open == nullptr ? 0 : open->amount;
         EXPECT_LE(left, s.unplaced);

@@ -56,7 +56,7 @@ TEST(Infill, LoopsAreSimpleInsideAndABeadApart) {
         << necks; // 3 of 40 areas now: what a better choice of places would mend
 }
 
-// All of an area but for what is lower than half a bead, or ends half a bead beyond a row; each square whole.
+// All of an area except what is lower than half a bead, or ends half a bead beyond a row; each square whole.
 TEST(Infill, SquaresAreWhole) {
     unsigned areas = 0;
     for (unsigned seed = 0, n = trials(40); seed < n; ++seed)
@@ -190,7 +190,7 @@ TEST(Infill, ConcentricLinesJoinAllOutlines) {
 TEST(Infill, EachLineIsPassedOnce) {
     const Loops square = test::loop({{0, 0}, {60, 0}, {60, 60}, {0, 60}});
     const double laid = length(loops(square, {InfillPattern::rows, 0, 6, kWidth, 0}));
-    EXPECT_NEAR(laid, 9 * 59.6 + 119.2, 4); // but for the two in the outline
+    EXPECT_NEAR(laid, 9 * 59.6 + 119.2, 4); // except for the two in the outline
 }
 
 // Lines that carry: those that go on below are among them, no gap is wider than asked for, and the first between them

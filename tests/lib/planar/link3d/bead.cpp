@@ -57,7 +57,7 @@ TEST(Bead, CutGoesOnceAroundAndStopsAGapShort) {
                     EXPECT_EQ(std::count(c.points.begin(), c.points.end(), b.points.back()), 1);
                 }
                 EXPECT_TRUE(b.width.size() == 1 || b.width.size() == b.points.size());
-                // every point is there, but for those in the gap, in the order asked for
+                // every point is there, except those in the gap, in the order asked for
                 std::size_t found = 0;
                 for (const auto p : c.points)
                     for (const auto q : b.points) found += geom::distance(p, q) < 1e-5 ? 1 : 0;

@@ -310,7 +310,7 @@ TEST(PrintedBodies, IgnoresBodiesWithNothingInThem) {
     EXPECT_EQ(travel(printed, {50, 50, 1}, {60, 60, 1.5}, {}).size(), 3U);
 }
 
-// The head touches the side of a bead, half a width beside its middle line: whatever its place, width and height.
+// The head touches the side of a bead, half a width beside its middle line, for any place, width and height.
 TEST(PrintedBodies, AreAsWideAsTheirBeads) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(0, 1);

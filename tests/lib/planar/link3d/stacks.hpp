@@ -76,7 +76,7 @@ inline std::size_t crossings(const std::vector<Span>& spans) {
 
 // What holds for every toolpath.
 inline void check(const std::vector<RegionPaths>& regions, const Result& r) {
-    std::uint64_t reasons = 0; // every stroke more than planned has one that is told
+    std::uint64_t reasons = 0; // every stroke more than planned has one in a note
     for (const Note& n : r.notes)
         if (code_name(n).starts_with("join-") || code_name(n).starts_with("break-") ||
             n.code == NoteCode::connector_impossible)
@@ -111,7 +111,7 @@ inline void check(const std::vector<RegionPaths>& regions, const Result& r) {
         std::size_t missing = 0;
         for (const auto& c : region.curves)
             for (const auto p : c.points) missing += index.nearest(p, 0.3 * kWidth) ? 0 : 1; // beside lanes they move
-        EXPECT_LE(missing, region.curves.size()) << "every point is printed, but for one in a gap";
+        EXPECT_LE(missing, region.curves.size()) << "every point is printed, except for one in a gap";
         curves += region.curves.size();
     }
     EXPECT_EQ(spans[Role::bead], curves);

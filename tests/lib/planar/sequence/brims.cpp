@@ -73,7 +73,7 @@ TEST(Brims, TheHeadHasRoomOverThem) {
 }
 
 // An island that begins in the air beside a brim waits for the brim, and so for the region of that brim, which may
-// stand far away from it. With a head or without, and whatever else waits for what: the order keeps every precedence
+// stand far away from it. With a head or without, and with any other precedences: the order keeps every precedence
 // (or sequence() throws), and each brim is printed just before its region.
 TEST(Brims, StayBeforeTheirRegionsBesideHangingIslands) {
     Random random(6);
@@ -98,7 +98,7 @@ TEST(Brims, StayBeforeTheirRegionsBesideHangingIslands) {
     }
 }
 
-// A skirt fills the nozzle, so it is the first that its tool prints, wherever it lies and whatever else there is.
+// A skirt fills the nozzle, so it is the first that its tool prints, wherever it lies, beside any regions.
 TEST(Skirts, ComeFirst) {
     Random random(5);
     for (int trial = 0; trial < 20; ++trial) {

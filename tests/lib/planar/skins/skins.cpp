@@ -59,7 +59,7 @@ Loops sparse_of(const Region& r) {
     return out;
 }
 
-// By the definition, layer by layer: nothing sparse has less than so many layers of material above or below it, but for
+// By the definition, layer by layer: nothing sparse has less than so many layers of material above or below it, except
 // what is narrower than a hairline; nothing sparse is a wall.
 TEST(Skins, NothingSparseIsSeenThroughTooFewLayers) {
     for (unsigned seed = 0, n = trials(6); seed < n; ++seed)

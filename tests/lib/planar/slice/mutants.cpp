@@ -1,4 +1,4 @@
-// Damaged meshes: what is printed of them is what the part was before, within 2 %, or it is told.
+// Damaged meshes: they print as the part was before, within 2 %, or a note reports it.
 //
 // FILUM_MUTANTS=N makes N of each kind and part, all the strengths between, instead of one: 5 are more than 500 meshes.
 // FILUM_MUTANT_MESHES="a.stl b.obj" damages those as well; FILUM_MUTANT_KIND limits the kinds to those so called.
@@ -87,7 +87,7 @@ struct Tally {
     int meshes = 0, off = 0, refused = 0;
 };
 
-// Does one: 2 % and more away from `wanted` must be told, by the amount that is beyond them at least; or, of what is
+// Does one: 2 % and more away from `wanted` must be noted, by the amount that is beyond them at least; or, if it is
 // `destroyed`, in any amount, or refused.
 void try_one(const mesh::Mesh& damaged, double wanted, double h, bool destroyed, Tally& tally) {
     const Printed p = printed(damaged, h);

@@ -113,13 +113,13 @@ inline Mesh without(Mesh m, const std::function<bool(const Triangle&)>& pick) {
     return m;
 }
 
-// What a damaged mesh ought to be printed as: the part before; the part before, if it has neither hollows nor arms;
+// What a damaged mesh ought to be printed as: the part before; the part before, if it has no hollows and no arms;
 // that with its faces where they now are; two of it.
 enum class Meant { as_before, as_before_if_round, as_it_is, twice };
 
 struct Kind {
     const char* name;
-    // strength s in [0, 1]; the result is welded by whoever calls
+    // strength s in [0, 1]; the caller welds the result
     Mesh (*make)(const Mesh& m, double s, Dice& dice);
     Meant meant = Meant::as_before;
     bool destroys = false; // so that nobody can tell any more what is solid, if strong

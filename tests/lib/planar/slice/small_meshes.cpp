@@ -35,7 +35,7 @@ void limit_time(int seconds) {
     ::setitimer(ITIMER_PROF, &limit, nullptr);
 }
 
-// Whatever comes of the mesh, it comes in time and is an answer: layers, or an Error that is none of the program's own.
+// Every mesh gets an answer in time: layers, or an Error that is none of the program's own.
 void passes(const mesh::Mesh& m, const std::string& name) {
     now_at_work = "no end within the time limit: " + name + "\n";
     limit_time(kSeconds);

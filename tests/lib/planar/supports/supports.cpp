@@ -68,7 +68,7 @@ double support_area(const std::vector<Region>& regions) {
     return out;
 }
 
-// Bodies say where supports are wanted and where not, in layers of the part, whatever a raft puts below it.
+// Bodies say where supports are wanted and where not, in layers of the part, with any raft below it.
 TEST(Supports, StandWhereABodyWantsThem) {
     const std::vector<Loops> right(13, test::rectangle(0, -20, 20, 20));
     Facts facts;
@@ -353,7 +353,7 @@ TEST(Supports, ABrimLiesAboutSupportsToo) {
         sum += r.area;
         laid.add(r.loops);
     }
-    EXPECT_NEAR(sum, polygon::signed_area(polygon::unite(laid)), 0.01); // nothing is laid twice
+    EXPECT_NEAR(sum, polygon::signed_area(polygon::unite(laid)), 0.01); // nothing overlaps
 }
 
 TEST(Supports, WithoutWishesNothingChanges) {

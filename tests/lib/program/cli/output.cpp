@@ -92,7 +92,7 @@ TEST(Output, PassesAllOnWhereNothingIsAsked) {
     output.pass_on(
         {{}, {{.code = NoteCode::sliver_dropped, .amount = 1, .stage = "stage"}}, {{"stage", "area", 3, "mm2"}}});
     testing::internal::CaptureStderr();
-    output.close(); // what was said before is not said again
+    output.close(); // notes of earlier stages are not printed again
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     EXPECT_EQ(frames(file.path), (std::vector<std::string>{"stage noted sliver-dropped", "stage found area mm2"}));
 }

@@ -1,4 +1,4 @@
-// A record holds all that its frame says, whatever fields the messages have.
+// A record holds all that its frame says, for any fields of the messages.
 #include "wire/record.hpp"
 
 #include "base/error.hpp"

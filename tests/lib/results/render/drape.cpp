@@ -1,4 +1,4 @@
-// Surfaces and paths on them: true to scale, voids where no bead is, whatever the mesh.
+// Surfaces and paths on them: true to scale, voids where no bead is, for any mesh.
 #include "render/drape.hpp"
 
 #include "base/error.hpp"
@@ -23,7 +23,7 @@ toolpath::Span lane(Vec3 a, Vec3 b, Vec3 normal = {0, 0, 1}, std::uint32_t layer
     return {toolpath::Role::bead, 0, layer, 0, {a, b}, {1.0}, {0.2}, {normal, normal}};
 }
 
-// Lanes of 1 mm that fill the square but for the first `missing`, `z` above it.
+// Lanes of 1 mm that fill the square except for the first `missing`, `z` above it.
 std::vector<toolpath::Span> lanes(int missing, double z = 0, Vec3 normal = {0, 0, 1}) {
     std::vector<toolpath::Span> out;
     for (int k = missing; k < 10; ++k) out.push_back(lane({0, k + 0.5, z}, {10, k + 0.5, z}, normal));

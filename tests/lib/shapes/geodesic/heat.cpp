@@ -1,4 +1,4 @@
-// The heat method comes near the exact distance, whatever the mesh.
+// The heat method comes near the exact distance, for any mesh.
 #include "geodesic/heat.hpp"
 #include "geodesic/certificate.hpp"
 #include "geodesic/exact.hpp"

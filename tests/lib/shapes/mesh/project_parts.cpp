@@ -67,8 +67,8 @@ struct RandomProject {
 
 } // namespace
 
-// Whatever a project sets where: each part gets, by the job's settings and those of its body, what it has in the
-// slicer.
+// For any settings in any place of a project: each part gets, by the job's settings and those of its body, what it has
+// in the slicer.
 TEST(ProjectParts, EachHasItsSettings) {
     for (unsigned seed = 0; seed < 300; ++seed) {
         RandomProject made{std::mt19937(seed)};

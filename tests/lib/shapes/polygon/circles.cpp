@@ -150,7 +150,7 @@ TEST(Circles, OfTwoPointsAndALineAreThoseOfIntegersWithoutLimit) {
     EXPECT_GT(found, 2 * tried * 9 / 10);
 }
 
-// A line and two points as far from it: of the two circles one is left, whatever is asked.
+// A line and two points as far from it: of the two circles one is left, for any question.
 TEST(Circles, OfPointsParallelToTheLineIsOne) {
     const SiteLine line{{100000, 100000}, {102000, 100000}};
     for (const bool left : {false, true})

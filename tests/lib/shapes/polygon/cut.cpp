@@ -13,7 +13,7 @@ using namespace filum::polygon;
 
 namespace {
 
-// Stars with holes, some of which overlap: a union of random loops.
+// Stars with holes, some overlapping: a union of random loops.
 Loops random_area(std::mt19937& random) {
     std::uniform_real_distribution<double> some(0, 1);
     const auto star = [&](double size, Loops& to) {

@@ -42,7 +42,7 @@ TEST(Facing, DomesAndSheetsThatFaceDownAreFound) {
     EXPECT_EQ(surface::inward(facing::dome(-5)).components, 0U) << "a bowl that is filled from above";
 }
 
-// From the shape alone, the inside of a fillet cannot be told from the outside of a ridge.
+// From the shape alone, the inside of a fillet looks like the outside of a ridge.
 TEST(Facing, AConcavePartFacesInwardsFromHalfATurnOn) {
     for (const double degrees : {30, 60, 90, 120, 150}) {
         const surface::Surface s = facing::inside_of_arc(degrees);

@@ -67,7 +67,7 @@ TEST(Flange, GoesOnInTheTangentPlanes) {
     }
 }
 
-// A hole like a C that ends in two chambers, in which there is room: so it is neither a narrow hole nor a notch.
+// A hole like a C that ends in two chambers, in which there is room: so it is no narrow hole, and no notch.
 TEST(Flange, InAHoleLeavesHalfOfItFree) {
     const auto off = [](const Vec3& p) { return std::abs(std::hypot(p.x - 20, p.y - 20) - 10); };
     const auto hole = [&](geom::Vec2 p) {

@@ -1,4 +1,4 @@
-// Whatever triangles come in, a manifold comes out, and what was changed is told.
+// Any triangles become a manifold, and notes report the changes.
 #include "surface/surface.hpp"
 #include "base/error.hpp"
 #include "surface/section.hpp"

@@ -117,7 +117,7 @@ TEST(Merge, ACircleTakesAsFewStraightMovesAsItsBandAllows) {
     }
 }
 
-// Beads side by side lie as they were told, on average: moves bend where the line does.
+// Beads side by side lie where they should, on average: moves bend where the line does.
 TEST(Merge, MovesEndAtPointsOfTheLine) {
     std::mt19937 random(5);
     for (int k = 0; k < trials(200); ++k) {
@@ -269,7 +269,7 @@ TEST(Merge, WidthsStayWithinTheirShare) {
     }
 }
 
-// Two lines nearer to each other than the tolerance, each of which could be straightened through the other.
+// Two lines nearer to each other than the tolerance; each one could be straightened through the other.
 TEST(Merge, NothingCrossesThatDidNot) {
     std::mt19937 random(5);
     const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };

@@ -1,4 +1,4 @@
-// Lines, strokes and lengths that can be told beforehand.
+// Lines, strokes and lengths that are known beforehand.
 #include "base/error.hpp"
 #include "surfaces.hpp"
 
@@ -104,7 +104,7 @@ TEST(Ortheo, BothSidesOfASeedCurveInside) {
     EXPECT_EQ(out.strokes.size(), 42U);
 }
 
-// Lines grow in the middle only, where the seed curve is; what is beside them is said.
+// Lines grow in the middle only, where the seed curve is; a note reports the area beside them.
 TEST(Ortheo, NotesWhatLiesBesideItsLines) {
     surface::Sheet sheet = measured(rectangle(20, 10), "plane:0,1,0,0");
     EXPECT_TRUE(plan(sheet, options(Algorithm::ortheo)).notes.empty());

@@ -1,4 +1,4 @@
-// What a plan leaves without a bead, and what it lays twice, is told, with area and place.
+// Notes report the voids and the overlap of a plan, with area and place.
 #include "surfpath/plan/coverage.hpp"
 
 #include "surface/curve/locate.hpp"

@@ -68,7 +68,7 @@ TEST(LeastStrokes, AreNoMoreThanHybridTakesAndOneLessAtLeast) {
             EXPECT_EQ(fact(p, "cuts-bound"), tooth > 50 ? 2 : 0);
             const auto cuts = static_cast<double>(p.strokes.size()) - 1;
             EXPECT_GE(cuts, fact(p, "cuts-bound")) << tooth;
-            // Teeth of 20 mm might be laid twice, for less than a cut: but in 1 mm no turn of 2.4 mm leads back.
+            // Two passes along teeth of 20 mm would cost less than a cut, but in 1 mm no turn of 2.4 mm leads back.
             EXPECT_LE(cuts, tooth < 50 && radius > 1 ? 3 : fact(p, "cuts-bound") + 1) << tooth;
             EXPECT_GT(covered(sheet.surface, p), 0.97) << tooth;
         }

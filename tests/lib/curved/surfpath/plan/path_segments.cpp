@@ -1,4 +1,4 @@
-// Whether a stretch comes near is told as its distance tells it.
+// Whether a stretch comes near is found as by its distance.
 #include "surfpath/plan/path_segments.hpp"
 
 #include "../../../trials.hpp"

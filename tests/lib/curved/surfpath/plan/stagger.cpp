@@ -1,4 +1,4 @@
-// Turns behind each other: what is laid twice at rims, against turns that all lie at the rim.
+// Turns behind each other: their overlap at rims, against that of turns that all lie at the rim.
 #include "surfpath/plan/stagger.hpp"
 
 #include "surface/curve/walk.hpp"
@@ -89,7 +89,7 @@ TEST(Stagger, TurnsBehindEachOtherLayLessTwiceThanAllAtTheRim) {
     FILUM_NOT_SANITIZED();
     std::mt19937 random(7);
     const auto between = [&](double a, double b) { return a + (b - a) * static_cast<double>(random()) / 4294967296.0; };
-    double staggered = 0, piled = 0; // laid twice, mm2
+    double staggered = 0, piled = 0; // overlap, mm2
     for (const Bending lift : {leaning, slanted, rolled}) {
         const double a = std::floor(between(14, 18)), b = std::floor(between(14, 18)), spacing = between(0.8, 1.2);
         const double radius = between(1.6, 2.8);
@@ -114,7 +114,7 @@ TEST(Stagger, TurnsBehindEachOtherLayLessTwiceThanAllAtTheRim) {
 TEST(Stagger, TurnsWasteLittleMoreThanTheBestKnownOnes) {
     FILUM_NOT_SANITIZED();
     constexpr double kEnds = 60,
-                     kCorner = 1.3; // mm2: what a corner of the plate leaves bare that no arc of 2.4 reaches
+                     kCorner = 1.3; // mm2: the part of a corner of the plate that no arc of 2.4 reaches
     struct Rim {
         Bending lift;
         double best; // mm2 bare and twice per end of a row, of turns between every fifth row

@@ -113,7 +113,7 @@ TEST(Levels, CoverEveryMaximumOfRandomBumps) {
     EXPECT_GE(tops, static_cast<std::size_t>(trials(40)));
 }
 
-// Every line is there once, whatever the levels of its neighbours.
+// Every line is there once, for any levels of its neighbours.
 TEST(Levels, RingsOfNeighbouringBranchesKeepApart) {
     std::mt19937 random(31);
     std::size_t lines = 0;

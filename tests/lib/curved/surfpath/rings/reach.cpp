@@ -1,4 +1,4 @@
-// How much rings can cover: shapes whose answers are known, and rings on random ones, none of which may cover more.
+// How much rings can cover: shapes whose answers are known, and random ones, where no rings may cover more.
 #include "surfpath/rings/reach.hpp"
 
 #include "geodesic/isolines.hpp"

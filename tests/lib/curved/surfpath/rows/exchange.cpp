@@ -91,7 +91,7 @@ std::size_t crossings(const std::vector<Line>& lines) {
     return out;
 }
 
-// Side by side: two half turns that face each other, half of which is as good as the best.
+// Side by side: two half turns that face each other. Half of them is as good as the best.
 TEST(Exchange, ALoopBesideALineBecomesPartOfIt) {
     const Surface s = sheet_to_join_on();
     for (const bool reversed : {false, true}) {

@@ -52,7 +52,7 @@ std::size_t links_through_contours(const Loops& region, const SpiralOptions& o) 
 }
 
 // F1: beads at fixed depths leave a void of up to a bead along the medial axis, or overlap there by as much.  Walls of
-// 4.6 and 5.2 beads: 0.6 of a bead stays empty (1/8 of the wall), 0.8 of a bead is laid twice (1/7).
+// 4.6 and 5.2 beads: 0.6 of a bead stays empty (1/8 of the wall), 0.8 of a bead overlaps (1/7).
 // Property: at least 0.99 of the wall is covered, with the right amount of material within 1 percent.
 TEST(FailureModes, F1VoidOrOverlapAtTheMedialAxis) {
     const Loops wide = rectangle(0, 0, 40, 4.6 * kBead), narrow = rectangle(0, 0, 40, 5.2 * kBead);

@@ -46,7 +46,7 @@ inline std::vector<Case> random_cases(unsigned seeds) {
     return out;
 }
 
-// Closed curves that do not cross themselves, inside the region; more than one only if that is told.  Returns how many.
+// Closed curves that do not cross themselves, inside the region; more than one only with a note.  Returns how many.
 inline std::size_t sound_curves(const Case& c) {
     Notes notes;
     const auto paths = fill(c.region, {.bead_width = kBead}, notes);

@@ -13,7 +13,7 @@ using polygon::InfillPattern;
 using polygon::Loops;
 using toolpath::Feature;
 
-// Regions parts of which are sparse: all inside, or what a random blob covers, with one spacing or two.
+// Regions with sparse parts: all inside, or what a random blob covers, with one spacing or two.
 std::vector<Case> sparse_cases(unsigned seeds) {
     auto out = random_cases(seeds);
     for (auto& [r, seed] : out) {
@@ -98,7 +98,7 @@ TEST(Hollow, FeaturesTellWhereABeadLies) {
     EXPECT_NEAR(of(Feature::infill) * kBead, 19.2 * 18.4 * 0.4 / 3 + 0.4 * 37, 15);
 }
 
-// The number of points depends on the ends of rows, four or five at each, whatever their direction: joins to the wall
+// The number of points depends on the ends of rows, four or five at each, for any direction: joins to the wall
 // take two, turns along the wall two or three.
 TEST(Hollow, LongRowsTakeFewPoints) {
     for (const double direction : {0.0, 0.3, std::numbers::pi / 4, 1.2, std::numbers::pi / 2}) {

@@ -61,7 +61,7 @@ TEST(Lanes, AreClosedRingsInsideThatCrossNothing) {
     }
 }
 
-// But for corners, where each ring reaches a little too far, and hairs, which are thinner than any bead.
+// Except for corners, where each ring reaches a little too far, and hairs, which are thinner than any bead.
 TEST(Lanes, ShareTheRegion) {
     for (const Loops& region : many_regions()) {
         double outline = 0;

@@ -84,7 +84,7 @@ TEST(WallWalk, OfATreeOnlyTheLongestPathIsSingle) {
     }
 }
 
-// Whatever the walls: one curve, as wide as they are, that covers them and does not cross itself.
+// For any walls: one curve, as wide as they are, that covers them and does not cross itself.
 void expect_walls(const Loops& area, const std::string& name) {
     const auto g = wall_graph(area, 0.4);
     ASSERT_TRUE(g) << name;

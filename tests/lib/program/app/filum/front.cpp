@@ -19,7 +19,7 @@ TEST(Front, RefusesWhatIsNoCommand) {
 }
 
 TEST(Stage, AProgramThatTellsNothingIsNone) {
-    // the stages are sought beside this program: whatever stands there may be asked, but must answer
+    // the stages are sought beside this program: any program there may be asked, but must answer
     const std::string name = "mute-" + std::to_string(::getpid()), file = stage_folder() + "/" + name;
     std::ofstream(file) << "#!/bin/sh\necho hello\n";
     EXPECT_EQ(refusal([&] { ask(name); }).exit, 2); // not executable

@@ -68,7 +68,7 @@ TEST(Modifier, PlacementComesBackAsItWas) {
         EXPECT_LT(geom::distance(moved.vertices[i], again.vertices[i]), 1e-9);
     auto two = told(map);
     two.history.push_back(two.history[0]);
-    EXPECT_FALSE(placement_in(two)); // nobody knows of which part the body is
+    EXPECT_FALSE(placement_in(two)); // unknown to which part the body belongs
     EXPECT_FALSE(placement_in({}));
 }
 

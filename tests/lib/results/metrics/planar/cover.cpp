@@ -45,7 +45,7 @@ TEST(Cover, BeadsThatMeetLeaveNoGap) {
 }
 
 TEST(Cover, OfADiscByRings) {
-    std::vector<Bead> beads; // radii 0.2, 0.6, ... 4.6 of a disc of 4.8: full, but for what chords cut off
+    std::vector<Bead> beads; // radii 0.2, 0.6, ... 4.6 of a disc of 4.8: full, except for what chords cut off
     std::uint32_t order = 0;
     for (double r = 0.2; r < 4.8; r += 0.4, order += 2)
         for (int k = 0; k < 360; ++k) {
@@ -81,7 +81,7 @@ TEST(Cover, TellsSlotsApart) {
     EXPECT_NEAR(c.slot[1].covered, 2, 1e-9);
     EXPECT_EQ(c.slot[2].area, 0);
     EXPECT_NEAR(c.whole.covered, 4, 1e-9);
-    EXPECT_NEAR(c.whole.overfill(), 2 - 2 * kPi / 4, 5e-3); // laid twice over the right one, less the round ends
+    EXPECT_NEAR(c.whole.overfill(), 2 - 2 * kPi / 4, 5e-3); // overlap on the right one, less the round ends
 }
 
 TEST(Cover, HoldsForAnyBeads) {

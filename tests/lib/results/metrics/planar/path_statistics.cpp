@@ -54,7 +54,7 @@ TEST(PathStatistics, BreaksFallIntoClasses) {
     EXPECT_NEAR(c.longest_gap, std::hypot(10, 5), 1e-12);
 }
 
-// Machines take back on their way up, too, unless they are told not to.
+// Machines take back on their way up, too, unless a setting forbids it.
 TEST(PathStatistics, AWayStraightUpIsAStop) {
     const auto stops = [](toolpath::Retraction retraction) {
         auto up = travel({10, 0, 0.4}, {10, 0.04, 0.8});

@@ -119,14 +119,14 @@ TEST(Area, OfAPathThatLeavesTheSurface) {
 
 TEST(Area, OfAPathPastTheRim) {
     const auto f = measure(plate(10, 10), {span({{-5, 5, 0}, {15, 5, 0}}), span({{0, -0.3, 0}, {10, -0.3, 0}})});
-    EXPECT_NEAR(number(f, "coverage"), 0.1, 2e-3); // but for the half discs of 0.05 mm past the rim
+    EXPECT_NEAR(number(f, "coverage"), 0.1, 2e-3); // except for the half discs of 0.05 mm past the rim
     EXPECT_NEAR(number(f, "path beside the surface"), 20, 0.15);
     EXPECT_NEAR(number(f, "path beside the surface, share"), 20.0 / 30, 0.005);
     EXPECT_NEAR(number(f, "max", "off the surface"), 5, 1e-9);
 }
 
 // Two plies of lines 2 mm apart, one across the other and above it: half each, nothing retraced; a third one is empty
-// but for a line.
+// except for a line.
 TEST(Area, PlyByPly) {
     auto spans = paths::parallel(0, 20, 1, 2, 10);
     const auto across = [](double x, double z, std::uint32_t layer) {

@@ -1,4 +1,4 @@
-// Curvature of circles on plane, cylinder and sphere, whatever points they have; the paper's angles.
+// Curvature of circles on plane, cylinder and sphere, for any points on them; the paper's angles.
 #include "metrics/surface/curvature.hpp"
 #include "geodesic/isolines.hpp"
 #include "geodesic/lines.hpp"

@@ -51,7 +51,7 @@ TEST(Map, CountsBeadsPointByPoint) {
     EXPECT_TRUE(std::isnan(ply.off_median)); // nothing is asked
 }
 
-// Beads side by side, the outermost along the rims, whatever the triangles are: one bead at every point. Points inside
+// Beads side by side, the outermost along the rims, for any triangles: one bead at every point. Points inside
 // that are nearer to a rim than a sixth of a width miss a part, less than half.
 TEST(Map, ARimIsCoveredByTheBeadAlongIt) {
     for (unsigned seed = 1; seed <= 5; ++seed) {

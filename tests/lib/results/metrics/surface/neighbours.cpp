@@ -1,4 +1,4 @@
-// Gaps between neighbours, and what is laid twice.
+// Gaps between neighbours, and overlap.
 #include "metrics/surface/neighbours.hpp"
 #include "paths.hpp"
 
@@ -82,7 +82,7 @@ TEST(Gaps, AreMeasuredAlongTheSurface) {
 
 TEST(Retraced, ThereAndBack) {
     const auto there = span({{2, 5, 0}, {18, 5, 0}, {18, 5.1, 0}, {2, 5.1, 0}});
-    EXPECT_NEAR(number(measure(plate(), {there}), "retraced"), 15, 0.6); // but for two widths at the turn
+    EXPECT_NEAR(number(measure(plate(), {there}), "retraced"), 15, 0.6); // except for two widths at the turn
     const auto crossing = measure(plate(), {span({{2, 5, 0}, {18, 5, 0}}), span({{5, 0, 0}, {5, 18, 0}})});
     EXPECT_EQ(number(crossing, "retraced"), 0);
     EXPECT_EQ(number(measure(plate(), paths::parallel(0, 20, 1, 0.5, 30)), "retraced"), 0);

@@ -1,4 +1,4 @@
-// Whatever is split, collapsed and flipped: sides, fans and facing stay as a surface has them.
+// After any splits, collapses and flips: sides, fans and facing stay as a surface has them.
 #include "surface/fit/editable.hpp"
 #include "surface/fit/sizes.hpp"
 

@@ -1,4 +1,4 @@
-// Fitted triangles are alike, face as the surface does, keep rims and edges, and are as far off as is told.
+// Fitted triangles are alike, face as the surface does, keep rims and edges, and are as far off as reported.
 #include "surface/fit/fit.hpp"
 
 #include "base/error.hpp"
