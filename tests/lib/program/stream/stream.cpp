@@ -223,7 +223,7 @@ TEST(Stream, NotesComeOutAsTheyWentIn) {
     EXPECT_EQ(parse_note(serialise(in_space)).z, 0);
 }
 
-// A program of another make may know neither codes nor grades, or have its own.
+// A program of another make may know no codes and grades, or have its own.
 TEST(Stream, ForeignNotesKeepTheirTextAndAreLookedAt) {
     Note note{.amount = 2, .stage = "mine"};
     note.foreign.text = "corner rounded";
