@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
+#include "machine/set_items.hpp"
 
 #include <toml.hpp>
 
