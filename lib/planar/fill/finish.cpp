@@ -5,6 +5,7 @@
 #include "toolpath/grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace filum::fill {
 
@@ -58,12 +59,12 @@ std::vector<toolpath::Curve> finished(const rings::Rings& rings, const polygon::
         corners.rare = kRareCorners * w;
     }
     const join::OutlineEdges outline(region, 1.5 * w);
-    const auto room = [&](geom::Vec2 p) {
-        double best = w;
-        outline.grid.near({p.x - w, p.y - w}, {p.x + w, p.y + w}, [&](std::uint32_t i) {
-            best = std::min(best, geom::point_segment_distance(outline.edge[i].a, outline.edge[i].b, p));
+    const auto room = [&](geom::Vec2 p, double most) {
+        double best2 = most * most;
+        outline.grid.near({p.x - most, p.y - most}, {p.x + most, p.y + most}, [&](std::uint32_t i) {
+            best2 = std::min(best2, geom::norm2(geom::nearest_point(outline.edge[i].a, outline.edge[i].b, p) - p));
         });
-        return best;
+        return std::sqrt(best2);
     };
     std::vector<toolpath::Curve> out;
     for (toolpath::Curve& curve : join::join_rings(rings, std::max(w, how.widest), outline, how.wind, how.hung)) {

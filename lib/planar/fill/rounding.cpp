@@ -37,7 +37,7 @@ class ArcLengthCurve {
     };
     // The place at s. `i` is the segment where the search begins, and becomes the segment found.
     [[nodiscard]] At at(double s, std::size_t& i) const {
-        const double turns = std::floor(s / length());
+        const double turns = s >= 0 && s < length() ? 0 : std::floor(s / length());
         s -= turns * length();
         while (i + 1 < n_ && s_[i + 1] <= s) ++i;
         while (i > 0 && s_[i] > s) --i;
@@ -91,10 +91,24 @@ double reach_for(double open) { return std::sqrt(6 * open); }
 
 class Rounding {
   public:
-    Rounding(const toolpath::Curve& line, double width, const Corners& how, const std::function<double(Vec2)>& room)
-        : line_(&line), curve_(line), width_(width), reach_(reach_for(how.open)),
-          step_(std::sqrt(2 * reach_ * how.tolerance)), outline_(how.round == Rounded::everywhere), room_(&room) {
-        find_corners();
+    Rounding(const toolpath::Curve& line, double width, const Corners& how, const Room& room)
+        : line_(&line), curve_(line), width_(width), tolerance_(how.tolerance),
+          outline_(how.round == Rounded::everywhere), room_(&room) {
+        const std::size_t n = line.points.size();
+        turned_before_.reserve(n + 1);
+        turned_before_.push_back(0);
+        for (std::size_t i = 0; i < n; ++i) turned_before_.push_back(turned_before_.back() + turn(i));
+    }
+
+    // Finds the stretches to round: ascending, disjoint, and all within one lap from the start of the first one.
+    // `open`: mm2 of void beyond a rounded right angle.
+    void find_corners(double open) {
+        reach_ = reach_for(open);
+        step_ = std::sqrt(2 * reach_ * tolerance_);
+        parts_.clear();
+        turned_ = 0;
+        collect_corners();
+        close_lap();
     }
 
     // The sum of the turns at corners, in right angles.
@@ -138,7 +152,8 @@ class Rounding {
         const double reach = reach_ * std::min(1.0, 2 * w / width_); // narrow lanes are near each other
         const double moved = geom::distance(p, neighbourhood(curve_.s(vertex), reach).mean);
         if (2 * moved < most) return 0;
-        if ((*room_)(p) >= std::min(w, width_)) return reach; // else it lies along the outline
+        const double inside = std::min(w, width_);
+        if ((*room_)(p, inside) >= inside) return reach; // else it lies along the outline
         return outline_ ? reach * std::min(1.0, most / moved) : 0;
     }
     // The turn at a vertex: the length of the difference of the unit vectors before and after it.
@@ -150,13 +165,9 @@ class Rounding {
         return l > 0 ? std::sqrt(std::max(0.0, 2 - 2 * dot(u, v) / std::sqrt(l))) : 0;
     }
 
-    // Finds the stretches to round: ascending, disjoint, and all within one lap from the start of the first one.
-    void find_corners() {
+    // Sets the stretches about corners, ascending; their ends may lie beyond the line's.
+    void collect_corners() {
         const std::size_t n = line_->points.size();
-        std::vector<double> turned; // sum of the turns before vertex i
-        turned.reserve(n + 1);
-        turned.push_back(0);
-        for (std::size_t i = 0; i < n; ++i) turned.push_back(turned.back() + turn(i));
         // The middle of a neighbourhood with a smaller sum of turns moves by less than that of a corner.
         const double least = 2 * rings::kMostOff * width_ / reach_;
         std::size_t first = 0, last = 0; // vertices within the reach
@@ -165,7 +176,7 @@ class Rounding {
             while (curve_.s(first) < s - reach_) ++first;
             while (last < n && curve_.s(last) <= s + reach_) ++last;
             const bool whole = s > reach_ && s < curve_.length() - reach_;
-            if (whole && turned[last] - turned[first] < least) continue;
+            if (whole && turned_before_[last] - turned_before_[first] < least) continue;
             const double reach = reach_at(i);
             if (reach == 0) continue;
             if (parts_.empty() || s - reach > parts_.back().end) parts_.push_back({s - reach, s + reach, {}});
@@ -173,6 +184,10 @@ class Rounding {
             parts_.back().corner.push_back({s, reach});
             turned_ += turn(i);
         }
+    }
+    // Joins the last stretches to the first one where they reach it, and begins with the stretch that holds the line's
+    // first point.
+    void close_lap() {
         while (parts_.size() > 1 && parts_.back().end >= parts_.front().begin + curve_.length()) {
             RoundedStretch& first = parts_.front();
             std::vector<Corner>& before = parts_.back().corner;
@@ -201,16 +216,18 @@ class Rounding {
         for (int k = 0; k <= n; ++k) {
             const double s = part.begin + (part.end - part.begin) * k / n;
             const auto [mean, slower] = neighbourhood(s, std::max(1e-6, reach(s)));
-            const double w = curve_.at(s, here_).width;
-            out_.add(mean, std::max(w, std::min(w * std::min(slower, rings::kWidest), 2 * (*room_)(mean))));
+            const double w = curve_.at(s, here_).width, wider = w * std::min(slower, rings::kWidest);
+            out_.add(mean, std::max(w, 2 * (*room_)(mean, std::min(wider / 2, width_))));
         }
     }
 
     const toolpath::Curve* line_;
     ArcLengthCurve curve_;
-    double width_, reach_, step_; // mm; points step_ apart are off by at most a quarter of the tolerance
+    double width_, tolerance_;          // mm
+    double reach_ = 0, step_ = 0;       // mm; points step_ apart are off by at most a quarter of the tolerance
+    std::vector<double> turned_before_; // per vertex: the sum of the turns before it
     bool outline_;
-    const std::function<double(Vec2)>* room_;
+    const Room* room_;
     std::size_t behind_ = 0, here_ = 0, ahead_ = 0; // segments of the previous queries
     std::vector<RoundedStretch> parts_;
     double turned_ = 0; // sum of turn() over corners
@@ -219,18 +236,16 @@ class Rounding {
 
 } // namespace
 
-toolpath::Curve rounded(const toolpath::Curve& line, double width, const Corners& how,
-                        const std::function<double(Vec2)>& room) {
+toolpath::Curve rounded(const toolpath::Curve& line, double width, const Corners& how, const Room& room) {
     if (how.round == Rounded::nowhere) return line;
     const double length = geom::length(line.points) + geom::distance(line.points.back(), line.points.front());
     if (length < 8 * reach_for(how.open)) return line;
-    Rounding all(line, width, how, room);
-    if (length >= how.rare * all.right_angles()) return line;
-    const double share = how.open_in_all / all.right_angles();
-    if (share >= how.open) return all.run();
-    Corners less = how;
-    less.open = share;
-    return Rounding(line, width, less, room).run();
+    Rounding rounding(line, width, how, room);
+    rounding.find_corners(how.open);
+    if (length >= how.rare * rounding.right_angles()) return line;
+    const double share = how.open_in_all / rounding.right_angles();
+    if (share < how.open) rounding.find_corners(share);
+    return rounding.run();
 }
 
 } // namespace filum::fill

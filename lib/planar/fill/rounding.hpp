@@ -10,6 +10,9 @@ namespace filum::fill {
 
 using geom::Vec2;
 
+// The distance of a point from the outline of its region, or the second number (mm) if that is less.
+using Room = std::function<double(Vec2, double)>;
+
 enum class Rounded { nowhere, inside, everywhere }; // inside: all corners except those along the outline
 
 struct Corners {
@@ -30,13 +33,12 @@ struct Corners {
 // corner moves by more than that offset. Straight and gently bent stretches stay as they are, and parallel corners stay
 // parallel.
 //
-// The bead gets wider where it gets shorter, up to what a machine can follow and up to the room it has. `room(p)` is
-// the distance from p to the outline of the region, or any number larger than a bead.
+// The bead gets wider where it gets shorter, up to what a machine can follow, to twice the `width` and to the room that
+// it has.
 //
 // Corners stay sharp where they are rare (`Corners::rare`). A line also stays as it is if the reaches of a square's
 // corners would meet on a line of its length. The result may cross itself where the line came nearer to itself than the
 // reach.
-toolpath::Curve rounded(const toolpath::Curve& line, double width, const Corners& how,
-                        const std::function<double(Vec2)>& room);
+toolpath::Curve rounded(const toolpath::Curve& line, double width, const Corners& how, const Room& room);
 
 } // namespace filum::fill

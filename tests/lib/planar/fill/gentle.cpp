@@ -24,7 +24,7 @@ using test::random_region;
 using test::rectangle;
 using toolpath::Curve;
 
-double anywhere(Vec2) { return 1e9; } // no outline near
+double anywhere(Vec2, double most) { return most; } // no outline near
 
 rings::Rings lanes(const Loops& region) { return rings::lanes(region, {.width = kWidth, .tolerance = 0.005}); }
 
@@ -193,7 +193,7 @@ TEST(Rounded, LeavesNoMoreThanAskedForInAll) {
 }
 
 TEST(Rounded, LeavesGentleCornersAndMovesThoseOfTheOutlineNoFurtherThanABeadMayBeOff) {
-    const auto at_outline = [](Vec2) { return kWidth / 2; };
+    const auto at_outline = [](Vec2, double most) { return std::min(most, kWidth / 2); };
     for (double turn = 0.05; turn < 3; turn += 0.1) { // rad, at the middle of the upper side
         const Vec2 tip{5, 10 + 5 * std::tan(turn / 2)};
         Curve line;
@@ -218,10 +218,12 @@ TEST(Rounded, LeavesGentleCornersAndMovesThoseOfTheOutlineNoFurtherThanABeadMayB
 }
 
 TEST(Rounded, KeepsBeadsInsideTheOutline) {
-    const auto room = [](Vec2 p) { return std::min({p.x, p.y, 10 - p.x, 10 - p.y}) + kWidth / 2; };
+    const auto room = [](Vec2 p, double most) {
+        return std::min(most, std::min({p.x, p.y, 10 - p.x, 10 - p.y}) + kWidth / 2);
+    };
     const Curve round = rounded(square(10), kWidth, kCorners, room);
     for (std::size_t i = 0; i < round.points.size(); ++i)
-        EXPECT_LE(round.width[i] / 2, room(round.points[i]) + 0.02 * kWidth);
+        EXPECT_LE(round.width[i] / 2, room(round.points[i], 10) + 0.02 * kWidth);
 }
 
 // Lines with two ends take in the rings beside them, and never each other.
@@ -264,7 +266,9 @@ TEST(Rounded, LeavesStraightLinesAndSpecksAlone) {
 
 TEST(Rounded, KeepsCornersAlongTheOutlineWhereAsked) {
     const Corners inside{kCorners.open, kCorners.tolerance, Rounded::inside};
-    const auto room = [](Vec2 p) { return std::min({p.x, p.y, 10 - p.x, 10 - p.y}) + kWidth / 2; };
+    const auto room = [](Vec2 p, double most) {
+        return std::min(most, std::min({p.x, p.y, 10 - p.x, 10 - p.y}) + kWidth / 2);
+    };
     EXPECT_EQ(rounded(square(10), kWidth, inside, room).points, square(10).points);
     EXPECT_LT(sharpest(rounded(square(10), kWidth, inside, anywhere).points), 0.4); // an inner bead
 }
