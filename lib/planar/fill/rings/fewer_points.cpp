@@ -197,8 +197,9 @@ class BeadSimplifier {
 void add_tapered(Vec2 p, double width, double least_void, toolpath::Curve& to) {
     if (!to.points.empty()) {
         const Vec2 from = to.points.back();
-        const double wide = to.width.back(), area = std::abs(width - wide) * geom::distance(from, p) / 16;
-        const int parts = area > least_void ? static_cast<int>(std::ceil(std::sqrt(area / least_void))) : 1;
+        const double wide = to.width.back(), change = std::abs(width - wide) / 16, length2 = geom::norm2(p - from);
+        const bool small = change * change * length2 <= least_void * least_void; // one part, and no root
+        const int parts = small ? 1 : static_cast<int>(std::ceil(std::sqrt(change * std::sqrt(length2) / least_void)));
         for (int k = 1; k < parts; ++k) {
             const double t = static_cast<double>(k) / parts;
             to.add(geom::lerp(from, p, t), std::lerp(wide, width, t));
