@@ -5,6 +5,7 @@
 #include "polygon/segments.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace filum::fill::hollow {
 
@@ -60,17 +61,17 @@ class NearestLoop {
 
   private:
     [[nodiscard]] Hit within(Vec2 p, double reach, Feature wanted) const {
-        Hit out{Feature::solid, 2 * w_, 2 * w_};
+        Hit out{Feature::solid, 4 * w_ * w_, 4 * w_ * w_}; // squares, until all segments are measured
         grid_.near(p - Vec2{reach, reach}, p + Vec2{reach, reach}, [&](std::uint32_t k) {
-            const double d = geom::point_segment_distance(segments_[k].a, segments_[k].b, p);
+            const double d2 = geom::norm2(geom::nearest_point(segments_[k].a, segments_[k].b, p) - p);
             const Feature feature = from_->feature[loop_of_[k]];
-            if (feature == wanted) out.same = std::min(out.same, d);
-            if (d < out.best) {
-                out.best = d;
+            if (feature == wanted) out.same = std::min(out.same, d2);
+            if (d2 < out.best) {
+                out.best = d2;
                 out.feature = feature;
             }
         });
-        return out;
+        return {out.feature, std::sqrt(out.best), std::sqrt(out.same)};
     }
 
     const LooseCurves* from_;
