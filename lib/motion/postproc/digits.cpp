@@ -30,13 +30,13 @@ void append_comment(std::string& out, std::string_view text, machine::CommentSty
     const char begin[] = {';', '(', '!', '#'};
     out += begin[static_cast<std::size_t>(style)];
     if (is_active(text)) out += '-'; // now LinuxCNC does not execute it
-    for (const char c : printable(text)) {
-        if (round && (c == '(' || c == ')'))
-            out += c == '(' ? '[' : ']';
-        else
-            out += c;
+    std::string shown = printable(text);
+    if (round) {
+        std::replace(shown.begin(), shown.end(), '(', '[');
+        std::replace(shown.begin(), shown.end(), ')', ']');
+        shown += ')';
     }
-    if (round) out += ')';
+    out += shown;
 }
 
 std::vector<std::string> wrapped(std::string_view text, std::size_t width, std::string_view indent) {
