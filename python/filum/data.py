@@ -30,7 +30,8 @@ class Note:
     amount, unit, count: how much in all, over how many cases
     layer: -1 if it is no layer's
     x, y, z: mm, the worst case; nan if nowhere, z None if the layer says how high
-    bead: mm, width of the job's beads, 0 if unknown; the grade is that of this note alone, without others of its code
+    bead: mm, width w of the job's beads: notes of one kind are harmless together if their amounts add up to less than
+        pi/4 w^2 (in mm2) or w (in mm); 0: never
     """
 
     message = stream_pb2.Note

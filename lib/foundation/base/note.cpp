@@ -102,13 +102,6 @@ double badness(const Note& n, Sum sum) {
 
 Sum way_to_sum(const Note& n) { return row(n) != nullptr ? row(n)->sum : Sum::total; }
 
-// True if the note's whole amount of area or length is less than the smallest thing that the job can print.
-bool less_than_a_dot(const Note& n, const Row& r) {
-    if (r.sum != Sum::total || !(n.bead > 0) || n.amount < 0) return false;
-    return (r.unit == "mm2" && n.amount < std::numbers::pi / 4 * n.bead * n.bead) ||
-           (r.unit == "mm" && n.amount < n.bead);
-}
-
 // The sentence for docs/notes.md: placeholders are replaced by their names, such as *amount*.
 std::string for_the_page(std::string_view sentence) {
     std::string out;
@@ -157,10 +150,17 @@ NoteCode note_code(std::string_view name) {
     return NoteCode::foreign;
 }
 
+Grade code_grade(const Note& n) { return row(n) != nullptr ? row(n)->grade : n.foreign.grade; }
+
+bool goes_by_amount(const Note& n) {
+    const std::string in = unit(n);
+    return way_to_sum(n) == Sum::total && (in == "mm2" || in == "mm");
+}
+
 Grade grade(const Note& n) {
-    const Row* r = row(n);
-    if (r == nullptr) return n.foreign.grade;
-    return less_than_a_dot(n, *r) ? Grade::harmless : r->grade;
+    const double dot = unit(n) == "mm2" ? std::numbers::pi / 4 * n.bead * n.bead : n.bead;
+    const bool less = goes_by_amount(n) && n.amount >= 0 && n.amount < dot;
+    return less ? Grade::harmless : code_grade(n);
 }
 
 std::string unit(const Note& n) { return row(n) != nullptr ? std::string(row(n)->unit) : n.foreign.unit; }
@@ -183,9 +183,10 @@ std::string line(const Note& n) {
 }
 
 bool same_kind(const Note& a, const Note& b) {
-    return a.code == b.code && a.stage == b.stage && a.detail == b.detail && a.patch == b.patch &&
-           (a.code != NoteCode::foreign ||
-            (a.foreign.text == b.foreign.text && a.foreign.unit == b.foreign.unit && a.foreign.code == b.foreign.code));
+    if (a.code != b.code || a.stage != b.stage || a.detail != b.detail || a.patch != b.patch) return false;
+    const ForeignNote &f = a.foreign, &g = b.foreign;
+    return a.code != NoteCode::foreign ||
+           (f.code == g.code && f.unit == g.unit && (!f.code.empty() || f.text == g.text));
 }
 
 void add(Note& sum, const Note& n) {

@@ -39,7 +39,7 @@ struct Note {
     std::string detail{};    // the text for {d} in the sentence
     std::string patch{};     // the patch that the note is about, if there are several
     std::string stage{};     // the program that made the note; set by the writer of the stream
-    double bead = 0;         // width of the job's beads, mm, set by the writer of the stream; 0: unknown
+    double bead = 0;         // width of the job's beads, mm; 0: unknown, or no matter. Set by the writer of the stream
     ForeignNote foreign{};   // its text, if the code is foreign
 };
 
@@ -54,10 +54,15 @@ std::string code_name(const Note& note);
 // The code with that name; `foreign` if there is none.
 NoteCode note_code(std::string_view name);
 
-// The grade of the note's code. A note whose amount adds up is harmless, of any code, if all of it is less than the
-// dot of a bead: an area below pi/4 w^2, or a length below w, for beads w wide. A code can except itself (`every` in
-// notes.def), and nothing is less than a bead of unknown width.
-Grade grade(const Note& note);
+// The grade of the note's code, or the one that a foreign note brings; that of any amount.
+Grade code_grade(const Note& note);
+// Whether the note's amounts add up to an area or a length, and less than a dot of it is harmless. True for foreign
+// notes in mm2 and mm; codes of `every`, `most` and `least` in notes.def are excepted.
+bool goes_by_amount(const Note& note);
+// The grade of a sum of notes. It is harmless, of any code that goes by its amount, if all of it is less than the dot
+// of a bead: an area below pi/4 w^2, or a length below w, for beads w wide. Otherwise it is code_grade(). Nothing is
+// less than a bead of unknown width.
+Grade grade(const Note& sum);
 std::string unit(const Note& note);
 
 // The note as one sentence, without its place: "12 hairline gaps were closed (0.04 mm2)".
@@ -70,7 +75,8 @@ std::string line(const Note& note);
 
 // Adds `note` to a sum of the same kind. The sum keeps the place of the worst case, and the narrower bead.
 void add(Note& sum, const Note& note);
-// True if two notes can be summed: the same code, detail and patch, by the same stage.
+// True if two notes can be summed: the same code, detail and patch, by the same stage. Foreign notes also need the same
+// unit, and the same text if they have no code.
 bool same_kind(const Note& a, const Note& b);
 // The notes summed by kind, ordered by grade: will_fail, look, harmless. Within a grade they keep the order of their
 // first cases.

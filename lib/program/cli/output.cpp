@@ -45,7 +45,7 @@ void Output::pass_on(const WholeInput& before, const std::function<bool(const Fa
 
 void Output::add(Note note) {
     note.stage = io_.program;
-    note.bead = bead_;
+    note.bead = goes_by_amount(note) ? bead_ : 0;
     writer_.write(note);
     report_.add(note);
 }

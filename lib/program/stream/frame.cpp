@@ -57,7 +57,7 @@ std::string serialise(const Note& n) {
     m.set_y(n.y);
     if (std::isfinite(n.z)) m.set_z(n.z);
     m.set_code(foreign ? n.foreign.code : code_name(n));
-    m.set_grade(static_cast<proto::Grade>(static_cast<int>(grade(n)) + 1));
+    m.set_grade(static_cast<proto::Grade>(static_cast<int>(code_grade(n)) + 1));
     m.set_detail(n.detail);
     m.set_patch(n.patch);
     m.set_bead(n.bead);
@@ -70,7 +70,7 @@ Note parse_note(std::string_view body) {
         throw Error(Exit::bad_input, "cannot read a note frame: malformed");
     Note out{note_code(m.code()), m.amount(), m.count(), m.layer(), m.x(), m.y(), m.has_z() ? m.z() : std::nan(""),
              m.detail(),          m.patch(),  m.stage()};
-    if (std::isfinite(m.bead())) out.bead = m.bead();
+    if (std::isfinite(m.bead()) && m.bead() > 0) out.bead = m.bead();
     if (out.code != NoteCode::foreign) return out;
     out.foreign = {m.code(), m.what(), m.unit()};
     if (m.grade() >= proto::HARMLESS && m.grade() <= proto::WILL_FAIL)

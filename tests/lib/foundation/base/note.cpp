@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 #include <sstream>
+#include <utility>
 
 namespace filum {
 namespace {
@@ -75,11 +76,10 @@ TEST(Note, SumsGoByKindAndGrade) {
 
 // Whether less than a dot is harmless by this code: its amount is an area or a length that adds up, and not every
 // amount of it matters.
-bool goes_by_amount(NoteCode code) {
+bool adds_up(NoteCode code) {
     const Note one{.code = code, .amount = 1};
-    const bool adds_up = summed({one, one})[0].amount == 2;
-    return (unit(one) == "mm2" || unit(one) == "mm") && adds_up && code != NoteCode::layer_empty &&
-           code != NoteCode::bend_too_tight && code != NoteCode::inside_by_parity;
+    return (unit(one) == "mm2" || unit(one) == "mm") && summed({one, one})[0].amount == 2 &&
+           code != NoteCode::layer_empty && code != NoteCode::bend_too_tight && code != NoteCode::inside_by_parity;
 }
 
 // Amounts on both sides of the limit, for all codes, beads of many widths, and sums of 1 to 1,000 cases.
@@ -93,8 +93,9 @@ TEST(Note, AreasAndLengthsBelowADotAreHarmless) {
                     const double dot = unit(one) == "mm2" ? std::numbers::pi / 4 * w * w : w;
                     one.amount = share * dot / static_cast<double>(cases);
                     const Notes sums = summed(Notes(cases, one));
-                    const bool small = goes_by_amount(code) && share < 1;
+                    const bool small = adds_up(code) && share < 1;
                     ASSERT_EQ(sums.size(), 1U);
+                    EXPECT_EQ(code_grade(one), grade({.code = code}));
                     EXPECT_EQ(grade(sums[0]), small ? Grade::harmless : grade({.code = code}))
                         << code_name(one) << ' ' << w << ' ' << cases << ' ' << share;
                     ++(small ? below : above);
@@ -119,6 +120,22 @@ TEST(Note, OfUnknownBeadsNothingIsADot) {
         odd.amount = amount;
         EXPECT_EQ(grade(odd), Grade::look) << amount;
     }
+}
+
+TEST(Note, ForeignOnesObeyTheSameRule) {
+    for (const auto& [in, dot] : {std::pair{"mm2", std::numbers::pi / 4 * 0.16}, {"mm", 0.4}, {"cases", 0.0}})
+        for (const std::size_t cases : {1, 2, 1000})
+            for (const double share : {0.5, 0.999, 1.001, 1e3}) {
+                Note n{.amount = share * dot / static_cast<double>(cases), .stage = "mine", .bead = 0.4};
+                n.foreign = {"left-open", "left open", in, Grade::will_fail};
+                Notes all(cases, n);
+                for (std::size_t i = 0; i < cases; ++i) all[i].foreign.text += std::to_string(i); // as with its amount
+                ASSERT_EQ(summed(all).size(), 1U);
+                EXPECT_EQ(grade(summed(all)[0]), dot > 0 && share < 1 ? Grade::harmless : Grade::will_fail);
+                EXPECT_EQ(code_grade(n), Grade::will_fail);
+                n.bead = 0;
+                EXPECT_EQ(grade(n), Grade::will_fail);
+            }
 }
 
 TEST(Note, ThePageHasEveryCode) {

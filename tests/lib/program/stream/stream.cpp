@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
@@ -193,6 +194,24 @@ TEST(Stream, HistoryThatRefersForwardIsRefused) {
     Header h = header();
     h.history[0].parents = {0};
     EXPECT_THROW(parse_header(serialise(h)), Error);
+}
+
+// Readers that do not know the code add notes up by themselves, so a frame has the grade of its code, not of its own
+// amount.
+TEST(Stream, ANoteOfLessThanADotHasTheGradeOfItsCode) {
+    for (const double amount : {1e-9, 0.06, 0.13, 1.0}) {
+        const Note n{.code = NoteCode::sliver_dropped, .amount = amount, .bead = 0.4};
+        std::string frame = serialise(n);
+        const std::string known = code_name(n), unknown = "sliver-of-2027";
+        ASSERT_EQ(known.size(), unknown.size());
+        frame.replace(frame.find(known), known.size(), unknown);
+        const Note foreign = parse_note(frame);
+        EXPECT_EQ(code_grade(foreign), Grade::look);
+        EXPECT_EQ(grade(foreign), grade(n));
+        EXPECT_EQ(grade(summed(Notes(1000, foreign))[0]), grade(summed(Notes(1000, n))[0]));
+    }
+    for (const double bead : {-1.0, HUGE_VAL, std::nan("")})
+        EXPECT_EQ(parse_note(serialise({.code = NoteCode::sliver_dropped, .bead = bead})).bead, 0);
 }
 
 TEST(Stream, NotesComeOutAsTheyWentIn) {
