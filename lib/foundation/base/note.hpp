@@ -39,7 +39,7 @@ struct Note {
     std::string detail{};    // the text for {d} in the sentence
     std::string patch{};     // the patch that the note is about, if there are several
     std::string stage{};     // the program that made the note; set by the writer of the stream
-    double bead = 0;         // width of the job's beads, mm; 0: unknown, or no matter. Set by the writer of the stream
+    double bead = 0;         // width of the job's beads, mm; 0: unknown or not needed. Set by the writer of the stream
     ForeignNote foreign{};   // its text, if the code is foreign
 };
 
