@@ -235,7 +235,9 @@ std::string notes_page() {
         if (!last.empty()) out += " " + last + ",";
         last = "`" + kebab(r.name) + "`";
     }
-    out += " and " + last + ", for depths and distances, and for notes of `slice`, which knows no bead.\n";
+    out += " and " + last +
+           ", for depths and distances, for notes of stages without --bead-width (`slice`, and those of surfaces), and "
+           "if the job lays no bead.\n";
     for (const Grade g : {Grade::will_fail, Grade::look, Grade::harmless}) {
         const bool advised = g != Grade::harmless;
         out += "\n## " +

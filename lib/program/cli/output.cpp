@@ -17,14 +17,12 @@ double length_of(const stream::Run& run, std::string_view name) {
     return 0;
 }
 
-// The width of the narrowest bead among the runs of this history, mm. Paths on surfaces have beads as wide as they are
-// apart. 0 if no run has beads.
+// The width of the narrowest bead among the runs of this history, mm; 0 if no run has --bead-width. Paths on surfaces
+// have none: their beads may be wider than the surface, and their notes go by shares of it.
 double bead_width(const stream::Header& header) {
     double out = 0;
     for (const stream::Run& run : header.history) {
-        double width = length_of(run, "bead-width");
-        if (run.program.starts_with("surfpath") || run.program == "laminate" || run.program == "choose")
-            width = length_of(run, "spacing");
+        const double width = length_of(run, "bead-width");
         if (width > 0 && (out == 0 || width < out)) out = width;
     }
     return out;

@@ -154,7 +154,8 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
         for (; measure.again(); spool.rewind())
             ahead->each(spool, [&](auto span, auto* moves) { measure.add(span, moves); });
         first_pass = measure.end();
-    } catch (const Error&) { // notes of the stages before may explain why a stage failed
+    } catch (const Error&) {              // notes of the stages before may explain why a stage failed
+        for (Note& n : notes) n.bead = 0; // nothing is less than a bead if there is none
         say(notes, io);
         throw;
     }
