@@ -36,6 +36,9 @@ Line line_of(const Span& span) {
         out.source.pop_back();
     };
     const std::size_t n = span.points.size();
+    out.points.reserve(n);
+    for (auto* v : {&out.at, &out.volume, &out.width, &out.height, &out.area}) v->reserve(n);
+    out.source.reserve(n);
     for (std::size_t i = 0; i < n; ++i) {
         if (i > 0) laid += volume(span, i - 1);
         const bool near = i > 0 && distance(out.points.back(), span.points[i]) < kLeastMove;
