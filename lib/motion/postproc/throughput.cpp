@@ -56,6 +56,7 @@ void Throughput::end() { release(true); }
 
 // Sets the factors of the moves among the steps [first, last), between which there are only layer marks.
 void Throughput::settle(std::size_t first, std::size_t last) {
+    if (last - first < pace_.moves) return; // no group of moves
     std::vector<std::size_t> moves;
     std::vector<double> seconds;
     for (std::size_t i = first; i < last; ++i)
