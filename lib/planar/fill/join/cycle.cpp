@@ -145,12 +145,14 @@ class Joiner {
     std::vector<Candidate> candidates(bool all) {
         std::vector<Candidate> out;
         if (all && !near_) near_ = graph_.near_others(kNeighbourReach * width_);
-        const std::uint32_t largest = largest_group();
+        std::vector<std::uint32_t> group(graph_.size()); // of each ring
+        for (std::uint32_t r = 0; r < group.size(); ++r) group[r] = groups_.root(r);
+        const std::uint32_t largest = largest_of(group);
         for (std::uint32_t r = 0; r < graph_.size(); ++r) {
-            if (groups_.root(r) == largest && all) continue;
+            if (group[r] == largest && all) continue;
             const double l = graph_.length(r);
             const auto n = static_cast<int>(all ? std::max(kPlaces, l / (kLink * width_)) : kPlaces);
-            const auto apart = [&](std::uint32_t other) { return groups_.root(other) != groups_.root(r); };
+            const auto apart = [&](std::uint32_t other) { return group[other] != group[r]; };
             std::size_t stretch = 0;
             for (int k = 0; k < n; ++k) {
                 if (all) k += places_without(r, l * (k + 0.5) / n, l / n, stretch);
@@ -181,9 +183,10 @@ class Joiner {
         return std::max(0, static_cast<int>(std::ceil((next - s) / step)));
     }
 
-    std::uint32_t largest_group() {
-        std::vector<std::uint32_t> count(graph_.size(), 0);
-        for (std::uint32_t r = 0; r < graph_.size(); ++r) ++count[groups_.root(r)];
+    // The group with the most rings, the first of equals.
+    static std::uint32_t largest_of(const std::vector<std::uint32_t>& group) {
+        std::vector<std::uint32_t> count(group.size(), 0);
+        for (const std::uint32_t g : group) ++count[g];
         return static_cast<std::uint32_t>(std::max_element(count.begin(), count.end()) - count.begin());
     }
 
