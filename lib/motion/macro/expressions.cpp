@@ -43,6 +43,25 @@ constexpr std::array kFunctions{
     FunctionName{"default_string", Function::otherwise, 2, 2},
 };
 
+// A sign between two values. A higher level binds tighter.
+struct BinarySign {
+    int level;
+    std::string_view text;
+    Operator op;
+    bool matches = false; // a regular expression follows, no value
+};
+constexpr std::array kBinarySigns{
+    BinarySign{0, "||", Operator::either},        BinarySign{0, "or", Operator::either},
+    BinarySign{1, "&&", Operator::both},          BinarySign{1, "and", Operator::both},
+    BinarySign{2, "==", Operator::equal},         BinarySign{2, "!=", Operator::unequal},
+    BinarySign{2, "<>", Operator::unequal},       BinarySign{2, "=~", Operator::equal, true},
+    BinarySign{2, "!~", Operator::unequal, true}, BinarySign{3, "<=", Operator::at_most},
+    BinarySign{3, ">=", Operator::at_least},      BinarySign{3, "<", Operator::below},
+    BinarySign{3, ">", Operator::above},          BinarySign{4, "+", Operator::add},
+    BinarySign{4, "-", Operator::subtract},       BinarySign{5, "*", Operator::multiply},
+    BinarySign{5, "/", Operator::divide},         BinarySign{5, "%", Operator::remainder}};
+constexpr int kSumLevel = 4, kTightestLevel = 5;
+
 Expression binary(Operator op, Expression left, Expression right, std::size_t at) {
     Expression out;
     out.kind = Kind::binary;
@@ -59,7 +78,7 @@ class ExpressionReader {
 
     Expression whole() {
         if (++depth_ > kDeepestTemplate) in_.fail("its brackets are nested too deep");
-        Expression out = either();
+        Expression out = from_level(0);
         if (in_.take("?")) {
             Expression choice;
             choice.kind = Kind::choice;
@@ -74,56 +93,33 @@ class ExpressionReader {
         return out;
     }
 
-    Expression sum() {
-        Expression out = product();
-        for (;;) {
-            in_.blanks();
-            const std::size_t at = in_.at();
-            if (in_.take("+"))
-                out = binary(Operator::add, std::move(out), product(), at);
-            else if (in_.take("-"))
-                out = binary(Operator::subtract, std::move(out), product(), at);
-            else
-                return out;
-        }
-    }
+    Expression sum() { return from_level(kSumLevel); }
 
   private:
-    Expression either() {
-        Expression out = both();
+    // Values with signs of this level and tighter ones between them, from left to right.
+    Expression from_level(int level) {
+        if (level > kTightestLevel) return unary();
+        Expression out = from_level(level + 1);
         for (;;) {
+            const BinarySign* sign = next_sign();
+            if (sign == nullptr || sign->level != level) return out;
             const std::size_t at = in_.at();
-            if (!in_.take("||") && !in_.take_word("or")) return out;
-            out = binary(Operator::either, std::move(out), both(), at);
+            in_.step(sign->text.size());
+            out = sign->matches ? match(sign->op, std::move(out), at)
+                                : binary(sign->op, std::move(out), from_level(level + 1), at);
         }
     }
 
-    Expression both() {
-        Expression out = equality();
-        for (;;) {
-            const std::size_t at = in_.at();
-            if (!in_.take("&&") && !in_.take_word("and")) return out;
-            out = binary(Operator::both, std::move(out), equality(), at);
-        }
-    }
-
-    Expression equality() {
-        Expression out = relation();
-        for (;;) {
-            in_.blanks();
-            const std::size_t at = in_.at();
-            if (in_.take("==")) {
-                out = binary(Operator::equal, std::move(out), relation(), at);
-            } else if (in_.take("!=") || in_.take("<>")) {
-                out = binary(Operator::unequal, std::move(out), relation(), at);
-            } else if (in_.take("=~")) {
-                out = match(Operator::equal, std::move(out), at);
-            } else if (in_.take("!~")) {
-                out = match(Operator::unequal, std::move(out), at);
-            } else {
-                return out;
-            }
-        }
+    // The longest sign that comes next, as "<>" and not "<", or none. Words must be whole. Skips blanks before it.
+    const BinarySign* next_sign() {
+        const std::string word = in_.peek_name();
+        const std::string_view rest = in_.text().substr(in_.at());
+        const BinarySign* out = nullptr;
+        for (const BinarySign& s : kBinarySigns)
+            if ((word.empty() ? rest.starts_with(s.text) : word == s.text) &&
+                (out == nullptr || s.text.size() > out->text.size()))
+                out = &s;
+        return out;
     }
 
     Expression match(Operator op, Expression left, std::size_t at) {
@@ -169,41 +165,6 @@ class ExpressionReader {
         }
         in_.step();
         return out;
-    }
-
-    Expression relation() {
-        Expression out = sum();
-        for (;;) {
-            in_.blanks();
-            const std::size_t at = in_.at();
-            if (in_.peek() == '<' && in_.peek(1) == '>') return out; // unequal
-            if (in_.take("<="))
-                out = binary(Operator::at_most, std::move(out), sum(), at);
-            else if (in_.take(">="))
-                out = binary(Operator::at_least, std::move(out), sum(), at);
-            else if (in_.take("<"))
-                out = binary(Operator::below, std::move(out), sum(), at);
-            else if (in_.take(">"))
-                out = binary(Operator::above, std::move(out), sum(), at);
-            else
-                return out;
-        }
-    }
-
-    Expression product() {
-        Expression out = unary();
-        for (;;) {
-            in_.blanks();
-            const std::size_t at = in_.at();
-            if (in_.take("*"))
-                out = binary(Operator::multiply, std::move(out), unary(), at);
-            else if (in_.take("/"))
-                out = binary(Operator::divide, std::move(out), unary(), at);
-            else if (in_.take("%"))
-                out = binary(Operator::remainder, std::move(out), unary(), at);
-            else
-                return out;
-        }
     }
 
     Expression unary() {
