@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "geom/angle.hpp"
+#include "postproc/wipe.hpp"
 
 #include <algorithm>
 #include <cmath>
