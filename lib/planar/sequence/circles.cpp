@@ -83,7 +83,7 @@ struct CuttingPlanes::CircleSearch {
         const Index v = cuts.columns_.member[run[i].column][run[i].bottom];
         for (Index c = 0; c < cuts.columns_.member.size(); ++c) {
             ++cuts.work_;
-            const Index head = c == run[i].column ? kNone : cuts.following_.first(v, c);
+            const Index head = c == run[i].column ? kNone : cuts.successors_.first(v, c);
             if (head != kNone) reach(trip, of[cuts.columns_.member[c][head]], cost, i, head, true);
         }
     }
@@ -119,7 +119,7 @@ std::vector<CuttingPlanes::Violation> CuttingPlanes::circles() {
         for (std::size_t k = 0; k < s.size(); ++k) { // raise the feet as far as the following heads allow
             const Stretch& next = s[(k + 1) % s.size()];
             while (s[k].foot < s[k].head &&
-                   following_.first(columns_.member[s[k].column][s[k].foot + 1], next.column) <= next.head)
+                   successors_.first(columns_.member[s[k].column][s[k].foot + 1], next.column) <= next.head)
                 ++s[k].foot;
         }
         out.push_back({1 - w.reached[start].cost, std::move(s), 1});

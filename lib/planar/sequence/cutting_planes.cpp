@@ -12,8 +12,8 @@ constexpr Index kShared = 2; // cuts per round in which a link may be before fur
 } // namespace
 
 CuttingPlanes::CuttingPlanes(const Graph& g, const Columns& columns, std::uint64_t most_work)
-    : g_(g), columns_(columns), following_(g, columns, most_work), link_(g.size(), kNone), so_far_(g.size()),
-      level_(g.size()), work_(following_.work()) {
+    : g_(g), columns_(columns), successors_(g, columns, most_work), link_(g.size(), kNone), so_far_(g.size()),
+      level_(g.size()), work_(successors_.work()) {
     for (const auto& member : columns.member)
         for (std::size_t p = 0; p + 1 < member.size(); ++p) {
             const auto up = g.up[member[p]];
@@ -44,7 +44,7 @@ std::vector<Inequality> CuttingPlanes::apart() const {
     std::vector<Inequality> out;
     for (Index c = 0; c < columns_.member.size(); ++c)
         for (Index p = 0; p < columns_.member[c].size();) {
-            const Index head = following_.again(columns_.member[c][p]);
+            const Index head = successors_.again(columns_.member[c][p]);
             if (head == kNone) break; // no higher region has one either
             Inequality next = cut({{c, p, head}}, 1);
             if (next.least > 0) out.push_back(std::move(next));
@@ -70,9 +70,9 @@ std::vector<CuttingPlanes::Violation> CuttingPlanes::again() const {
     std::vector<Violation> out;
     for (Index c = 0; c < columns_.member.size(); ++c)
         for (Index p = 0; p < columns_.member[c].size(); ++p) {
-            const Index head = following_.again(columns_.member[c][p]);
+            const Index head = successors_.again(columns_.member[c][p]);
             if (head == kNone) continue;
-            if (p + 1 < columns_.member[c].size() && following_.again(columns_.member[c][p + 1]) == head) continue;
+            if (p + 1 < columns_.member[c].size() && successors_.again(columns_.member[c][p + 1]) == head) continue;
             if (const double by = 1 - broken(c, p, head); by > kLeastViolation) out.push_back({by, {{c, p, head}}, 1});
         }
     return out;
@@ -86,7 +86,7 @@ bool CuttingPlanes::add_rival(Stretches& s, double& sum) {
         Index head = 0;
         for (const Stretch& x : s) {
             ++work_;
-            head = x.column == c ? kNone : std::max(head, following_.first(columns_.member[x.column][x.foot], c));
+            head = x.column == c ? kNone : std::max(head, successors_.first(columns_.member[x.column][x.foot], c));
             if (head == kNone) break;
         }
         if (head == kNone) continue;
@@ -97,7 +97,7 @@ bool CuttingPlanes::add_rival(Stretches& s, double& sum) {
             Stretches longer = s;
             for (Stretch& x : longer) {
                 ++work_;
-                const Index h = following_.first(columns_.member[c][foot], x.column);
+                const Index h = successors_.first(columns_.member[c][foot], x.column);
                 if (h == kNone) {
                     longer.clear();
                     break;
@@ -125,7 +125,7 @@ void CuttingPlanes::raise_feet(Stretches& s) const {
         const auto may_rise = [&] {
             return std::all_of(s.begin(), s.end(), [&](const Stretch& o) {
                 return o.column == x.column ||
-                       following_.first(columns_.member[x.column][x.foot + 1], o.column) <= o.head;
+                       successors_.first(columns_.member[x.column][x.foot + 1], o.column) <= o.head;
             });
         };
         while (x.foot < x.head && may_rise()) ++x.foot;

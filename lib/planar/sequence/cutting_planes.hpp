@@ -1,7 +1,7 @@
 // Cutting planes: inequalities that the strokes of every order satisfy (docs/algorithms/sequence.md#bounds).
 #pragma once
 
-#include "sequence/following.hpp"
+#include "sequence/successors.hpp"
 
 #include <span>
 
@@ -65,7 +65,7 @@ class CuttingPlanes {
 
     const Graph& g_;
     const Columns& columns_;
-    Following following_;
+    Successors successors_;
     std::vector<Index> link_;    // from a region to the next one of its column, kNone if there is none
     std::vector<double> so_far_; // breaks below a region in its column, in the current solution
     std::vector<Index> level_;   // the lowest place in its column with as many breaks below it

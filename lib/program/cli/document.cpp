@@ -130,7 +130,7 @@ std::string value_text(const Option& o) {
     if (auto* const* i = std::get_if<std::int64_t*>(&o.target)) return std::to_string(**i);
     if (auto* const* b = std::get_if<bool*>(&o.target)) return **b ? "true" : "false";
     if (auto* const* s = std::get_if<std::string*>(&o.target)) return **s;
-    if (const auto* e = std::get_if<Enumerated>(&o.target)) return o.choices[e->choice(e->field)];
+    if (const auto* e = std::get_if<EnumTarget>(&o.target)) return o.choices[e->choice(e->field)];
     std::string out;
     for (const double v : **std::get_if<std::vector<double>*>(&o.target))
         out += (out.empty() ? "" : ",") + shortest_text(v);

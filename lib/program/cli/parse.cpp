@@ -66,7 +66,7 @@ void store(const Option& o, const std::string& text) {
         **d = number(o, text);
     else if (auto* const* l = std::get_if<std::vector<double>*>(&o.target))
         **l = number_list(o, text);
-    else if (const auto* e = std::get_if<Enumerated>(&o.target))
+    else if (const auto* e = std::get_if<EnumTarget>(&o.target))
         e->set(e->field, choice(o, text));
     else if (auto* const* s = std::get_if<std::string*>(&o.target)) {
         choice(o, text);

@@ -14,20 +14,20 @@
 namespace filum::cli {
 
 // A field of an enum type. Its values are numbered like the choices of the option.
-struct Enumerated {
+struct EnumTarget {
     void* field;
     void (*set)(void* field, std::size_t choice);
     std::size_t (*choice)(const void* field);
 
     template <class E>
-    requires std::is_enum_v<E> Enumerated(E* of) // NOLINT(google-explicit-constructor): &o.field says it all
+    requires std::is_enum_v<E> EnumTarget(E* of) // NOLINT(google-explicit-constructor): &o.field says it all
         : field(of), set([](void* f, std::size_t k) { *static_cast<E*>(f) = static_cast<E>(k); }),
           choice([](const void* f) { return static_cast<std::size_t>(*static_cast<const E*>(f)); }) {}
 };
 
 // One option: `--name VALUE`, bound to a field of the command's Options.
 struct Option {
-    using Target = std::variant<double*, std::int64_t*, bool*, std::string*, std::vector<double>*, Enumerated>;
+    using Target = std::variant<double*, std::int64_t*, bool*, std::string*, std::vector<double>*, EnumTarget>;
     std::string name; // without the dashes
     Target target;
     std::string unit; // "mm", "deg", "FILE"; shown as the value's name

@@ -7,10 +7,10 @@ namespace filum::sequence {
 
 // Precedence is transitive and columns are printed upwards, so what must follow a region is, per column, one place and
 // everything above it.
-class Following {
+class Successors {
   public:
     // Takes precedences times columns steps; for regions below those at which `most` is used up nothing is known.
-    Following(const Graph& g, const Columns& columns, std::uint64_t most);
+    Successors(const Graph& g, const Columns& columns, std::uint64_t most);
 
     // The lowest place in column c whose region must follow v, other than v; kNone if none.
     [[nodiscard]] Index first(Index v, Index c) const { return first_[std::size_t{v} * columns_ + c]; }

@@ -1,4 +1,4 @@
-#include "sequence/following.hpp"
+#include "sequence/successors.hpp"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@ namespace {
 constexpr std::size_t kAtOnce = 16; // places compared in the time of one step
 } // namespace
 
-Following::Following(const Graph& g, const Columns& columns, std::uint64_t most)
+Successors::Successors(const Graph& g, const Columns& columns, std::uint64_t most)
     : columns_(columns.member.size()), first_(g.size() * columns_, kNone), again_(g.size(), kNone) {
     std::vector<Index> place(g.size());
     for (const auto& member : columns.member)
