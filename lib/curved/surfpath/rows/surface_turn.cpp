@@ -89,10 +89,12 @@ std::vector<SurfaceTurn> Turner::deeper(const SurfaceTurn& outermost, double apa
     std::vector<SurfaceTurn> out{outermost};
     const bool swapped = outermost.from > outermost.to;
     const auto [a, b] = std::minmax(outermost.from, outermost.to);
-    for (double behind = apart; behind < rules::kTurnReach * o_.least_radius; behind += apart) {
+    const double deepest = rules::kTurnReach * std::max(o_.least_radius, o_.spacing);
+    const double least = least_deeper(outermost.radius);
+    for (double behind = apart; behind < deepest; behind += apart) {
         SurfaceTurn t = turn_between(a, b, behind);
         if (t.line.size() < 2) break; // the rows are too short for a deeper turn
-        if (t.radius < std::min(outermost.radius, o_.least_radius) - rules::kSamePoint) continue;
+        if (t.radius < least) continue;
         if (swapped) reverse(t);
         out.push_back(std::move(t));
     }
@@ -204,6 +206,13 @@ SurfaceTurn Turner::turn_between(std::uint32_t a, std::uint32_t b, double behind
     out.radius = t.radius;
     out.cost = t.length - out.from_trim - out.to_trim + (t.bulb ? kBulbCosts : tightness(t.radius));
     return out;
+}
+
+// Least radius of a turn behind one of `radius`, mm. Wide turns stay wide. The radius of a hairpin is half the distance
+// of its rows, which changes along them by as much as lines may be moved.
+double Turner::least_deeper(double radius) const {
+    const bool wide = radius >= o_.least_radius && o_.least_radius > o_.spacing / 2;
+    return wide ? o_.least_radius - rules::kSamePoint : (1 - rules::kGive) * std::min(radius, o_.least_radius);
 }
 
 // Cost of a tight turn, mm.

@@ -49,8 +49,9 @@ class Turner {
     // The turns worth considering, sorted by their ends, and the ways around holes that interrupt a line.
     [[nodiscard]] std::vector<SurfaceTurn> candidates() const;
 
-    // The same turn at several depths behind the rim, the outermost first, `apart` mm from each other, as long as its
-    // radius stays the same: to a depth of two radii, where rows of the outermost turn are straight again.
+    // The same turn at several depths behind the rim, the outermost first, `apart` mm from each other: to a depth of
+    // two radii, where rows of the outermost turn are straight again, or of two lanes, so that hairpins find room
+    // behind a transit along the rim. Wide turns stay wide.
     [[nodiscard]] std::vector<SurfaceTurn> deeper(const SurfaceTurn& turn, double apart) const;
 
     // The transit along `stretches` with its corners rounded; it may replace more of the rows than turns do.
@@ -73,6 +74,7 @@ class Turner {
     [[nodiscard]] bool leads_on(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] SurfaceTurn turn_between(std::uint32_t a, std::uint32_t b, double behind, bool bulbs = true) const;
     [[nodiscard]] double tightness(double radius) const;
+    [[nodiscard]] double least_deeper(double radius) const;
 
     const Surface& surface_;
     const Rows& rows_;
