@@ -24,7 +24,9 @@ std::vector<Option> options(Options& o) {
         Option{"layer-height", &o.like.height, "MM", "height of a ply, along the normals"}.within(0.001, 100),
         Option{"tool", &o.tool, "N", "tool of the machine for the plies"}.within(0, 1e6),
         Option{"min-radius", &o.how.least_radius, "MM", "minimum radius of turns, where there is room"}.within(0, 1e5),
-        Option{"turns", &o.how.turns, "", "rows end at the rim, or continue by hairpins or wide turns; usual: wide"}
+        Option{"turns", &o.how.turns, "",
+               "rows end at the rim, or continue by hairpins or wide turns; usual: those with less void, overlap and "
+               "tight length, wide ones outside the part"}
             .one_of({"usual", "none", "hairpin", "wide"}),
         Option{"rim-beads", &o.how.rim_beads, "N",
                "plies have 0, 1 to N closed beads along the rims in turn; rows turn inside of them"}

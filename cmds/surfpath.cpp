@@ -56,7 +56,8 @@ std::vector<Option> options(Options& o) {
     out = cli::with(
         cli::with(out, app::surfpath::line_options(o)),
         {Option{"turns", &o.plan.turns, "",
-                "rows end at the rim, or continue by hairpins or wide turns; usual: none for ortheo, else wide"}
+                "rows end at the rim, or continue by hairpins or wide turns; usual: none for ortheo; for field the "
+                "turns with less void, overlap and tight length; else wide"}
              .one_of({"usual", "none", "hairpin", "wide"})
              .when("algorithm=planned|fina|fexa|ortheo|field"),
          Option{"rim-beads", &o.plan.rim_beads, "N", "closed beads along every rim; rows turn inside of them"}

@@ -17,7 +17,7 @@ using surface::Surface;
 struct Options {
     Vec3 reference{1, 0, 0}; // direction from which angles are measured, projected onto the surface
     surfpath::Priority keep = surfpath::Priority::usual;
-    surfpath::RowTurns turns = surfpath::RowTurns::usual; // usual: wide
+    surfpath::RowTurns turns = surfpath::RowTurns::usual; // usual: the cheaper
     long rim_beads = 0;        // most closed beads along rims; their number changes from ply to ply, down to none
     double least_radius = 2.4; // mm: of turns, where there is room
     bool stagger = true;     // plies of one direction are displaced by shares of a spacing, and their births move apart

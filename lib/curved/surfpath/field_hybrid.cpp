@@ -3,7 +3,9 @@
 #include "surface/curve/ease.hpp"
 #include "surfpath/field/rings.hpp"
 #include "surfpath/field/stripes.hpp"
+#include "surfpath/plan/cost.hpp"
 #include "surfpath/plan/nearest_order.hpp"
+#include "surfpath/plan/round_path.hpp"
 #include "surfpath/plan/turns.hpp"
 #include "surfpath/rows/boustrophedon.hpp"
 #include "surfpath/rows/loops.hpp"
@@ -79,6 +81,52 @@ TracedLines traced(const surface::Sheet& sheet, const Options& o, const surface:
     return {field::lines(s, stripes), field::births(s, stripes)};
 }
 
+// mm: radii of spirals and of shifts between rows.
+struct RowRadii {
+    double gentle, eased;
+};
+
+// The lines as one path, with turns as `o.turns` says; `usual` means wide ones.
+Plan turned(const Surface& s, const std::vector<Line>& lines, const Options& o, const RowRadii& radii) {
+    std::vector<rows::UnclippedLine> raw;
+    raw.reserve(lines.size());
+    for (const Line& l : lines) raw.push_back({l, o.spacing * static_cast<double>(raw.size())});
+    rows::leave_out(raw, o.beyond);
+    rows::TurnOptions turns = rows::turn_options(o.spacing, o.least_radius, o.turns == RowTurns::hairpin);
+    turns.across = kAcross * o.spacing;
+    turns.along = o.cut_length;
+    turns.staggered = o.beyond.empty();
+    turns.tight = turns.tight || o.algorithm == Algorithm::hybrid;
+    rows::Rows found = rows::rows(
+        s, raw,
+        {o.spacing / 2, o.spacing / 2, radii.gentle, rules::kGive * o.spacing, static_cast<unsigned>(o.rim_beads)});
+    const auto joined = rows::join_loops(
+        s, found, {o.spacing, radii.gentle, radii.eased, o.cut_length, turns.tight, 1 - o.width_change});
+    Plan out = rows::boustrophedon(s, found, turns);
+    rows::report_crossings(joined.crossed, o.spacing, out.notes);
+    out.facts.push_back({"", "loops-joined", static_cast<double>(joined.crossed.size() + joined.exchanged), ""});
+    return out;
+}
+
+// Whether wide turns and hairpins are both tried: turns lie on the part, and may be tight.
+bool chooses_turns(const Options& o) {
+    return o.algorithm == Algorithm::field && o.turns == RowTurns::usual && o.beyond.empty() && !o.strict;
+}
+
+// The lines as one path, with the turns that cost least; ties: wide ones.
+Plan cheapest(const Surface& s, const std::vector<Line>& lines, const Options& o, const RowRadii& radii) {
+    Plan wide = turned(s, lines, o, radii);
+    if (!chooses_turns(o)) return wide;
+    Options tight = o;
+    tight.turns = RowTurns::hairpin;
+    Plan hairpins = turned(s, lines, tight, radii);
+    const auto cost = [&](Plan plan) {
+        plan::round_kinks(s, plan, o.spacing);
+        return plan::cost(s, std::move(plan), {o.spacing, o.least_radius, o.cut_length, o.width_change});
+    };
+    return cost(hairpins) < cost(wide) ? hairpins : wide;
+}
+
 } // namespace
 
 std::vector<Options> hybrid_sources(const Surface& s, const Options& options) {
@@ -126,23 +174,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         out.facts.push_back({"", "rows", static_cast<double>(out.strokes.size()), ""});
     } else {
         if (o.backwards) std::reverse(all.begin(), all.end());
-        std::vector<rows::UnclippedLine> raw;
-        raw.reserve(all.size());
-        for (Line& l : all) raw.push_back({std::move(l), o.spacing * static_cast<double>(raw.size())});
-        rows::leave_out(raw, o.beyond);
-        rows::TurnOptions turns = rows::turn_options(o.spacing, o.least_radius, o.turns == RowTurns::hairpin);
-        turns.across = kAcross * o.spacing;
-        turns.along = o.cut_length;
-        turns.staggered = o.beyond.empty();
-        turns.tight = turns.tight || covers;
-        rows::Rows found = rows::rows(
-            s, raw,
-            {o.spacing / 2, o.spacing / 2, gentle, rules::kGive * o.spacing, static_cast<unsigned>(o.rim_beads)});
-        const auto joined =
-            rows::join_loops(s, found, {o.spacing, gentle, eased, o.cut_length, turns.tight, 1 - o.width_change});
-        out = rows::boustrophedon(s, found, turns);
-        rows::report_crossings(joined.crossed, o.spacing, out.notes);
-        out.facts.push_back({"", "loops-joined", static_cast<double>(joined.crossed.size() + joined.exchanged), ""});
+        out = cheapest(s, all, o, {gentle, eased});
     }
     out.facts.push_back({"", "cuts", out.strokes.empty() ? 0 : static_cast<double>(out.strokes.size() - 1), ""});
     out.births = std::move(births);

@@ -17,12 +17,12 @@ field::DirectionMix directions_followed(const surface::Sheet& sheet, const Optio
 // lines bend no tighter than the least radius; stripes (field/stripes.hpp) place the lines one spacing apart. Where
 // directions diverge, two new lines begin together, joined by a hairpin. Closed lines become spirals or are joined to
 // neighbouring lines (rows/loops.hpp).
-// Turns "wide" (the default) connect lines by turns of the least radius as rows are, "hairpin" by tight turns, "none"
-// leaves every line as a stroke.
-// Facts: rows, cuts, births, loops-joined, "tightest-bend" (1/mm, of the field). Notes: shifts that cross lines; where
-// the field bends tighter than the least radius although no direction is prescribed there; where it departs from the
-// prescribed directions to keep the radius; where a prescribed direction is not a finite number.
-// Throws Error(bad_input) if there is no direction to follow.
+// Turns "wide" connect lines by turns of the least radius as rows are, "hairpin" by tight turns, "none" leaves every
+// line as a stroke. "usual" takes the cheaper of the first two (plan/cost.hpp); wide ones if options are strict or
+// turns lie outside the part. Facts: rows, cuts, births, loops-joined, "tightest-bend" (1/mm, of the field). Notes:
+// shifts that cross lines; where the field bends tighter than the least radius although no direction is prescribed
+// there; where it departs from the prescribed directions to keep the radius; where a prescribed direction is not a
+// finite number. Throws Error(bad_input) if there is no direction to follow.
 Plan follow(const surface::Sheet& sheet, const Options& options);
 
 // The options for each source of lines that hybrid tries: lines along rings; if beads may have other widths, also the

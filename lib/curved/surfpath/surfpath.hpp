@@ -20,7 +20,7 @@ using surface::curve::Line;
 using surface::curve::Place;
 
 // Turns between rows: none (lines of ortheo and field end at rims), hairpins to the next row, or wide turns. usual:
-// none for ortheo, otherwise wide.
+// none for ortheo, those that cost less for field, otherwise wide.
 enum class RowTurns : std::uint8_t { usual, none, hairpin, wide };
 
 // What lines of field keep where they cannot keep both. usual: the angle if only an angle is followed, otherwise the

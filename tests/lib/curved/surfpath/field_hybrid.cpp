@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "geom/angle.hpp"
 #include "surface/curve/walk.hpp"
+#include "surfpath/plan/cost.hpp"
 #include "surfpath/rows/boustrophedon.hpp"
 #include "surfpath/rows/rows.hpp"
 #include "surfpath/rows/splice.hpp"
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 
 namespace filum::surfpath {
 
@@ -171,6 +173,30 @@ TEST(Follow, DirectionsThatAreNoNumbersAreTold) {
         for (const Vec3& at : points(stroke)) EXPECT_NEAR(at.y, points(stroke)[0].y, 0.02);
     for (double& value : sheet.fields[0].values) value = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(plan_paths(sheet, {.algorithm = Algorithm::field}), Error);
+}
+
+// Without --turns the path is the cheaper one of that with wide turns and that with hairpins.
+TEST(Follow, UsualTurnsAreThoseThatCostLess) {
+    std::mt19937 random(3);
+    const auto between = [&](double lo, double hi) { return std::uniform_real_distribution(lo, hi)(random); };
+    bool hairpins = false, wide = false;
+    for (int i = 0; i < trials(12); ++i) {
+        const auto sheet = sheet_of(surface::flat_grid(between(12, 30), between(12, 30), 24, 24));
+        Options o = field(between(0, std::numbers::pi));
+        o.least_radius = i % 3 == 0 ? 0.55 : between(0.6, 3);
+        const auto cost = [&](RowTurns turns) {
+            o.turns = turns;
+            return plan::cost(sheet.surface, plan_paths(sheet, o), {o.spacing, o.least_radius, o.cut_length, 0});
+        };
+        const double usual = cost(RowTurns::usual), tight = cost(RowTurns::hairpin), gentle = cost(RowTurns::wide);
+        EXPECT_NEAR(usual, std::min(tight, gentle), 0.02 * usual) << i; // planned on other triangles
+        hairpins = hairpins || usual < gentle;
+        wide = wide || usual < tight;
+        o.strict = true;
+        EXPECT_DOUBLE_EQ(cost(RowTurns::usual), gentle) << i;
+    }
+    EXPECT_TRUE(hairpins);
+    EXPECT_TRUE(wide || kSanitized);
 }
 
 // Round the tube lines are closed: they become one helix from rim to rim.
