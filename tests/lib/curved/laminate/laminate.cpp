@@ -93,9 +93,10 @@ TEST(Laminate, PliesLieOnEachOther) {
 
 TEST(Laminate, TurnsOutsideLeavePliesEven) {
     const auto plies = plies_of("0,90", kWide, false);
-    Options o = narrow();
+    Options o = narrow(), inside = narrow();
     o.turn_outside = 5;
-    const auto made = laminate(flat(), plies, o, 2), on_it = laminate(flat(), plies, narrow(), 2);
+    inside.turns = surfpath::RowTurns::wide;
+    const auto made = laminate(flat(), plies, o, 2), on_it = laminate(flat(), plies, inside, 2);
     for (const std::string ply : {"ply.1.", "ply.2."}) {
         EXPECT_LT(fact(made, ply + "bare"), 0.02);
         EXPECT_LT(fact(made, ply + "twice"), 0.02);
