@@ -1,7 +1,7 @@
 // fill - bead lines that fill each region
 // reads:  Regions
 // writes: Paths
-// memory: one region per thread at 20 times the bytes that it writes, and outlines filled before, up to 64 MB
+// memory: one region per thread at 40 times the bytes that it writes, and outlines filled before, up to 64 MB
 #include "base/density.hpp"
 #include "cli/command.hpp"
 #include "fill/hollow/hollow.hpp"
@@ -91,7 +91,7 @@ cli::Spec spec(Options& all) {
             .description = cli::kDescription,
             .in = cli::reads(stream::Payload::regions),
             .out = cli::writes(stream::Payload::paths),
-            .memory = "one region per thread at 20 times the bytes that it writes, and outlines filled before (64 MB)",
+            .memory = "one region per thread at 40 times the bytes that it writes, and outlines filled before (64 MB)",
             .options = options(all),
             .groups = groups(),
             .examples = {{"slice part.stl | regions | sequence | fill > part.paths", "the fill of a part"},

@@ -50,8 +50,8 @@ STATED = {
     "regions": (r"33 layers at 9 times", lambda read, wrote: 9 * most_of(frames(read), 33)),
     "skins": (r"the whole part at 8 times", lambda read, wrote: 8 * sum(frames(read))),
     "sequence": (r"the whole graph at 8 times", lambda read, wrote: 8 * sum(frames(read))),
-    "fill": (r"one region per thread at 20 times the bytes that it writes.*64 MB",
-             lambda read, wrote: 64e6 + 20 * os.cpu_count() * max(frames(wrote), default=0)),
+    "fill": (r"one region per thread at 40 times the bytes that it writes.*64 MB",
+             lambda read, wrote: 64e6 + 40 * os.cpu_count() * max(frames(wrote), default=0)),
     "link3d": (r"the regions it looks ahead at 11 times", lambda read, wrote: 11 * most_of(frames(read), 17)),
     # a move that is no arc takes 4 bytes, and at least 12 in the stream
     "postproc": (r"half a million moves \(100 MB\), further ones at 4 to 28 bytes, some spans at 32 times.*48 MiB",
