@@ -171,9 +171,16 @@ double passes(std::vector<BeadPass>& found, double width) {
     return sum;
 }
 
-// Sets passes, clearance and deviation at point p of a ply, whose area has the middle m.
-void look(const std::vector<Bead>& beads, const geom::Bvh& tree, const Vec3& p, const Vec3& m, const Vec3& n,
-          double widest, std::size_t v, PlyMap& out) {
+// A point of a ply.
+struct MapPoint {
+    Vec3 p, middle, normal; // of the ground; middle: of the point's area
+    double extent = 0;      // mm, of its area
+};
+
+// Sets passes, clearance and deviation at a point, number v.
+void look(const std::vector<Bead>& beads, const geom::Bvh& tree, const MapPoint& at, double widest, std::size_t v,
+          PlyMap& out) {
+    const auto& [p, m, n, extent] = at;
     std::vector<BeadPass> found;
     double least = out.clearance[v];
     tree.visit(geom::grown({p, p}, 1.5 * widest), [&](std::uint32_t i) {
@@ -182,7 +189,7 @@ void look(const std::vector<Bead>& beads, const geom::Bvh& tree, const Vec3& p, 
         const auto nearest = [&](const Vec3& q) { return geom::nearest_parameter(l.a, l.b, q); };
         const auto off = [&](const Vec3& q, double t) { return distance(q, l.a + t * (l.b - l.a)); };
         // a point's area extends halfway to its neighbours
-        const double t = nearest(m), share = (l.width / 2 - off(m, t)) / (kPart * l.width) + 0.5;
+        const double t = nearest(m), share = (l.width / 2 - off(m, t)) / extent + 0.5;
         if (share > 0) found.push_back({l.way + t * distance(l.a, l.b), std::min(1.0, share)});
         const double d = off(p, nearest(p));
         if (!(d - l.width / 2 < least)) return;
@@ -197,6 +204,7 @@ void look(const std::vector<Bead>& beads, const geom::Bvh& tree, const Vec3& p, 
 struct MapPoints {
     PointTransfer points, middles;
     std::size_t count = 0;
+    double extent = 0; // mm: that of their areas
 };
 
 PlyMap map_of(const Fibres& fibres, const Bed& bed, const MapPoints& all, int threads) {
@@ -228,8 +236,9 @@ PlyMap map_of(const Fibres& fibres, const Bed& bed, const MapPoints& all, int th
                 out.edge[v] = all.points.value(bed.edge, v);
                 out.inside[v] = std::clamp(0.5 - out.edge[v] / (kPart * out.width), 0.0, 1.0);
             }
-            look(beads, tree, all.points.point(bed.ground, v), all.middles.point(bed.ground, v),
-                 filum::surface::normal(bed.ground, all.points.triangle(v)), widest, v, out);
+            const Vec3 normal = filum::surface::normal(bed.ground, all.points.triangle(v));
+            look(beads, tree, {all.points.point(bed.ground, v), all.middles.point(bed.ground, v), normal, all.extent},
+                 widest, v, out);
         }
     });
     return out;
@@ -272,7 +281,8 @@ Map map(const Surface& base, const Fibres& fibres, std::span<const Bed> beds, in
     out.thickness.assign(n, 0);
     out.even.assign(n, 0);
     const MapPoints points{PointTransfer(base, vertex_places(out.ground)),
-                           PointTransfer(base, area_middles(base, out.ground, kPart * narrowest / 2)), n};
+                           PointTransfer(base, area_middles(base, out.ground, kPart * narrowest / 2)), n,
+                           kPart * narrowest};
     for (const Bed& bed : beds) {
         PlyMap& now = out.plies.emplace_back(map_of(fibres, bed, points, threads));
         now.amount = averaged(s, out.area, now.passes, now.width, threads);

@@ -68,6 +68,27 @@ TEST(Map, ARimIsCoveredByTheBeadAlongIt) {
     }
 }
 
+// The same with beads of two widths: a point's area does not depend on the bead over it.
+TEST(Map, ARimIsCoveredByAWideBeadBesideNarrowOnes) {
+    for (const double wide : {1.0, 1.3, 1.6}) {
+        const Surface base = square();
+        auto along = rows({wide / 2, 20 - wide / 2}, 0, 0);
+        const double rest = (20 - 2 * wide) / 24;
+        const auto inner = rows(every(wide + rest / 2, rest, 24), 0, 0);
+        for (auto& s : along) s.width = {wide};
+        along.insert(along.end(), inner.begin(), inner.end());
+        for (std::size_t i = 2; i < along.size(); ++i) along[i].width = {rest};
+        const auto path = paths::fibres(along);
+        const auto made = map(base, path, beds(base, path, 1), 1);
+        for (std::uint32_t v = 0; v < made.area.size(); ++v) {
+            if (!made.ground.surface.on_rim(v)) continue;
+            EXPECT_NEAR(made.plies[0].passes[v], 1, 1e-6) << wide;
+        }
+        EXPECT_NEAR(ply_spread(made, 0).bare, 0, 1e-3) << wide;
+        EXPECT_NEAR(spread_of(made, made.thickness).mean, 0.2, 1e-3) << wide;
+    }
+}
+
 TEST(Map, TellsAnglesOfWhatIsAsked) {
     const auto base = square();
     const double lean = std::tan(0.1);
