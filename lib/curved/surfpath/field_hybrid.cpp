@@ -97,9 +97,9 @@ Plan turned(const Surface& s, const std::vector<Line>& lines, const Options& o, 
     turns.along = o.cut_length;
     turns.staggered = o.beyond.empty();
     turns.tight = turns.tight || o.algorithm == Algorithm::hybrid;
-    rows::Rows found = rows::rows(
-        s, raw,
-        {o.spacing / 2, o.spacing / 2, radii.gentle, rules::kGive * o.spacing, static_cast<unsigned>(o.rim_beads)});
+    rows::Rows found = rows::rows(s, raw,
+                                  {o.spacing / 2, o.spacing / 2, radii.gentle, rules::kGive * o.spacing,
+                                   static_cast<unsigned>(o.rim_beads), o.rim_bead_width * o.spacing});
     const auto joined = rows::join_loops(
         s, found, {o.spacing, radii.gentle, radii.eased, o.cut_length, turns.tight, 1 - o.width_change});
     Plan out = rows::boustrophedon(s, found, turns);

@@ -44,11 +44,12 @@ struct Options {
     std::vector<Vec3> births_apart{}; // places where no line of field should begin, if another place is almost as good
     // mm of fibre that a cut costs; field and hybrid run no farther along other lines to avoid one
     double cut_length = 50;
-    bool strict = false;     // fail if more than max_tight of the length turns tighter than least_radius
-    double max_tight = 0.01; // a share
-    double width_change = 0; // share by which beads may be wider or narrower than the spacing (plan/widths.hpp)
-    long rim_beads = 0;      // closed lines of field along every rim; rows turn inside of them
-    double turn_outside = 0; // mm outside the rims in which rows may turn (outside.hpp); 0: none
+    bool strict = false;       // fail if more than max_tight of the length turns tighter than least_radius
+    double max_tight = 0.01;   // a share
+    double width_change = 0;   // share by which beads may be wider or narrower than the spacing (plan/widths.hpp)
+    long rim_beads = 0;        // closed lines of field along every rim; rows turn inside of them
+    double rim_bead_width = 1; // spacings, of each of them
+    double turn_outside = 0;   // mm outside the rims in which rows may turn (outside.hpp); 0: none
     // On a sheet with a flange (outside.hpp), per triangle: it lies so far outside the part that lines on it cover
     // nothing of it. Rows on such triangles only are left out, and turns lie as far outside as possible. Empty: no
     // flange.

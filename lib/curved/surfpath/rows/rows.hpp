@@ -66,7 +66,8 @@ struct RowLimits {
     double shortest = 0;    // mm: shorter remainders of lines are dropped, unless all are
     double radius = 0;      // mm: radius to which clipped lines are eased
     double give = 0;        // mm: by which easing may move them
-    unsigned rim_beads = 0; // closed lines along every rim, two margins apart; rows end that much farther inside
+    unsigned rim_beads = 0; // closed beads along every rim; rows end that much farther inside
+    double rim_bead = 0;    // mm: width of each of them
 };
 
 // Clips `lines` to the places that keep the margin, measured exactly along the surface. A line that comes nearer to a

@@ -31,6 +31,10 @@ inline constexpr double kOverlapCosts = 0.5;
 // A hairpin at a rim that meets the lines at that angle leaves more than 4 square spacings open.
 inline constexpr double kAlong = 1.0 / 3;
 
+// Spacings by which turns lie on the innermost bead along a rim. Half turns side by side leave 1 - pi/4 square spacings
+// per spacing of a rim at right angles open, so as much is covered twice as is left open.
+inline constexpr double kOnRimBead = 1 - std::numbers::pi / 4;
+
 // ---- Turns of a radius r.
 
 // Radii: how much of a row a turn replaces, from where it leaves the row to its outermost place. A half turn is r
