@@ -29,9 +29,12 @@ std::vector<Option> options(Options& o) {
                "tight length, wide ones outside the part"}
             .one_of({"usual", "none", "hairpin", "wide"}),
         Option{"rim-beads", &o.how.rim_beads, "N",
-               "plies have 0, 1 to N closed beads along the rims in turn; rows turn inside of them"}
+               "plies have up to N closed beads along the rims, so that their turns lie in different strips"}
             .within(0, 20)
             .when("!turn-outside !turns=none"),
+        Option{"width-change", &o.how.width_change, "SHARE",
+               "beads may be wider or narrower by this share of the spacing, to fit the room between lines"}
+            .within(0, 0.5),
         Option{"strict", &o.how.strict, "",
                "refuse (exit 1) a ply if more than --max-tight of it turns tighter than --min-radius"}
             .a_limit(),
@@ -70,8 +73,8 @@ cli::Spec spec(Options& o) {
             .groups = {{"the plies",
                         {"plies", "table", "symmetric", "reference", "keep", "layer-height", "stagger", "ramp"}},
                        {"lines",
-                        {"spacing", "turns", "rim-beads", "min-radius", "strict", "max-tight", "min-length",
-                         "turn-outside", "trim-list", "machine"}}},
+                        {"spacing", "width-change", "turns", "rim-beads", "min-radius", "strict", "max-tight",
+                         "min-length", "turn-outside", "trim-list", "machine"}}},
             .examples =
                 {{"geodesic part.stl --cut 0,0,1,0.9 | laminate --plies 0,90 --symmetric --spacing 2 > part.toolpath",
                   "four plies on a surface, here a part without its top"}},

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "geom/angle.hpp"
 #include "laminate/edges.hpp"
+#include "laminate/rims.hpp"
 #include "metrics/surface/map_figures.hpp"
 #include "parallel/parallel.hpp"
 #include "surface/curve/locate.hpp"
@@ -69,6 +70,7 @@ struct LaminateJob {
     Surface back; // the base reversed, if plies lie on its back
     std::vector<Edge> edges;
     std::vector<std::vector<double>> heights; // below each ply, per vertex
+    std::vector<RimBeads> rims;               // per ply
     Notes notes;
 
     LaminateJob(const surface::Sheet& sheet, std::span<const Ply> all, const Options& o) : plies(all), options(o) {
@@ -83,6 +85,7 @@ struct LaminateJob {
         for (std::size_t k = 0; k < plies.size(); ++k) add_edge(k);
         if (o.ramp > 0) make_ramps(base.surface, plies, o.ramp, edges, notes);
         heights = heights_below(plies, edges, base.surface.vertices.size(), o.ramp);
+        rims = rim_beads(plies.size(), o.rim_beads, o.width_change);
     }
 
   private:
@@ -110,7 +113,9 @@ surfpath::Options planned(const LaminateJob& job, std::size_t k) {
     how.spacing = ply.spacing;
     how.least_radius = o.least_radius;
     how.turns = o.turns;
-    how.rim_beads = o.rim_beads == 0 ? 0 : static_cast<long>(k) % (o.rim_beads + 1);
+    how.rim_beads = job.rims[k].count;
+    how.rim_bead_width = job.rims[k].width;
+    how.width_change = o.width_change;
     how.strict = o.strict;
     how.max_tight = o.max_tight;
     how.min_length = o.min_length;

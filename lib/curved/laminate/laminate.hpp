@@ -18,7 +18,8 @@ struct Options {
     Vec3 reference{1, 0, 0}; // direction from which angles are measured, projected onto the surface
     surfpath::Priority keep = surfpath::Priority::usual;
     surfpath::RowTurns turns = surfpath::RowTurns::usual; // usual: the cheaper
-    long rim_beads = 0;        // most closed beads along rims; their number changes from ply to ply, down to none
+    long rim_beads = 0;        // most closed beads along rims; they keep the turns of plies apart (rims.hpp)
+    double width_change = 0;   // share by which beads may be wider or narrower than the spacing
     double least_radius = 2.4; // mm: of turns, where there is room
     bool stagger = true;     // plies of one direction are displaced by shares of a spacing, and their births move apart
     bool strict = false;     // fail if more than max_tight of a ply turns tighter than least_radius
