@@ -30,7 +30,7 @@ class Measure {
         along_.reserve(n + 1);
         along_.push_back(0);
         for (std::size_t i = 0; i + (c.closed ? 0 : 1) < n; ++i)
-            along_.push_back(along_.back() + geom::distance(c.points[i], c.points[(i + 1) % n]));
+            along_.push_back(along_.back() + geom::distance(c.points[i], c.points[i + 1 < n ? i + 1 : 0]));
     }
 
     void add_to(Doubled& sum, double& most) const {

@@ -12,7 +12,7 @@ double covered(const toolpath::Curve& c) {
     double out = 0;
     const std::size_t n = c.points.size();
     for (std::size_t i = 0; i + (c.closed ? 0 : 1) < n; ++i) {
-        const std::size_t j = (i + 1) % n;
+        const std::size_t j = i + 1 < n ? i + 1 : 0;
         out += geom::distance(c.points[i], c.points[j]) * (c.width_at(i) + c.width_at(j)) / 2;
     }
     return out;
