@@ -14,11 +14,7 @@ using surface::Isoline;
 using surface::kNone;
 using surface::Surface;
 
-namespace {
-
-constexpr double kTolerance = 1e-3; // mm: deviation of lines from the level set
-
-} // namespace
+namespace {} // namespace
 
 FarRim far_rim(const Surface& s, const SeedSides& sides, std::uint32_t side, std::span<const double> distance,
                double spacing) {
@@ -111,7 +107,7 @@ class BlendedDistance {
         auto out = geodesic::isolines(
             surface_, value_, levels,
             [&](std::uint32_t h, double level, std::vector<double>& x) { cross(h, level, x); }, at);
-        for (Isoline& line : out) geodesic::refine(surface_, line, at, kTolerance);
+        for (Isoline& line : out) geodesic::refine(surface_, line, at, rules::kOff);
         return out;
     }
 
@@ -131,7 +127,7 @@ class BlendedDistance {
         for (int i = 0, last = 0; i < 20; ++i) {
             x = x0 + fa / (fa - fb) * (x1 - x0);
             const double f = at(h / 3, a + x * (b - a)) - level;
-            if (std::abs(f) < kTolerance / 100) break;
+            if (std::abs(f) < rules::kTiny) break;
             if ((f < 0) == (fa < 0)) {
                 x0 = x;
                 fa = f;

@@ -3,6 +3,7 @@
 #include "geom/disjoint_sets.hpp"
 #include "surface/curve/line.hpp"
 #include "surface/curve/walk.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +21,6 @@ using surface::Surface;
 using surface::curve::Line;
 
 constexpr std::size_t kRoots = 8; // number of base points through which loops are searched, far from each other
-constexpr int kRounds = 2000;     // most rounds of straightening
-constexpr double kAtRest = 1e-3;  // mean edge lengths: a line is straight once no point moves farther in a round
 
 // A component without boundary: its vertices and its genus.
 struct ClosedComponent {
@@ -141,9 +140,9 @@ VertexLoop loop(const Surface& s, std::uint32_t root, std::uint32_t component) {
 // ends of an open line stay.
 Line straightened(const Surface& s, Line line) {
     const std::size_t n = line.size(), first = line.closed ? 0 : 1, last = line.closed ? n : n - 1;
-    const double rest = kAtRest * surface::mean_edge(s);
+    const double rest = rules::kRest * surface::mean_edge(s);
     double moved = 2 * rest;
-    for (int round = 0; round < kRounds && moved > rest; ++round) {
+    for (int round = 0; round < rules::kMostSweeps && moved > rest; ++round) {
         moved = 0;
         for (std::size_t odd = 0; odd < 2; ++odd)
             for (std::size_t i = first + odd; i < last; i += 2) {

@@ -15,10 +15,6 @@ using sparse::Matrix;
 using surface::directions::turned;
 using Vector = Eigen::VectorXd;
 
-// Weight of slopes across the lines. They cost no birth, so it is small; without it, frequencies beside each other
-// would be independent, and lines would bend.
-constexpr double kAcross = 0.01;
-
 // Finds the logarithms of frequencies within limits (primal-dual active set: Hintermueller, Ito, Kunisch 2002).
 class FrequencyFitter {
   public:
@@ -72,6 +68,8 @@ class FrequencyFitter {
         }
         // without a common sign of the corners' directions, a line begins here for all frequencies
         const double weight = sign < 0 ? 0 : area;
+        // Slopes across the lines cost no birth, so their weight is negligible. Without it, frequencies beside each
+        // other would be independent, and lines would bend.
         std::array<Vec3, 3> slope; // of the hat function of each corner
         for (std::size_t k = 0; k < 3; ++k)
             slope[k] = 1 / (2 * area) * cross(n, s.vertices[c[(k + 2) % 3]] - s.vertices[c[(k + 1) % 3]]);
@@ -81,7 +79,7 @@ class FrequencyFitter {
                 if (c[i] >= c[j])
                     to.emplace_back(c[i], c[j],
                                     weight * dot(slope[i], d) * dot(slope[j], d) +
-                                        kAcross * area * dot(slope[i], slope[j]));
+                                        rules::kNegligible * area * dot(slope[i], slope[j]));
         }
     }
 

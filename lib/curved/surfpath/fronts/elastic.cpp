@@ -11,10 +11,7 @@ namespace {
 
 using surface::kNone;
 
-// Most sweeps of the relaxation.
-constexpr int kSweeps = 400;
-constexpr double kOver = 1.6;  // over-relaxation
-constexpr double kRest = 1e-4; // spacings: relaxation ends when no knot moves farther
+constexpr double kOver = 1.6; // over-relaxation
 // Slope relative to a rim from which on the rim does not pull a line. It is less than rules::kAlong, since the pull
 // turns lines away from their right angle to the source.
 constexpr double kSteepest = 0.2;
@@ -53,11 +50,11 @@ class ElasticSheet {
     }
 
     void relax() {
-        for (int sweep = 0; sweep < kSweeps; ++sweep) {
+        for (int sweep = 0; sweep < rules::kMostSweeps; ++sweep) {
             double most = 0;
             for (Knot& k : knots_)
                 if (!k.held) most = std::max(most, std::abs(pull(k)));
-            if (most < kRest * d_) break;
+            if (most < rules::kRest * d_) break;
         }
         for (int i = 0; i < kSmoothings; ++i) smooth();
     }

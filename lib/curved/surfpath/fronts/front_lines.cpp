@@ -13,9 +13,6 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kTooNear = 0.35; // spacings: of two lines nearer than this one dies
-constexpr double kBrief = 3;      // spacings: a line is not worth starting, or ending, nearer than this to a rim
-
 struct LiveLine {
     double x = 0; // mm along its front
     std::uint32_t line = 0;
@@ -172,12 +169,12 @@ class March {
         row.erase(row.begin() + static_cast<std::ptrdiff_t>(i));
     }
 
-    // Of two lines that are much too near the younger dies.
+    // Of two lines that are nearer than half a spacing the younger dies.
     void thin(std::uint32_t f, std::vector<LiveLine>& row) {
         for (std::size_t i = 0; row.size() > 1 && i < row.size();) {
             const bool closed = front(f).line.closed;
             const double gap = i > 0 ? row[i].x - row[i - 1].x : row[0].x + front(f).length() - row.back().x;
-            if ((i == 0 && !closed) || gap >= kTooNear * d_) {
+            if ((i == 0 && !closed) || gap >= d_ / 2) {
                 ++i;
                 continue;
             }
@@ -390,8 +387,9 @@ void drop_short(FrontLines& all, const Fronts& fronts, double shortest, double b
 
 FrontLines front_lines(const Fronts& fronts, const SpacingRule& rule) {
     FrontLines out = March(fronts, rule).run();
-    revive(out.lines, fronts, kBrief * rule.spacing, out.died);
-    drop_short(out, fronts, std::max(rule.shortest, rule.spacing), kBrief * rule.spacing);
+    const double brief = rules::kBeside * rule.spacing; // a line is not worth starting, or ending, nearer to a rim
+    revive(out.lines, fronts, brief, out.died);
+    drop_short(out, fronts, std::max(rule.shortest, rule.spacing), brief);
     make_room(out.lines, fronts, rule.spacing);
     return out;
 }

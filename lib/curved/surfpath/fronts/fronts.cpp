@@ -13,9 +13,10 @@ namespace filum::surfpath::fronts {
 
 namespace {
 
-constexpr double kArrived = 0.05; // steps: a line that ends farther from the next front has not reached it
-constexpr double kInset = 0.02;   // grains between the ends of a front and its outermost samples
-constexpr int kRings = 3;         // rings of triangles around a place in which fronts are searched
+// Steps: a line that ends farther from the next front has not reached it. As far from the ends of a front are its
+// outermost samples.
+constexpr double kArrived = 0.05;
+constexpr int kRings = 3; // rings of triangles around a place in which fronts are searched
 
 // The triangle and its neighbours, ring by ring.
 std::vector<std::uint32_t> about(const Surface& s, std::uint32_t triangle) {
@@ -176,7 +177,7 @@ void Fronts::sample(std::size_t level) {
     levels_[level].onward.clear();
     for (std::uint32_t f = 0; f < levels_[level].fronts.size(); ++f) {
         const Front& front = levels_[level].fronts[f];
-        const double l = front.length(), inset = front.line.closed ? 0 : std::min(kInset * grain, 0.25 * l);
+        const double l = front.length(), inset = front.line.closed ? 0 : std::min(kArrived * grain, 0.25 * l);
         const auto n = static_cast<std::size_t>(std::ceil(l / grain)) + 1;
         std::vector<Sample> samples;
         for (std::size_t i = 0; i < n; ++i) {

@@ -1,21 +1,17 @@
 #include "surfpath/lanes/spiral.hpp"
 
+#include "geom/cubic_turn.hpp"
 #include "surfpath/rules/rules.hpp"
 #include "weave/join.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <span>
 
 namespace filum::surfpath::lanes {
 
 namespace {
-
-// Spacings: distance of a line from itself above which a further line between costs less than the void that it covers.
-// Of a gap of g spacings, g - 1 are void; the line overlaps by 2 - g.
-constexpr double kRidge = (1 + 2 * rules::kOverlapCosts) / (1 + rules::kOverlapCosts);
 
 weave::End first_rung(std::uint32_t window, double sense) { return {window, sense < 0}; }
 weave::End last_rung(std::uint32_t window, double sense) { return {window, sense > 0}; }
@@ -120,12 +116,15 @@ Ladder spiral_ladder(const Lanes& lanes, std::uint32_t start, double least) {
 // follows the ridge as long as a line fits. Empty if none does.
 static Line along_ridge(const Lanes& lanes, std::uint32_t lane, double arc, double sense, double radius) {
     Line out;
+    // A line fits into a gap where it costs less than the void that it covers. Of a gap of g spacings, g - 1 are void;
+    // the line overlaps by 2 - g.
+    const double fits = (1 + 2 * rules::kOverlapCosts) / (1 + rules::kOverlapCosts);
     const double d = lanes.spacing(), step = 0.3 * d;
     const Vec3 begin = lanes.tangent(lane, arc);
     for (double on = 0; on < lanes.length(lane) / 2; on += step) {
         const double here = arc + sense * on;
         const auto over = lanes.across(lane, here, 1, 1 + rules::kBeside);
-        if (!over || over->lane != lane || over->distance < kRidge * d) break;
+        if (!over || over->lane != lane || over->distance < fits * d) break;
         if (dot(lanes.tangent(lane, here), begin) < 0) break; // the lane turns around the end of the ridge
         const Line line = surface::curve::join(lanes.surface(), lanes.at(lane, here), lanes.at(lane, over->arc));
         const auto arcs = surface::curve::arc_lengths(line);
@@ -140,14 +139,11 @@ static Line along_ridge(const Lanes& lanes, std::uint32_t lane, double arc, doub
 // that the links leave, on towards later rungs (side 1) or earlier ones (-1), and back by a half turn.
 static std::vector<Vec2> half_turn(const Lanes& lanes, const Ladder& r, std::size_t k, double v, double side,
                                    double into = 0) {
-    constexpr int kSteps = 24;
-    const double deep = 0.5 * lanes.spacing() / r.step, u = static_cast<double>(k) + 0.5;
-    std::vector<Vec2> out = straight(u - 0.5, v, v + side * into);
-    for (int i = 1; i < kSteps; ++i) {
-        const double a = std::numbers::pi * i / kSteps;
-        out.push_back({u - 0.5 * std::cos(a), v + side * (into + deep * std::sin(a))});
-    }
-    const auto back = straight(u + 0.5, v + side * into, v);
+    const double u = static_cast<double>(k), turned = v + side * into;
+    std::vector<Vec2> out = straight(u, v, turned);
+    for (const Vec2 p : geom::cubic_turn({u, 0}, {0, side}, {u + 1, 0}, {0, -side}, rules::kFineGrain))
+        out.push_back({p.x, turned + p.y * lanes.spacing() / r.step});
+    const auto back = straight(u + 1, turned, v);
     out.insert(out.end(), back.begin(), back.end());
     return out;
 }
@@ -291,7 +287,7 @@ class LaneExchanger {
 
     // Exchanges lanes that run side by side, with turns of the radius.
     void join(const ExchangeSite& s, double radius) {
-        const double long_ = 2.1 * std::sqrt(radius * s.gap), d = lanes_.spacing();
+        const double long_ = rules::shift_length(radius, s.gap), d = lanes_.spacing();
         const auto n = static_cast<std::size_t>(std::max(4.0, std::ceil(long_ / (rules::kGrain * d))));
         const double step = long_ / static_cast<double>(n);
         if (long_ > 0.7 * std::min(lanes_.length(s.a), lanes_.length(s.b))) return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "surface/surface.hpp"
+#include "surfpath/rules/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +20,11 @@ struct Sample {
 // Calls f(sample) for points of a triangle at distances of about `apart` mm, which share its area equally.
 template <class F>
 void each_sample(const surface::Surface& s, std::uint32_t t, double apart, const F& f) {
-    constexpr double kMostParts = 256; // per side of a triangle: bounds the work on a huge triangle
     const geom::Vec3 &a = s.vertices[s.triangles[t][0]], u = s.vertices[s.triangles[t][1]] - a,
                      v = s.vertices[s.triangles[t][2]] - a, n = surface::normal(s, t);
     const double side = std::max({norm(u), norm(v), norm(u - v)});
-    const auto k = static_cast<std::uint32_t>(std::clamp(std::ceil(side / apart), 1.0, kMostParts));
+    const double most = std::sqrt(static_cast<double>(rules::kMostPieces)); // bounds the work on a huge triangle
+    const auto k = static_cast<std::uint32_t>(std::clamp(std::ceil(side / apart), 1.0, most));
     const double part = norm(cross(u, v)) / 2 / (static_cast<double>(k) * k);
     for (std::uint32_t i = 0; i < k; ++i)
         for (std::uint32_t j = 0; j < 2 * (k - i) - 1; ++j) { // subtriangles, alternately upright and inverted

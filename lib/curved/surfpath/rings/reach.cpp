@@ -106,7 +106,7 @@ class RingBoundSolver {
         all.reserve(lines.size());
         for (const Isoline& l : lines) all.push_back(&l);
         if (all.empty())
-            off_.distance.assign(s_.vertices.size(), rules::kUnreached);
+            off_.distance.assign(s_.vertices.size(), std::numeric_limits<double>::infinity());
         else
             off_ = geodesic::exact(s_, as_sources(all), radius_ + std::max(half_, slack_) + 2 * edge_, from.unfolding,
                                    // places farther inside are not needed
@@ -119,7 +119,7 @@ class RingBoundSolver {
 
     void find_kinds(std::span<const double> from_rim) {
         for (const auto& corners : s_.triangles) {
-            double least = rules::kUnreached, most = 0;
+            double least = std::numeric_limits<double>::infinity(), most = 0;
             for (const std::uint32_t v : corners) {
                 least = std::min(least, off(v));
                 most = std::max(most, from_rim[v]);
@@ -202,14 +202,14 @@ class RingBoundSolver {
                 from.vertices.insert(from.vertices.end(), s_.triangles[t].begin(), s_.triangles[t].end());
         std::sort(from.vertices.begin(), from.vertices.end());
         from.vertices.erase(std::unique(from.vertices.begin(), from.vertices.end()), from.vertices.end());
-        beside_.assign(s_.vertices.size(), rules::kUnreached);
+        beside_.assign(s_.vertices.size(), std::numeric_limits<double>::infinity());
         if (!from.empty()) beside_ = geodesic::exact(s_, from, half_ + slack_ + edge_, unfolding_).distance;
     }
 
     // mm2 of a triangle that are within reach.
     [[nodiscard]] double covered(std::uint32_t t, double area) const {
         const double reach = radius_ + std::max(half_, slack_);
-        double least = rules::kUnreached, most = 0;
+        double least = std::numeric_limits<double>::infinity(), most = 0;
         for (const std::uint32_t v : s_.triangles[t]) {
             if (beside_[v] <= half_ + slack_) return area;
             least = std::min(least, off(v));

@@ -20,17 +20,11 @@ namespace {
 
 using surface::kNone;
 
-// Radius of a ring around a low ridge, in heights of the ridge above it: the middle of the disc must stay below it.
-constexpr double kOfRidge = 0.9;
 // Spacings: least radius of a ring around a low ridge. Tuned: half a spacing leaves 0.06 of a ball without a line.
 constexpr double kTightest = 0.3;
 constexpr double kScales[] = {1, 0.65, 0.4, 0.2};    // radii of rounding, in least radii
 constexpr double kGains[] = {1,   1.3, 1.7, 2,  2.3, // gains that are tried: least radii of length
                              2.6, 2.9, 3.2, 3.5};    // per radian of tight turn
-// Share of the angle that circles of the least radius would turn over the length of all rings: by so much all turns
-// together may exceed the least radius. It is used up if a hundredth of the length turns 1.8 times as tightly.
-constexpr double kTightPart = 0.008;
-
 // The sheet's sources, and all sides of rims that are not among them.
 surface::Sources all_sources(const surface::Sheet& sheet) {
     const Surface& s = sheet.surface;
@@ -103,7 +97,8 @@ class RingMaker {
         for (std::size_t i = line(own_lines.first); i < line(own_lines.second); ++i) {
             const std::uint32_t part = beyond.component(levels_.begins[i]);
             if (part == kNone) continue;
-            const double rise = beyond.highest(part) - level, radius = kOfRidge * rise;
+            // The middle of a disc must stay below the ridge, also of discs that are somewhat larger.
+            const double rise = beyond.highest(part) - level, radius = rise / rules::kRounded;
             if (rise > least_) {
                 high.outer.push_back(&levels_.lines[i]);
                 high_parts.push_back(part);
@@ -160,7 +155,8 @@ class RingMaker {
     [[nodiscard]] double affordable(const Rounding& rounding) const {
         double length = 0;
         for (const auto& line : levels_.lines) length += surface::curve::length(surface::curve::line(line));
-        const double most = kTightPart * length / least_;
+        // As much as if a hundredth of the length turned twice as tightly.
+        const double most = rules::kNegligible * length / least_;
         for (const double gain : kGains)
             if (tight(rounding, gain) <= most) return gain;
         return kGains[std::size(kGains) - 1];

@@ -1,10 +1,10 @@
 #include "surfpath/rows/exchange.hpp"
 
+#include "geom/cubic_turn.hpp"
 #include "geom/polyline.hpp"
 #include "geom/segment.hpp"
 #include "surfpath/lanes/linked_lanes.hpp"
 #include "surfpath/rows/beads.hpp"
-#include "surfpath/rows/flat_turn.hpp"
 #include "surfpath/rows/swath.hpp"
 #include "surfpath/rules/rules.hpp"
 #include "weave/join.hpp"
@@ -173,11 +173,11 @@ class LineExchanger {
                       b0 = heading(chart, e.b, e.at_b - e.cut_b), b1 = heading(chart, e.b, e.at_b + e.cut_b);
         const double step = rules::kFineGrain * d_;
         if (out.same) {
-            out.there = cubic_turn(a0.p, a0.t, b0.p, -1 * b0.t, step);
-            out.back = cubic_turn(b1.p, -1 * b1.t, a1.p, a1.t, step);
+            out.there = geom::cubic_turn(a0.p, a0.t, b0.p, -1 * b0.t, step);
+            out.back = geom::cubic_turn(b1.p, -1 * b1.t, a1.p, a1.t, step);
         } else {
-            out.there = cubic_turn(a0.p, a0.t, b1.p, b1.t, step);
-            out.back = cubic_turn(b0.p, b0.t, a1.p, a1.t, step);
+            out.there = geom::cubic_turn(a0.p, a0.t, b1.p, b1.t, step);
+            out.back = geom::cubic_turn(b0.p, b0.t, a1.p, a1.t, step);
         }
         return out;
     }

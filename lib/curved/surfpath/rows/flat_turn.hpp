@@ -32,8 +32,4 @@ struct FlatTurn {
 // bulb, or if `bulbs` is false, the one arc that fits. Its tangents are those of the rows.
 FlatTurn turn(const TurnRoom& room, double radius, bool bulbs = true);
 
-// A cubic from p with tangent t to q with tangent u, both unit. If p and q lie on a circle with these tangents, it
-// deviates from the arc by a thousandth at most. Points are about `step` mm apart.
-std::vector<Vec2> cubic_turn(Vec2 p, Vec2 t, Vec2 q, Vec2 u, double step);
-
 } // namespace filum::surfpath::rows

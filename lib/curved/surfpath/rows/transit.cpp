@@ -31,13 +31,14 @@ double ahead(const Line& ring, std::span<const double> ways, double from, double
 // The best tour of all chains, by dynamic programming over subsets (Held, Karp 1962).
 std::vector<OrientedChain> exact_tour(const std::vector<std::vector<double>>& length, std::uint32_t n, double no_way) {
     const std::uint32_t sets = 1u << n;
-    std::vector<double> best(sets * 2 * n, rules::kUnreached); // by subset and the end at which the tour stops
+    std::vector<double> best(sets * 2 * n,
+                             std::numeric_limits<double>::infinity()); // by subset and the end at which the tour stops
     std::vector<std::uint32_t> before(best.size(), kNone);
     for (std::uint32_t e = 0; e < 2 * n; ++e) best[(1u << (e / 2)) * 2 * n + e] = 0;
     for (std::uint32_t set = 1; set < sets; ++set)
         for (std::uint32_t e = 0; e < 2 * n; ++e) {
             const double so_far = best[set * 2 * n + e];
-            if (!(so_far < rules::kUnreached)) continue;
+            if (std::isinf(so_far)) continue;
             for (std::uint32_t in = 0; in < 2 * n; ++in) {
                 if ((set >> (in / 2) & 1u) != 0) continue;
                 const std::uint32_t to = (set | 1u << (in / 2)) * 2 * n + (in ^ 1u);
@@ -80,7 +81,7 @@ std::vector<OrientedChain> greedy_tour(const std::vector<std::vector<double>>& l
     std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> ways;
     for (std::uint32_t a = 0; a < 2 * n; ++a)
         for (std::uint32_t b = a + 1; b < 2 * n; ++b)
-            if (a / 2 != b / 2 && length[a][b] < rules::kUnreached) ways.emplace_back(length[a][b], a, b);
+            if (a / 2 != b / 2 && std::isfinite(length[a][b])) ways.emplace_back(length[a][b], a, b);
     std::sort(ways.begin(), ways.end());
     geom::DisjointSets together(n);
     std::vector<std::uint32_t> linked(2 * n, kNone); // per end: the end to which it is connected
@@ -129,7 +130,7 @@ Transits::Transits(const Rows& rows) : rows_(rows), edges_(2 * rows.rows.size())
 }
 
 Transits::PathTree Transits::search(std::uint32_t from, std::uint32_t to) const {
-    PathTree out{std::vector<double>(edges_.size(), rules::kUnreached),
+    PathTree out{std::vector<double>(edges_.size(), std::numeric_limits<double>::infinity()),
                  std::vector<std::uint32_t>(edges_.size(), kNone), std::vector<char>(edges_.size(), 0)};
     using Item = std::pair<double, std::uint32_t>;
     std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
@@ -170,7 +171,7 @@ Line Transits::along(std::uint32_t from, std::uint32_t to) const {
 
 std::optional<Transits::Transit> Transits::shortest(std::uint32_t from, std::uint32_t to) const {
     const PathTree tree = search(from, to);
-    if (!(tree.length[to] < rules::kUnreached)) return std::nullopt;
+    if (std::isinf(tree.length[to])) return std::nullopt;
     std::vector<std::uint32_t> ends{to};
     while (ends.back() != from) ends.push_back(tree.before[ends.back()]);
     std::reverse(ends.begin(), ends.end());

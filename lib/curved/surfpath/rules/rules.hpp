@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 
 namespace filum::surfpath::rules {
@@ -69,6 +68,10 @@ inline constexpr double kOff = 0.01;
 inline constexpr double kNegligible = 0.01;
 // Triangles per task.
 inline constexpr std::size_t kTrianglesAtOnce = 256;
+// A relaxation ends when no point moves farther than this in a sweep, in spacings or mean sides of triangles, or after
+// so many sweeps.
+inline constexpr double kRest = 1e-4;
+inline constexpr int kMostSweeps = 2000;
 // Limits of work. Searches that get better from round to round, and mostly end after a few rounds; steps of a search,
 // up to some seconds; pieces that surfaces and rims are divided into.
 inline constexpr int kMostRounds = 40;
@@ -85,6 +88,5 @@ inline constexpr double kSamePoint = 1e-6;
 inline constexpr double kTiny = 1e-6;
 // Spacings from the sources to the farthest place: more lines than this are refused.
 inline constexpr double kMostLines = 10'000;
-inline constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
 } // namespace filum::surfpath::rules
