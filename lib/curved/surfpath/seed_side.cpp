@@ -14,8 +14,6 @@ using surface::Isoline;
 using surface::kNone;
 using surface::Surface;
 
-namespace {} // namespace
-
 FarRim far_rim(const Surface& s, const SeedSides& sides, std::uint32_t side, std::span<const double> distance,
                double spacing) {
     double far = 0;
