@@ -18,9 +18,10 @@ using surface::directions::direction;
 using surface::directions::doubled;
 using surface::directions::transport;
 
-constexpr double kFall = 0.25;   // factor of a weight in every round
-constexpr int kPatience = 3;     // rounds without improvement before the search ends
-constexpr double kAround = 0.25; // least radii around a place that bends too much in which weights are lowered, too
+constexpr double kFall = 0.25;       // factor of a weight in every round
+constexpr double kLeastShare = 1e-4; // weights below this share of the prescribed one become 0
+constexpr int kPatience = 3;         // rounds without improvement before the search ends
+constexpr double kAround = 0.25;     // least radii around a place that bends too much in which weights are lowered, too
 
 void add_stress(const surface::Sheet& sheet, const Cells& cells, double share, PrescribedDirections& out) {
     const auto pull = surface::directions::pull(sheet, cells, {});
@@ -193,7 +194,7 @@ Directions smooth(const Surface& s, const Cells& cells, const PrescribedDirectio
         if (!(least.tight > 0)) break;
         widen(cells, kAround * radius * (1 + idle), where);
         for (std::size_t v = 0; v < n; ++v) {
-            if (where[v]) share[v] = share[v] * kFall > rules::kTiny ? share[v] * kFall : 0;
+            if (where[v]) share[v] = share[v] * kFall > kLeastShare ? share[v] * kFall : 0;
             weight[v] = prescribed.weight[v] * share[v];
             if (share[v] > 0 || !(std::abs(z[v]) > rules::kTiny)) continue;
             // nothing is prescribed any more: the direction of the last round, made of size 1, diffuses
