@@ -11,6 +11,10 @@ namespace filum::surfpath::plan {
 
 namespace {
 
+// A way along the surface may be this many times as long as the straight distance. Tuned: rules::kHalfTurn cuts the
+// path of field on a branched pipe five times instead of once.
+constexpr double kRoundabout = 2;
+
 double off_line(const Vec3& p, const Vec3& a, const Vec3& b) {
     const Vec3 d = b - a;
     const double l2 = dot(d, d), t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;
@@ -25,7 +29,7 @@ Connection connect(const Surface& s, const Place& a, const Place& b, Line& way) 
         return Connection::straight;
     way = surface::curve::join(s, a, b);
     if (!surface::curve::leads(s, way)) { // for example across a crease
-        const double longest = rules::kHalfTurn * distance(a.point, b.point);
+        const double longest = kRoundabout * distance(a.point, b.point);
         way = surface::curve::through_strip(s, a, b, longest);
         if (way.size() == 0 || surface::curve::length(way) > longest) return Connection::none;
     }
