@@ -123,7 +123,7 @@ TEST(Peek, JsonEscapesWordsAndHasNoBareNan) {
     EXPECT_EQ(json(record(raw)),
               "{\"kind\":\"note\",\"stage\":\"a\",\"what\":\"said \\\"no\\\\\\u000a\\u0001\\\"\","
               "\"amount\":0.1,\"unit\":\"mm\",\"count\":1,\"layer\":-1,\"x\":null,\"y\":0.001,\"z\":0,"
-              "\"code\":\"\",\"grade\":\"look\",\"detail\":\"\",\"patch\":\"\"}");
+              "\"code\":\"\",\"grade\":\"look\",\"detail\":\"\",\"patch\":\"\",\"bead\":0}");
 }
 
 TEST(Peek, OfACutStreamItPrintsWhatComesBefore) {
