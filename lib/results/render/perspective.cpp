@@ -192,7 +192,7 @@ Rgb lit(const Studio& s, const Strip& strip, int x, int y, int reach) {
     const Pixel& p = strip.at(x, y);
     if (p.hits == 0) return lit(p, {}, s.view.samples);
     const FreeShares around = smoothed(s, strip, x, y, reach);
-    if (around.rays >= kEnough || s.view.samples >= kEnough) return lit(p, around, s.view.samples);
+    if (2 * around.rays >= kEnough || s.view.samples >= kEnough) return lit(p, around, s.view.samples);
     const Pixel own = sample(s, x, y, backdrop(static_cast<double>(y) / s.height), kEnough);
     return lit(own, {own.sky_rays > 0 ? own.sky / own.sky_rays : 1, own.lamp_rays > 0 ? own.lamp / own.lamp_rays : 1},
                kEnough);
