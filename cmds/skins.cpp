@@ -1,7 +1,8 @@
 // skins - what of each region must be solid, and what is filled in part
 // reads:  Regions
 // writes: Regions
-// memory: the whole part at 8 times the bytes that it reads
+// memory: the whole part at 8 times the bytes that it reads, and per thread the infill of one layer at 30 times the
+// bytes that 'fill' writes for it
 #include "app/skins/skins.hpp"
 
 namespace {
@@ -59,7 +60,9 @@ cli::Spec spec(Options& all) {
             .description = cli::kDescription,
             .in = cli::reads(stream::Payload::regions),
             .out = cli::writes(stream::Payload::regions),
-            .memory = "the whole part at 8 times the bytes that it reads",
+            .memory =
+                "the whole part at 8 times the bytes that it reads, and per thread the infill of one layer at 30 times "
+                "the bytes that 'fill' writes for it",
             .options = options(all),
             .groups = {{"sparse parts", {"infill", "infill-pattern", "solid-below"}},
                        {"walls and skins", {"walls", "top", "bottom", "bridge"}},

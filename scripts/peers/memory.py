@@ -39,6 +39,16 @@ def most_of(sizes, count):
     return best
 
 
+def usual(sizes):
+    """The median."""
+    return sorted(sizes)[len(sizes) // 2] if sizes else 0
+
+
+def filled(skins):
+    """What 'fill' wrote for the regions of that file."""
+    return os.path.splitext(skins)[0] + ".paths"
+
+
 def triangles(stl):
     return (os.path.getsize(stl) - 84) // 50
 
@@ -48,7 +58,8 @@ STATED = {
     "slice": (r"the model at 400 bytes per triangle, 32 layers per thread at twice",
               lambda read, wrote: 400 * triangles(read) + 2 * most_of(frames(wrote), 32 * os.cpu_count())),
     "regions": (r"33 layers at 9 times", lambda read, wrote: 9 * most_of(frames(read), 33)),
-    "skins": (r"the whole part at 8 times", lambda read, wrote: 8 * sum(frames(read))),
+    "skins": (r"the whole part at 8 times.*the infill of one layer at 30 times",
+              lambda read, wrote: 8 * sum(frames(read)) + 30 * os.cpu_count() * usual(frames(filled(wrote)))),
     "sequence": (r"the whole graph at 8 times", lambda read, wrote: 8 * sum(frames(read))),
     "fill": (r"one region per thread at 40 times the bytes that it writes.*64 MB",
              lambda read, wrote: 64e6 + 40 * os.cpu_count() * max(frames(wrote), default=0)),

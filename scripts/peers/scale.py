@@ -65,15 +65,17 @@ def family(name, given, sizes, make, pattern="rows", more=None, peer_make=None):
         os.makedirs(work, exist_ok=True)
         part, log = os.path.join(work, "part.stl"), os.path.join(work, "log.txt")
         make(size, part)
-        total, peaks = 0.0, []
+        total, peaks, taken = 0.0, [], []
         for command in chain(part, pattern, work, machine, more(size) if more else ()):
             cpu, _, peak = measure([os.path.join(BIN, command[0]), "--quiet", *command[1:]], given.repeat, log)
             rows.setdefault(command[0], []).append((cpu, peak))
             peaks.append(peak)
             total += cpu if command[0] != "metrics" else 0
-            most = memory.allowed(command[0], command[-3], command[-1])
+            taken.append((command[0], command[-3], command[-1], peak))
+        for stage, read, wrote, peak in taken:  # when all files are there
+            most = memory.allowed(stage, read, wrote)
             if peak > most:
-                high.append(f"{command[0]} took {peak:.0f} MB on {name} {size}, its help states {most:.0f}")
+                high.append(f"{stage} took {peak:.0f} MB on {name} {size}, its help states {most:.0f}")
         rows.setdefault("the print", []).append((total, max(peaks)))
         laid.append(os.path.getsize(os.path.join(work, "part.toolpath")))
         written = [os.path.getsize(os.path.join(work, "part.gcode"))]
