@@ -59,7 +59,9 @@ std::vector<Option> options(Options& o) {
             .not_a_setting()
             .when("turn-outside"),
         Option{"lift", &o.how.lift, "MM", "how high the tool travels"}.within(0, 1e4).a_limit(),
-        Option{"map", &o.map, "FILE", "writes the surface with thickness and angles at every point"}.not_a_setting()};
+        Option{"map", &o.map, "FILE",
+               "writes the surface with thickness and angles at every point; a large map has fewer"}
+            .not_a_setting()};
 }
 
 cli::Spec spec(Options& o) {

@@ -44,7 +44,8 @@ std::vector<cli::Option> options(app::metrics::Options& all) {
         Option{"voids", &all.voids, "FILE", "writes the surface with its distances from the path"}.not_a_setting().when(
             "surface"),
         Option{"map", &all.map, "FILE",
-               "writes the surface with thickness, gaps and angles at every point; x.vtp: for ParaView"}
+               "writes the surface with thickness, gaps and angles at every point; a large map has fewer; x.vtp: all, "
+               "for ParaView"}
             .not_a_setting()
             .when("surface"),
         Option{"spacing", &c.spacing, "MM", "between strands on a surface, d; 0: the median bead width"}

@@ -8,6 +8,8 @@
 #include "cli/progress.hpp"
 #include "geodesic/lines.hpp"
 #include "machine/profile.hpp"
+#include "metrics/surface/map_sheet.hpp"
+#include "stream/frame.hpp"
 #include "surfpath/patches.hpp"
 #include "wire/planar.hpp"
 #include "wire/surface.hpp"
@@ -133,7 +135,9 @@ void run(const Options& o, const cli::Io& io) {
         filum::laminate::add_spans(made, plies, how, 0, spans);
         add_trims(made, stroke, trims);
         gather(made, sheets.size() > 1 ? filum::surfpath::label(sheets, k) : "", found);
-        if (!o.map.empty()) maps.push_back(metrics::surface::sheet_of(made.map, sheets[k].name));
+        if (!o.map.empty())
+            maps.push_back(metrics::surface::with_fewer_points(metrics::surface::sheet_of(made.map, sheets[k].name),
+                                                               sheets[k].surface, stream::kMaxFrame));
     }
     auto header = cli::header(io, stream::Payload::toolpath, {&before.header});
     header.expected = spans.size();

@@ -4,7 +4,9 @@
 #include "geom/angle.hpp"
 #include "metrics/surface/load.hpp"
 #include "metrics/surface/map_figures.hpp"
+#include "metrics/surface/map_sheet.hpp"
 #include "render/vtp.hpp"
+#include "stream/frame.hpp"
 #include "surface/curve/transfer.hpp"
 #include "wire/surface.hpp"
 
@@ -53,8 +55,9 @@ surface::Sheet finer(const surface::Sheet& given, double width) {
     return out;
 }
 
+// Writes the map of `base`. Streams have fewer points where all of them would not fit.
 void write(const std::string& file, const cli::Io& io, const cli::WholeInput& ground, const cli::WholeInput& path,
-           surface::Sheet map) {
+           const surface::Surface& base, surface::Sheet map) {
     if (file.ends_with(".vtp")) {
         render::Scene scene;
         scene.sheet = std::move(map);
@@ -66,7 +69,7 @@ void write(const std::string& file, const cli::Io& io, const cli::WholeInput& gr
     cli::Io there = io;
     there.output = file;
     cli::Output out(there, header);
-    out.write(wire::frame(map));
+    out.write(wire::frame(filum::metrics::surface::with_fewer_points(std::move(map), base, stream::kMaxFrame)));
     out.close();
 }
 
@@ -84,7 +87,7 @@ filum::figures::Figures mapped(const Options& options, const cli::Io& io, const 
         if (const auto* edge = field(sheet, "ply-" + std::to_string(k + 1) + ".edge", 1)) beds[k].edge = edge->values;
     }
     const auto map = filum::metrics::surface::map(sheet.surface, fibres, beds, io.threads);
-    write(options.map, io, ground, path, filum::metrics::surface::sheet_of(map, sheet.name));
+    write(options.map, io, ground, path, given.surface, filum::metrics::surface::sheet_of(map, sheet.name));
     return filum::metrics::surface::map_figures(map);
 }
 

@@ -314,31 +314,4 @@ double share_beyond(const PlyMap& ply, std::span<const double> area, double more
     return total > 0 ? sum / total : 0;
 }
 
-filum::surface::Sheet sheet_of(const Map& map, const std::string& name) {
-    filum::surface::Sheet out{map.ground.surface, {}, {}};
-    out.name = name;
-    std::vector<double> volume;
-    for (std::size_t v = 0; v < map.even.size(); ++v)
-        volume.push_back(map.nominal[v] > 0 ? map.even[v] / map.nominal[v] : kEndless);
-    out.fields = {{"thickness", map.thickness},
-                  {"thickness-even", map.even},
-                  {"thickness-nominal", map.nominal},
-                  {"fibre-volume", std::move(volume)}};
-    for (std::size_t k = 0; k < map.plies.size(); ++k) {
-        const PlyMap& ply = map.plies[k];
-        const auto field = [&](const char* what, const auto& value_of) {
-            filum::surface::Field f{"ply-" + std::to_string(k + 1) + "." + what, {}};
-            for (std::size_t v = 0; v < ply.passes.size(); ++v) f.values.push_back(value_of(v));
-            out.fields.push_back(std::move(f));
-        };
-        field("thickness", [&](std::size_t v) { return ply.height * ply.passes[v]; });
-        field("covered", [&](std::size_t v) { return std::min(1.0, ply.passes[v]); });
-        field("twice", [&](std::size_t v) { return std::clamp(ply.passes[v] - 1, 0.0, 1.0); });
-        field("gap", [&](std::size_t v) { return ply.clearance[v]; });
-        field("deviation", [&](std::size_t v) { return ply.deviation[v]; });
-        if (!ply.edge.empty()) field("edge", [&](std::size_t v) { return ply.edge[v]; });
-    }
-    return out;
-}
-
 } // namespace filum::metrics::surface

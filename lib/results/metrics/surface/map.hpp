@@ -65,10 +65,4 @@ std::vector<Weighted> weighed(std::span<const double> values, std::span<const do
 // The fraction of the ply's planned area, 0 to 1, with more than `more` beads; linear up to one bead more.
 double share_beyond(const PlyMap& ply, std::span<const double> area, double more);
 
-// The map as a surface with fields: "thickness", "thickness-even", "thickness-nominal" (mm), "fibre-volume" (even over
-// nominal, infinite where that is 0), and for every ply "ply-K.thickness" (mm), "ply-K.covered" and "ply-K.twice" (0
-// to 1), "ply-K.gap" (mm from the nearest bead's edge, negative under beads), "ply-K.deviation" (degrees) and, for
-// plies with an edge, "ply-K.edge" (mm).
-filum::surface::Sheet sheet_of(const Map& map, const std::string& name);
-
 } // namespace filum::metrics::surface

@@ -1,6 +1,7 @@
 #include "laminate/laminate.hpp"
 
 #include "../../shapes/surface/grid.hpp"
+#include "metrics/surface/map_sheet.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 #include "metrics/surface/map.hpp"
 
 #include "metrics/surface/map_figures.hpp"
+#include "metrics/surface/map_sheet.hpp"
 #include "paths.hpp"
 
 #include <gtest/gtest.h>
@@ -86,6 +87,39 @@ TEST(Map, ARimIsCoveredByAWideBeadBesideNarrowOnes) {
         }
         EXPECT_NEAR(ply_spread(made, 0).bare, 0, 1e-3) << wide;
         EXPECT_NEAR(spread_of(made, made.thickness).mean, 0.2, 1e-3) << wide;
+    }
+}
+
+// For any limit a map gets as few points as needed, down to those of the surface, with values that it has there.
+TEST(Map, HasFewerPointsWhereItWouldBeTooLarge) {
+    for (unsigned seed = 1; seed <= 2; ++seed) {
+        const Surface base = surfaces::sheet(20, 20, 5, 5, seed).surface;
+        const auto path = paths::fibres(rows(every(0.5, 1, 20), 0, 0));
+        const auto whole = sheet_of(map(base, path, beds(base, path, 1), 1), "A");
+        std::size_t before = whole.surface.vertices.size();
+        for (std::size_t most = 1 << 18; most > 512; most /= 4) {
+            const auto made = with_fewer_points(whole, base, most);
+            const std::size_t n = made.surface.vertices.size();
+            EXPECT_LE(n, before);
+            EXPECT_TRUE(n == base.vertices.size() || 8 * n * (3 + made.fields.size()) <= most);
+            EXPECT_NEAR(filum::surface::area(made.surface), filum::surface::area(base), 1e-6);
+            EXPECT_EQ(made.name, "A");
+            ASSERT_EQ(made.fields.size(), whole.fields.size());
+            for (std::size_t v = 0; v < n; ++v) {
+                std::size_t near = 0;
+                for (std::size_t w = 0; w < whole.surface.vertices.size(); ++w)
+                    if (distance(whole.surface.vertices[w], made.surface.vertices[v]) <
+                        distance(whole.surface.vertices[near], made.surface.vertices[v]))
+                        near = w;
+                for (std::size_t f = 0; f < made.fields.size(); ++f) {
+                    EXPECT_EQ(made.fields[f].name, whole.fields[f].name);
+                    ASSERT_EQ(made.fields[f].values.size(), n);
+                    EXPECT_EQ(made.fields[f].values[v], whole.fields[f].values[near]);
+                }
+            }
+            before = n;
+        }
+        EXPECT_EQ(before, base.vertices.size());
     }
 }
 
