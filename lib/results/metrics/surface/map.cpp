@@ -180,7 +180,7 @@ struct MapPoint {
 // Sets passes, clearance and deviation at a point, number v.
 void look(const std::vector<Bead>& beads, const geom::Bvh& tree, const MapPoint& at, double widest, std::size_t v,
           PlyMap& out) {
-    const auto& [p, m, n, extent] = at;
+    const Vec3 &p = at.p, &m = at.middle, &n = at.normal;
     std::vector<BeadPass> found;
     double least = out.clearance[v];
     tree.visit(geom::grown({p, p}, 1.5 * widest), [&](std::uint32_t i) {
@@ -189,7 +189,7 @@ void look(const std::vector<Bead>& beads, const geom::Bvh& tree, const MapPoint&
         const auto nearest = [&](const Vec3& q) { return geom::nearest_parameter(l.a, l.b, q); };
         const auto off = [&](const Vec3& q, double t) { return distance(q, l.a + t * (l.b - l.a)); };
         // a point's area extends halfway to its neighbours
-        const double t = nearest(m), share = (l.width / 2 - off(m, t)) / extent + 0.5;
+        const double t = nearest(m), share = (l.width / 2 - off(m, t)) / at.extent + 0.5;
         if (share > 0) found.push_back({l.way + t * distance(l.a, l.b), std::min(1.0, share)});
         const double d = off(p, nearest(p));
         if (!(d - l.width / 2 < least)) return;
