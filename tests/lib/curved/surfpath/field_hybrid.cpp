@@ -195,7 +195,7 @@ TEST(Follow, UsualTurnsAreThoseThatCostLess) {
         o.strict = true;
         EXPECT_DOUBLE_EQ(cost(RowTurns::usual), gentle) << i;
     }
-    EXPECT_TRUE(hairpins);
+    EXPECT_TRUE(hairpins || kSanitized); // with few trials only one of them may occur
     EXPECT_TRUE(wide || kSanitized);
 }
 
