@@ -6,6 +6,7 @@ check_texts() shows that these lines still say what is computed here.
 import os
 import re
 import subprocess
+from statistics import median_high
 
 from programs import BIN
 
@@ -39,11 +40,6 @@ def most_of(sizes, count):
     return best
 
 
-def usual(sizes):
-    """The median."""
-    return sorted(sizes)[len(sizes) // 2] if sizes else 0
-
-
 def filled(skins):
     """What 'fill' wrote for the regions of that file."""
     return os.path.splitext(skins)[0] + ".paths"
@@ -59,7 +55,7 @@ STATED = {
               lambda read, wrote: 400 * triangles(read) + 2 * most_of(frames(wrote), 32 * os.cpu_count())),
     "regions": (r"33 layers at 9 times", lambda read, wrote: 9 * most_of(frames(read), 33)),
     "skins": (r"the whole part at 8 times.*the infill of one layer at 30 times",
-              lambda read, wrote: 8 * sum(frames(read)) + 30 * os.cpu_count() * usual(frames(filled(wrote)))),
+              lambda read, wrote: 8 * sum(frames(read)) + 30 * os.cpu_count() * median_high(frames(filled(wrote)) or [0])),
     "sequence": (r"the whole graph at 8 times", lambda read, wrote: 8 * sum(frames(read))),
     "fill": (r"one region per thread at 40 times the bytes that it writes.*64 MB",
              lambda read, wrote: 64e6 + 40 * os.cpu_count() * max(frames(wrote), default=0)),

@@ -1,7 +1,6 @@
 #include "cli/agree.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace filum::cli {
 
@@ -13,12 +12,6 @@ const stream::Run* last_run(const std::vector<stream::Run>& history, const std::
     return nullptr;
 }
 
-const stream::Setting* find(const stream::Run& run, const std::string& name) {
-    const auto at =
-        std::find_if(run.settings.begin(), run.settings.end(), [&](const auto& s) { return s.name == name; });
-    return at == run.settings.end() ? nullptr : &*at;
-}
-
 std::string spoken(const stream::Setting* s) { return s == nullptr ? "not given" : s->value; }
 
 bool differ(const stream::Setting* a, const stream::Setting* b) {
@@ -28,19 +21,24 @@ bool differ(const stream::Setting* a, const stream::Setting* b) {
 
 } // namespace
 
+const stream::Setting* setting(const stream::Run& run, std::string_view name) {
+    const auto at = std::ranges::find(run.settings, name, &stream::Setting::name);
+    return at == run.settings.end() ? nullptr : &*at;
+}
+
 Notes disagreements(const Io& io, const stream::Header& header) {
     Notes out;
     if (header.history.empty()) return out;
     for (const Io::Same& same : io.same) {
-        const stream::Setting* own = find(header.history.back(), same.name);
+        const stream::Setting* own = setting(header.history.back(), same.name);
         for (const std::string& as : same.as) {
             const auto dot = as.find('.');
             const std::string program = as.substr(0, dot), name = as.substr(dot + 1);
             const stream::Run* run = last_run(header.history, program);
-            if (run == nullptr || !differ(own, find(*run, name))) continue;
+            if (run == nullptr || !differ(own, setting(*run, name))) continue;
             out.push_back({.code = NoteCode::setting_differs,
                            .detail = "--" + same.name + " is " + spoken(own) + ", but '" + program + "' had --" + name +
-                                     " " + spoken(find(*run, name))});
+                                     " " + spoken(setting(*run, name))});
         }
     }
     return out;

@@ -2,27 +2,19 @@
 
 #include "cli/agree.hpp"
 
-#include <algorithm>
 #include <cstdlib>
-#include <string_view>
 
 namespace filum::cli {
 
 namespace {
-
-// The setting `name` of `run` as a length in mm; 0 if it has none.
-double length_of(const stream::Run& run, std::string_view name) {
-    for (const stream::Setting& s : run.settings)
-        if (s.name == name) return std::max(0.0, std::strtod(s.value.c_str(), nullptr));
-    return 0;
-}
 
 // The width of the narrowest bead among the runs of this history, mm; 0 if no run has --bead-width. Paths on surfaces
 // have none: their beads may be wider than the surface, and their notes go by shares of it.
 double bead_width(const stream::Header& header) {
     double out = 0;
     for (const stream::Run& run : header.history) {
-        const double width = length_of(run, "bead-width");
+        const stream::Setting* given = setting(run, "bead-width");
+        const double width = given == nullptr ? 0 : std::strtod(given->value.c_str(), nullptr);
         if (width > 0 && (out == 0 || width < out)) out = width;
     }
     return out;

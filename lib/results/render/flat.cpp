@@ -248,8 +248,8 @@ void draw_marks(Canvas& page, const FlatLayer& layer, const Frame& f) {
             if (m.kind != kind) continue;
             const Vec2 p = f.to_pixel(m.at);
             const double rim = std::max(2.0, 0.35 * size);
-            // A lift ends where a stroke begins, so it shows as a ring around that dot.
-            const double wide = kind == Mark::Kind::lift ? size + 2 * rim : size;
+            // A lift ends where a stroke begins, so it shows as a ring around that dot and its white rim.
+            const double wide = kind == Mark::Kind::lift ? size + 3 * rim : size;
             page.line(p, p, {wide + rim, {1, 1, 1}});
             page.line(p, p, {wide, mark_colour(kind)});
         }

@@ -136,8 +136,8 @@ void run(const Options& o, const cli::Io& io) {
         add_trims(made, stroke, trims);
         gather(made, sheets.size() > 1 ? filum::surfpath::label(sheets, k) : "", found);
         if (!o.map.empty())
-            maps.push_back(metrics::surface::with_fewer_points(metrics::surface::sheet_of(made.map, sheets[k].name),
-                                                               sheets[k].surface, stream::kMaxFrame));
+            maps.push_back(metrics::surface::within_size(metrics::surface::sheet_of(made.map, sheets[k].name),
+                                                         sheets[k].surface, stream::kMaxFrame));
     }
     auto header = cli::header(io, stream::Payload::toolpath, {&before.header});
     header.expected = spans.size();

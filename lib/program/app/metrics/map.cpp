@@ -69,7 +69,7 @@ void write(const std::string& file, const cli::Io& io, const cli::WholeInput& gr
     cli::Io there = io;
     there.output = file;
     cli::Output out(there, header);
-    out.write(wire::frame(filum::metrics::surface::with_fewer_points(std::move(map), base, stream::kMaxFrame)));
+    out.write(wire::frame(filum::metrics::surface::within_size(std::move(map), base, stream::kMaxFrame)));
     out.close();
 }
 

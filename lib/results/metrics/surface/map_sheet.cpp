@@ -1,6 +1,6 @@
 #include "metrics/surface/map_sheet.hpp"
 
-#include "geom/bvh.hpp"
+#include "surface/curve/transfer.hpp"
 #include "surface/finer.hpp"
 
 #include <algorithm>
@@ -19,44 +19,6 @@ std::size_t bytes(const Sheet& sheet) {
     std::size_t values = 3 * sheet.surface.vertices.size();
     for (const Field& f : sheet.fields) values += f.values.size();
     return 8 * values + 4 * 6 * sheet.surface.triangles.size();
-}
-
-// For each vertex of `to` the nearest one of `from`; ties: the first.
-std::vector<std::size_t> nearest(const Surface& from, const Surface& to, double apart) {
-    std::vector<geom::Box3> boxes;
-    boxes.reserve(from.vertices.size());
-    for (const Vec3& p : from.vertices) boxes.push_back({p, p});
-    const geom::Bvh tree(boxes);
-    std::vector<std::size_t> out;
-    out.reserve(to.vertices.size());
-    for (const Vec3& p : to.vertices) {
-        double least = std::numeric_limits<double>::infinity();
-        std::size_t best = 0;
-        for (double reach = apart; !(least <= reach); reach *= 2) {
-            tree.visit(geom::grown({p, p}, reach), [&](std::uint32_t i) {
-                const double d = distance(from.vertices[i], p);
-                if (d > least || (d == least && i >= best)) return;
-                least = d;
-                best = i;
-            });
-        }
-        out.push_back(best);
-    }
-    return out;
-}
-
-Sheet at_points_of(const Sheet& sheet, Surface coarse) {
-    const auto from = nearest(sheet.surface, coarse, filum::surface::mean_edge(sheet.surface));
-    Sheet out;
-    out.surface = std::move(coarse);
-    out.name = sheet.name;
-    for (const Field& f : sheet.fields) {
-        out.fields.push_back({f.name, {}, f.components});
-        for (const std::size_t v : from)
-            for (std::size_t c = 0; c < f.components; ++c)
-                out.fields.back().values.push_back(f.values[f.components * v + c]);
-    }
-    return out;
 }
 
 } // namespace
@@ -88,7 +50,7 @@ Sheet sheet_of(const Map& map, const std::string& name) {
     return out;
 }
 
-Sheet with_fewer_points(Sheet sheet, const Surface& base, std::size_t most) {
+Sheet within_size(Sheet sheet, const Surface& base, std::size_t most) {
     if (sheet.surface.vertices.empty() || bytes(sheet) <= most) return sheet;
     double edge = 0; // mm: the longest side
     for (std::size_t h = 0; h < 3 * sheet.surface.triangles.size(); ++h)
@@ -100,7 +62,11 @@ Sheet with_fewer_points(Sheet sheet, const Surface& base, std::size_t most) {
         edge *= 2;
         coarse = filum::surface::finer(base, edge).surface;
     } while (per_vertex * coarse.vertices.size() > most && coarse.vertices.size() > base.vertices.size());
-    return at_points_of(sheet, std::move(coarse));
+    Sheet out;
+    out.fields = filum::surface::curve::transferred(sheet.surface, sheet.fields, coarse);
+    out.surface = std::move(coarse);
+    out.name = sheet.name;
+    return out;
 }
 
 } // namespace filum::metrics::surface

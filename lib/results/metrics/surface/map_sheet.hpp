@@ -15,8 +15,8 @@ namespace filum::metrics::surface {
 filum::surface::Sheet sheet_of(const Map& map, const std::string& name);
 
 // `sheet`; if it would take more than about `most` bytes in a stream, the same fields at fewer points. These are
-// `base`, the surface before it was refined, in larger triangles. Each point has the values of the nearest one of
-// `sheet`. Sides are twice as long, or four times, ... If `base` itself is too large, the result has its points.
-filum::surface::Sheet with_fewer_points(filum::surface::Sheet sheet, const Surface& base, std::size_t most);
+// `base`, the surface before it was refined, in larger triangles, with values as of surface::curve::transferred().
+// Sides are twice as long, or four times, ... If `base` itself is too large, the result has its points.
+filum::surface::Sheet within_size(filum::surface::Sheet sheet, const Surface& base, std::size_t most);
 
 } // namespace filum::metrics::surface
